@@ -1,0 +1,43 @@
+# Copyright (c) 2026 The Tubular_meshing authors.
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+# The target CGAL::Tubular_meshing, its installation, and its CMake package.
+
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+
+# The dependencies are looked for as a package's are; here they are all required.
+set(CMAKE_FIND_PACKAGE_NAME Tubular_meshing)
+set(Tubular_meshing_FIND_REQUIRED TRUE)
+include(Tubular_meshing_dependencies)
+unset(CMAKE_FIND_PACKAGE_NAME)
+unset(Tubular_meshing_FIND_REQUIRED)
+
+add_library(Tubular_meshing INTERFACE)
+add_library(CGAL::Tubular_meshing ALIAS Tubular_meshing)
+target_compile_features(Tubular_meshing INTERFACE cxx_std_17)
+target_include_directories(Tubular_meshing INTERFACE $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
+                                                     $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+# Not exported: Tubular_meshingConfig.cmake finds and links the dependencies where the package is used.
+foreach(target IN LISTS Tubular_meshing_dependency_targets)
+  target_link_libraries(Tubular_meshing INTERFACE $<BUILD_INTERFACE:${target}>)
+endforeach()
+
+set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/Tubular_meshing)
+configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/Tubular_meshingConfig.cmake.in
+                              ${PROJECT_BINARY_DIR}/Tubular_meshingConfig.cmake INSTALL_DESTINATION ${package_dir})
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/Tubular_meshingConfigVersion.cmake
+                                 COMPATIBILITY SameMajorVersion ARCH_INDEPENDENT)
+configure_file(${CMAKE_CURRENT_LIST_DIR}/Tubular_meshing_dependencies.cmake
+               ${PROJECT_BINARY_DIR}/Tubular_meshing_dependencies.cmake COPYONLY)
+
+install(TARGETS Tubular_meshing EXPORT Tubular_meshing_targets)
+install(EXPORT Tubular_meshing_targets NAMESPACE CGAL:: FILE Tubular_meshingTargets.cmake DESTINATION ${package_dir})
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/CGAL DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.h")
+install(FILES ${PROJECT_BINARY_DIR}/Tubular_meshingConfig.cmake
+              ${PROJECT_BINARY_DIR}/Tubular_meshingConfigVersion.cmake
+              ${PROJECT_BINARY_DIR}/Tubular_meshing_dependencies.cmake
+        DESTINATION ${package_dir})
+
+# The build directory is a package too: -DTubular_meshing_DIR=<build>.
+export(EXPORT Tubular_meshing_targets NAMESPACE CGAL:: FILE ${PROJECT_BINARY_DIR}/Tubular_meshingTargets.cmake)

@@ -1,0 +1,65 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef TUBULAR_MESH_OPTIONS_H
+#define TUBULAR_MESH_OPTIONS_H
+
+#include <CLI/CLI.hpp>
+
+#include <limits>
+#include <string>
+#include <vector>
+
+/* What the user of tubular_mesh asks for. */
+struct Options {
+  std::string surface, centerlines, output, type = "isotropic";
+  double points_per_circumference = 20;
+  double min_size = 0, max_size = (std::numeric_limits<double>::infinity)(), gradation = 1.3;
+  std::vector<double> inlet;
+  std::string report, surface_output, centerlines_output;
+  int threads = 0;
+  bool verbose = false, quiet = false;
+
+  std::vector<std::string> outputs() const {
+    std::vector<std::string> files = {output};
+    for (const std::string& f : {report, surface_output, centerlines_output})
+      if (!f.empty())
+        files.push_back(f);
+    return files;
+  }
+};
+
+inline void declare_options(CLI::App& app, Options& o, const std::string& version) {
+  app.description("Makes a tetrahedral mesh of a vessel or airway tree from its triangulated surface and its "
+                  "centerlines.\nLengths are in the unit of the surface.");
+  app.footer("Exit status: 0 done, 2 wrong usage (a file that cannot be written included), 3 input that cannot be read "
+             "or used, 4 meshing failed.\nNothing is written unless all of it is whole.");
+  app.set_version_flag("--version", version);
+  app.add_option("surface", o.surface, "surface: .stl .off .obj .ply .vtp")->required();
+  app.add_option("-c,--centerlines", o.centerlines, "centerlines: .vtk .vtp (VMTK) or .msh (Gmsh)")->required();
+  app.add_option("-o,--output", o.output, "mesh to write: .vtu .msh .mesh")->required();
+  app.add_option("-t,--type", o.type, "kind of mesh: isotropic")->capture_default_str();
+  app.add_option("-n,--points-per-circumference", o.points_per_circumference,
+                 "mesh size h = 2 pi r / N, r the local radius")
+      ->capture_default_str()
+      ->check(CLI::Range(3., 1e4));
+  app.add_option("--min-size", o.min_size, "smallest mesh size")->check(CLI::NonNegativeNumber);
+  app.add_option("--max-size", o.max_size, "largest mesh size")->check(CLI::PositiveNumber);
+  app.add_option("--gradation", o.gradation, "largest ratio of the sizes of neighbours")
+      ->capture_default_str()
+      ->check(CLI::Range(1., 1e4));
+  app.add_option("--inlet", o.inlet,
+                 "X,Y,Z: the opening nearest to this point is the inlet (default: the one at the "
+                 "centerlines' common start, else the largest)")
+      ->delimiter(',')
+      ->expected(3);
+  app.add_option("--report", o.report, "write the summary to this .json file");
+  app.add_option("--write-surface", o.surface_output, "write the closed, labelled input surface: .vtp .stl .off .ply");
+  app.add_option("--write-centerlines", o.centerlines_output, "write the branches and their radii: .vtp .vtk");
+  app.add_option("--threads", o.threads, "number of threads; 1 makes results reproducible (default: all cores)")
+      ->check(CLI::Range(0, 1024));
+  auto* verbose = app.add_flag("-v,--verbose", o.verbose, "say more: the branches, a histogram of the quality");
+  app.add_flag("-q,--quiet", o.quiet, "print errors only")->excludes(verbose);
+}
+
+#endif // TUBULAR_MESH_OPTIONS_H

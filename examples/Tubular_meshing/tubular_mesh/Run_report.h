@@ -1,0 +1,162 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef TUBULAR_MESH_RUN_REPORT_H
+#define TUBULAR_MESH_RUN_REPORT_H
+
+#include "Options.h"
+#include "Stage_clock.h"
+
+#include <CGAL/Tubular_meshing/Centerlines/Centerline_field.h>
+#include <CGAL/Tubular_meshing/Mixed_mesh.h>
+#include <CGAL/Tubular_meshing/Quality/branch_resolution.h>
+#include <CGAL/Tubular_meshing/Quality/quality_report.h>
+#include <CGAL/Tubular_meshing/Quality/validity_report.h>
+#include <CGAL/Tubular_meshing/Tubular_model.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <map>
+#include <string>
+#include <vector>
+
+/* All that a run has to tell, as JSON; the summary on the terminal is a view of it. */
+namespace run_report {
+
+namespace tubular = CGAL::Tubular_meshing;
+typedef nlohmann::ordered_json Json;
+
+inline Json statistics(const tubular::Measure_statistics& s) {
+  return {{"count", s.count()},    {"min", s.min()},        {"mean", s.mean()},        {"max", s.max()},
+          {"p1", s.percentile(1)}, {"p5", s.percentile(5)}, {"p50", s.percentile(50)}, {"histogram", s.histogram()}};
+}
+
+template <class Point> Json vector_of(const Point& p) {
+  return {p.x(), p.y(), p.z()};
+}
+
+template <class Point> Json openings(const tubular::Tubular_model<Point>& model, const tubular::Mixed_mesh<Point>& mesh) {
+  std::map<int, std::size_t> triangles;
+  for (int label : mesh.triangles.label)
+    ++triangles[label];
+  Json list = Json::array();
+  for (const auto& o : model.openings) {
+    Json entry = {{"name", mesh.patch_names.at(o.patch)},
+                  {"patch", o.patch},
+                  {"center", vector_of(o.center)},
+                  {"normal", vector_of(o.normal)},
+                  {"area", o.area},
+                  {"perimeter", o.perimeter},
+                  {"radius", o.radius},
+                  {"triangles", triangles[o.patch]}};
+    if (o.branch != tubular::Opening<Point>::no_branch)
+      entry["branch"] = o.branch;
+    list.push_back(entry);
+  }
+  return list;
+}
+
+template <class Point> Json branches(const tubular::Tubular_model<Point>& model, const tubular::Mixed_mesh<Point>& mesh) {
+  const auto& graph = model.centerlines;
+  const std::vector<double> points =
+      tubular::points_per_circumference(mesh, tubular::Centerline_field<Point>(graph), graph.branches().size());
+  Json list = Json::array();
+  for (std::size_t b = 0; b < graph.branches().size(); ++b) {
+    const auto& branch = graph.branches()[b];
+    list.push_back({{"length", branch.length},
+                    {"min_radius", branch.min_radius},
+                    {"max_radius", branch.max_radius},
+                    {"points_per_circumference", points[b]},
+                    {"parents", branch.parents},
+                    {"children", branch.children}});
+  }
+  return list;
+}
+
+template <class Point>
+Json make(const Options& options, const std::string& version, const tubular::Tubular_model<Point>& model,
+          const tubular::Mixed_mesh<Point>& mesh) {
+  const tubular::Validity_report validity = tubular::validity_report(mesh);
+  const tubular::Quality_report quality = tubular::quality_report(mesh);
+  Json report = {{"program", "tubular_mesh " + version},
+                 {"input", options.surface},
+                 {"centerlines", options.centerlines},
+                 {"output", options.output},
+                 {"type", options.type},
+                 {"points_per_circumference", options.points_per_circumference},
+                 {"points", mesh.points.size()},
+                 {"cells", {{"tetrahedra", mesh.tetrahedra.size()}}},
+                 {"facets", {{"triangles", mesh.triangles.size()}}},
+                 {"valid", validity.is_valid()},
+                 {"boundary_euler", validity.boundary_euler},
+                 {"quality", {{"gamma_tau", statistics(quality.gamma_tau)}, {"gamma_T", statistics(quality.gamma_T)}}},
+                 {"openings", openings(model, mesh)},
+                 {"branches", branches(model, mesh)}};
+  return report;
+}
+
+inline void add_times(Json& report, const Stage_clock& clock) {
+  for (const auto& stage : clock.stages())
+    report["times"][stage.first] = stage.second;
+  report["total_time"] = clock.total();
+  report["peak_memory_bytes"] = Stage_clock::peak_memory();
+}
+
+inline void print_histogram(const Json& measure, const char* name) {
+  const auto& bins = measure["histogram"];
+  const double most = *std::max_element(bins.begin(), bins.end());
+  std::printf("\n%s\n", name);
+  for (std::size_t i = 0; i < bins.size(); ++i)
+    std::printf("  %4.2f %9ld %s\n", double(i) / double(bins.size()), bins[i].get<long>(),
+                std::string(std::size_t(50 * bins[i].get<double>() / (std::max)(most, 1.)), '#').c_str());
+}
+
+inline void print_branches(const Json& branches) {
+  std::printf("\n%-8s %12s %12s %12s %10s\n", "branch", "length", "min radius", "max radius", "points");
+  for (std::size_t i = 0; i < branches.size(); ++i)
+    std::printf("%-8zu %12.5g %12.5g %12.5g %10.1f\n", i, branches[i]["length"].get<double>(),
+                branches[i]["min_radius"].get<double>(), branches[i]["max_radius"].get<double>(),
+                branches[i]["points_per_circumference"].get<double>());
+}
+
+inline void print(const Json& r, bool verbose) {
+  std::printf("%s: %ld points, %ld tetrahedra, %ld triangles\n\n", r["output"].get<std::string>().c_str(),
+              r["points"].get<long>(), r["cells"]["tetrahedra"].get<long>(), r["facets"]["triangles"].get<long>());
+  std::printf("%-22s %8s %8s %8s\n", "quality", "min", "1 %", "mean");
+  for (const auto& m :
+       {std::make_pair("gamma_tau", "tetrahedra, gamma_tau"), std::make_pair("gamma_T", "triangles, gamma_T")}) {
+    const auto& s = r["quality"][m.first];
+    std::printf("%-22s %8.3f %8.3f %8.3f\n", m.second, s["min"].get<double>(), s["p1"].get<double>(),
+                s["mean"].get<double>());
+  }
+  double fewest = 0, most = 0;
+  for (const auto& b : r["branches"]) {
+    const double p = b["points_per_circumference"];
+    if (p > 0) {
+      fewest = fewest > 0 ? (std::min)(fewest, p) : p;
+      most = (std::max)(most, p);
+    }
+  }
+  std::printf("\n%ld branches, %.1f to %.1f points round their circumference\n", long(r["branches"].size()), fewest,
+              most);
+  std::printf("\n%-12s %6s %10s %12s %12s\n", "opening", "patch", "triangles", "radius", "area");
+  for (const auto& o : r["openings"])
+    std::printf("%-12s %6d %10ld %12.5g %12.5g\n", o["name"].get<std::string>().c_str(), o["patch"].get<int>(),
+                o["triangles"].get<long>(), o["radius"].get<double>(), o["area"].get<double>());
+  if (verbose) {
+    print_branches(r["branches"]);
+    print_histogram(r["quality"]["gamma_tau"], "tetrahedra, gamma_tau");
+    print_histogram(r["quality"]["gamma_T"], "triangles, gamma_T");
+  }
+  std::printf("\n%-22s %8s\n", "stage", "seconds");
+  for (const auto& t : r["times"].items())
+    std::printf("%-22s %8.2f\n", t.key().c_str(), t.value().get<double>());
+  std::printf("%-22s %8.2f   peak memory %.0f MB\n", "total", r["total_time"].get<double>(),
+              r["peak_memory_bytes"].get<double>() / 1e6);
+}
+
+} // namespace run_report
+
+#endif // TUBULAR_MESH_RUN_REPORT_H

@@ -1,0 +1,258 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_IO_INTERNAL_POLYGON_SOUP_H
+#define CGAL_TUBULAR_MESHING_IO_INTERNAL_POLYGON_SOUP_H
+
+#include <CGAL/Tubular_meshing/IO/internal/Input_file.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Tubular_meshing {
+namespace IO {
+namespace internal {
+
+typedef std::array<double, 3> Coordinates;
+typedef std::array<std::size_t, 3> Index_triangle;
+
+// Polygons as they come from a file, nothing checked yet: corners of polygon i end before ends[i].
+struct Polygon_soup {
+  std::vector<Coordinates> points;
+  std::vector<std::int64_t> corners;
+  std::vector<std::size_t> ends;
+
+  void end_polygon() { ends.push_back(corners.size()); }
+};
+
+inline void check_finite(const std::vector<Coordinates>& points, const Input_file& file) {
+  for (std::size_t i = 0; i < points.size(); ++i)
+    for (int k = 0; k < 3; ++k)
+      if (!std::isfinite(points[i][k]))
+        file.fail("cannot be used: the " + std::string(1, "xyz"[k]) + " coordinate of vertex " + std::to_string(i) +
+                  " (counted from 0) is not a finite number");
+}
+
+inline void check_index(std::int64_t i, std::size_t n, const char* what, std::size_t number, const Input_file& file) {
+  if (i < 0 || static_cast<std::uint64_t>(i) >= n)
+    file.fail("cannot be used: " + std::string(what) + " " + std::to_string(number) +
+              " (counted from 0) refers to vertex " + std::to_string(i) + ", but the file has only the vertices 0 to " +
+              std::to_string(n - 1) + " (or none)");
+}
+
+inline Coordinates minus(const Coordinates& a, const Coordinates& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+inline Coordinates cross(const Coordinates& a, const Coordinates& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+inline double dot(const Coordinates& a, const Coordinates& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+// Cuts one polygon into triangles by clipping ears in the plane of its (Newell) normal: right for non-convex
+// polygons too. O(k^2) for usual polygons of k corners, O(k^3) at worst.
+class Ear_clipper {
+public:
+  Ear_clipper(const std::vector<Coordinates>& points, std::vector<std::size_t> ring)
+      : points_(points)
+      , ring_(std::move(ring))
+      , normal_{0, 0, 0} {
+    for (std::size_t i = 1; i + 1 < ring_.size(); ++i) {
+      const Coordinates n = turn(ring_[0], ring_[i], ring_[i + 1]);
+      for (int k = 0; k < 3; ++k)
+        normal_[k] += n[k];
+    }
+  }
+
+  void clip(std::vector<Index_triangle>& triangles) {
+    std::size_t i = 0, misses = 0;
+    while (ring_.size() > 3) {
+      // a polygon that crosses itself may run out of ears: then any corner goes
+      if (misses < ring_.size() && !is_ear(i)) {
+        i = (i + 1) % ring_.size();
+        ++misses;
+        continue;
+      }
+      triangles.push_back({previous(i), ring_[i], next(i)});
+      ring_.erase(ring_.begin() + static_cast<std::ptrdiff_t>(i));
+      // on to the corner after next, so that a convex polygon is not cut into one fan of slivers
+      i = (i + 1) % ring_.size();
+      misses = 0;
+    }
+    triangles.push_back({ring_[0], ring_[1], ring_[2]});
+  }
+
+private:
+  std::size_t previous(std::size_t i) const { return ring_[(i + ring_.size() - 1) % ring_.size()]; }
+  std::size_t next(std::size_t i) const { return ring_[(i + 1) % ring_.size()]; }
+
+  Coordinates turn(std::size_t a, std::size_t b, std::size_t c) const {
+    return cross(minus(points_[b], points_[a]), minus(points_[c], points_[a]));
+  }
+  double area(std::size_t a, std::size_t b, std::size_t c) const { return dot(turn(a, b, c), normal_); }
+
+  bool is_ear(std::size_t i) const {
+    const std::size_t a = previous(i), b = ring_[i], c = next(i);
+    if (!(area(a, b, c) > 0))
+      return false;
+    return std::none_of(ring_.begin(), ring_.end(), [&](std::size_t p) {
+      return p != a && p != b && p != c && area(a, b, p) >= 0 && area(b, c, p) >= 0 && area(c, a, p) >= 0;
+    });
+  }
+
+  const std::vector<Coordinates>& points_;
+  std::vector<std::size_t> ring_;
+  Coordinates normal_;
+};
+
+// The triangles of the polygons, after checking all that a file can get wrong.
+inline std::vector<Index_triangle> triangulate(const Polygon_soup& soup, const Input_file& file) {
+  // more corners than any exporter writes: refused, since the cost of clipping grows fast with it
+  const std::size_t most_corners = 256;
+
+  check_finite(soup.points, file);
+  std::vector<Index_triangle> triangles;
+  triangles.reserve(soup.ends.size());
+  std::size_t begin = 0;
+  for (std::size_t f = 0; f < soup.ends.size(); begin = soup.ends[f], ++f) {
+    const std::size_t k = soup.ends[f] - begin;
+    if (k < 3)
+      continue;
+    if (k > most_corners)
+      file.fail("cannot be used: face " + std::to_string(f) + " has " + std::to_string(k) +
+                " corners; triangulate the surface first");
+    for (std::size_t i = begin; i < soup.ends[f]; ++i)
+      check_index(soup.corners[i], soup.points.size(), "face", f, file);
+    const auto corner = soup.corners.begin() + static_cast<std::ptrdiff_t>(begin);
+    if (k == 3)
+      triangles.push_back({static_cast<std::size_t>(corner[0]), static_cast<std::size_t>(corner[1]),
+                           static_cast<std::size_t>(corner[2])});
+    else
+      Ear_clipper(soup.points, {corner, corner + static_cast<std::ptrdiff_t>(k)}).clip(triangles);
+  }
+  if (triangles.empty())
+    file.fail("contains no triangles; check that it is a surface, and the right file");
+  return triangles;
+}
+
+// Gives equal keys equal numbers, counted from 0 in the order in which they come: a hash table with open addressing.
+template <class Key, class Hash> class Numbering {
+public:
+  Numbering(std::size_t most_keys, Hash hash = Hash())
+      : hash_(hash) {
+    std::size_t size = 16;
+    while (size < 2 * most_keys)
+      size *= 2;
+    slots_.assign(size, none);
+  }
+
+  std::size_t number_of(const Key& key) {
+    std::size_t s = hash_(key) & (slots_.size() - 1);
+    for (; slots_[s] != none; s = (s + 1) & (slots_.size() - 1))
+      if (keys_[slots_[s]] == key)
+        return slots_[s];
+    slots_[s] = keys_.size();
+    keys_.push_back(key);
+    return slots_[s];
+  }
+
+  std::vector<Key>& keys() { return keys_; }
+
+private:
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+  Hash hash_;
+  std::vector<std::size_t> slots_;
+  std::vector<Key> keys_;
+};
+
+inline std::uint64_t mixed_bits(std::uint64_t h) {
+  h ^= h >> 32;
+  h *= 0xd6e8feb86659fd93u;
+  h ^= h >> 32;
+  h *= 0xd6e8feb86659fd93u;
+  return h ^ (h >> 32);
+}
+
+struct Hash_of_coordinates {
+  std::size_t operator()(const Coordinates& p) const {
+    std::uint64_t h = 0;
+    for (double x : p) {
+      std::uint64_t bits;
+      x += 0.; // -0 equals 0, and must hash so
+      std::memcpy(&bits, &x, sizeof bits);
+      h = mixed_bits(h ^ bits) + 0x9e3779b97f4a7c15u;
+    }
+    return static_cast<std::size_t>(h);
+  }
+};
+
+struct Hash_of_triangle {
+  std::size_t operator()(const Index_triangle& t) const {
+    return static_cast<std::size_t>(mixed_bits(mixed_bits(mixed_bits(t[0]) + t[1]) + t[2]));
+  }
+};
+
+// Makes points of equal coordinates one point. O(n).
+inline void merge_points(std::vector<Coordinates>& points, std::vector<Index_triangle>& triangles) {
+  Numbering<Coordinates, Hash_of_coordinates> numbering(points.size());
+  std::vector<std::size_t> merged(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+    merged[i] = numbering.number_of(points[i]);
+  for (Index_triangle& t : triangles)
+    for (std::size_t& v : t)
+      v = merged[v];
+  points.swap(numbering.keys());
+}
+
+// Drops triangles of which two corners are one point, and all but the first of those with the same corners.
+// Triangles of zero area with three corners stay: without them the surface would come apart. O(n).
+inline void drop_degenerate_and_duplicate(std::vector<Index_triangle>& triangles) {
+  Numbering<Index_triangle, Hash_of_triangle> seen(triangles.size());
+  const auto superfluous = [&](const Index_triangle& t) {
+    if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0])
+      return true;
+    Index_triangle sorted = t;
+    std::sort(sorted.begin(), sorted.end());
+    const std::size_t before = seen.keys().size();
+    return seen.number_of(sorted) < before;
+  };
+  std::vector<Index_triangle> kept;
+  kept.reserve(triangles.size());
+  for (const Index_triangle& t : triangles)
+    if (!superfluous(t))
+      kept.push_back(t);
+  triangles.swap(kept);
+}
+
+// Drops points that no triangle uses. O(n).
+inline void drop_unused_points(std::vector<Coordinates>& points, std::vector<Index_triangle>& triangles) {
+  const std::size_t unused = points.size();
+  std::vector<std::size_t> number(points.size(), unused);
+  for (const Index_triangle& t : triangles)
+    for (std::size_t v : t)
+      number[v] = 0;
+  std::size_t n = 0;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (number[i] != unused) {
+      points[n] = points[i];
+      number[i] = n++;
+    }
+  points.resize(n);
+  for (Index_triangle& t : triangles)
+    for (std::size_t& v : t)
+      v = number[v];
+}
+
+} // namespace internal
+} // namespace IO
+} // namespace Tubular_meshing
+} // namespace CGAL
+
+#endif // CGAL_TUBULAR_MESHING_IO_INTERNAL_POLYGON_SOUP_H

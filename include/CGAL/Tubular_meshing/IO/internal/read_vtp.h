@@ -1,0 +1,73 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_IO_INTERNAL_READ_VTP_H
+#define CGAL_TUBULAR_MESHING_IO_INTERNAL_READ_VTP_H
+
+#include <CGAL/Tubular_meshing/IO/internal/Polygon_soup.h>
+#include <CGAL/Tubular_meshing/IO/internal/Vtk_xml_file.h>
+
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Tubular_meshing {
+namespace IO {
+namespace internal {
+
+// Every second triangle of a strip turns the other way.
+inline void add_strip(const std::vector<std::int64_t>& strip, std::size_t begin, std::size_t end, std::int64_t shift,
+                      Polygon_soup& soup) {
+  for (std::size_t i = begin; i + 2 < end; ++i) {
+    const bool odd = (i - begin) % 2 == 1;
+    for (std::size_t j : {i, odd ? i + 2 : i + 1, odd ? i + 1 : i + 2})
+      soup.corners.push_back(strip[j] + shift);
+    soup.end_polygon();
+  }
+}
+
+// A piece numbers its points from 0: its indices are checked before they are shifted behind those of other pieces.
+inline std::vector<std::int64_t> vtp_connectivity(const Vtk_xml_file& vtp, pugi::xml_node cells, std::size_t points) {
+  std::vector<std::int64_t> c = vtp.values<std::int64_t>(vtp.find(cells, "connectivity"));
+  for (std::size_t i = 0; i < c.size(); ++i)
+    check_index(c[i], points, "corner", i, vtp.file());
+  return c;
+}
+
+// Polygons and triangle strips of all pieces; vertices and lines are passed over.
+inline Polygon_soup read_vtp_surface(const Input_file& file) {
+  Polygon_soup soup;
+  const Vtk_xml_file vtp(file, "PolyData");
+  for (const pugi::xml_node piece : vtp.dataset().children("Piece")) {
+    const std::int64_t shift = static_cast<std::int64_t>(soup.points.size());
+    const std::vector<Coordinates> points = vtp.points(piece);
+    soup.points.insert(soup.points.end(), points.begin(), points.end());
+
+    const std::size_t number_of_polygons = vtp.count(piece, "NumberOfPolys");
+    if (number_of_polygons > 0) {
+      const auto corners = vtp_connectivity(vtp, piece.child("Polys"), points.size());
+      const auto offsets = vtp.values<std::int64_t>(vtp.find(piece.child("Polys"), "offsets"), number_of_polygons);
+      for_each_vtk_cell(offsets, corners.size(), file, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+          soup.corners.push_back(corners[i] + shift);
+        soup.end_polygon();
+      });
+    }
+    const std::size_t number_of_strips = vtp.count(piece, "NumberOfStrips");
+    if (number_of_strips > 0) {
+      const auto corners = vtp_connectivity(vtp, piece.child("Strips"), points.size());
+      const auto offsets = vtp.values<std::int64_t>(vtp.find(piece.child("Strips"), "offsets"), number_of_strips);
+      for_each_vtk_cell(offsets, corners.size(), file, [&](std::size_t begin, std::size_t end) {
+        add_strip(corners, begin, end, shift, soup);
+      });
+    }
+  }
+  return soup;
+}
+
+} // namespace internal
+} // namespace IO
+} // namespace Tubular_meshing
+} // namespace CGAL
+
+#endif // CGAL_TUBULAR_MESHING_IO_INTERNAL_READ_VTP_H

@@ -1,0 +1,231 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_IO_INTERNAL_WRITE_MSH_H
+#define CGAL_TUBULAR_MESHING_IO_INTERNAL_WRITE_MSH_H
+
+#include <CGAL/Tubular_meshing/IO/internal/Number_writer.h>
+#include <CGAL/Tubular_meshing/IO/internal/element_kinds.h>
+
+#include <CGAL/double.h>
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Tubular_meshing {
+namespace IO {
+namespace internal {
+
+// Writes a mesh for Gmsh, format 4.1 in binary or 2.2 in ASCII (older programs rarely read another form of it). Each
+// label is an entity and a physical group of the same number; elements of label 0 are in no group. Nodes and elements
+// are numbered in the mesh's order, so that it can be restored although 4.1 lists elements by entity.
+template <class Mesh> class Msh_writer {
+public:
+  Msh_writer(Output_file& file, const Mesh& mesh)
+      : file_(file)
+      , out_(file)
+      , mesh_(mesh) {
+    for_each_block(mesh_, [&](const auto& block, const Element_kind& kind) {
+      for (int label : block.label)
+        highest_label_[kind.dimension] = (std::max)(highest_label_[kind.dimension], checked(label));
+      for (int label : block.label)
+        labels_[kind.dimension][label] = true;
+    });
+  }
+
+  void write_4_1() {
+    out_ << "$MeshFormat\n4.1 1 8\n";
+    out_.bytes(std::int32_t(1)) << "\n$EndMeshFormat\n";
+    write_names();
+    write_entities();
+    write_nodes_4();
+    write_elements_4();
+    for (const Point_array& a : mesh_.point_arrays)
+      write_node_data(a, true);
+    out_.flush();
+  }
+
+  void write_2_2() {
+    out_ << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n";
+    write_names();
+    write_nodes_2();
+    write_elements_2();
+    for (const Point_array& a : mesh_.point_arrays)
+      write_node_data(a, false);
+    out_.flush();
+  }
+
+private:
+  int checked(int label) const {
+    if (label < 0)
+      fail("its format has no negative labels, but the mesh has the label " + std::to_string(label));
+    return label;
+  }
+
+  [[noreturn]] void fail(const std::string& reason) const {
+    throw Output_error("The file \"" + file_.name() + "\" cannot be written: " + reason + "; write a .vtu file instead.");
+  }
+
+  // Entities are numbered from 1.
+  std::int32_t entity(int dimension, int label) const { return label > 0 ? label : highest_label_[dimension] + 1; }
+
+  void write_names() {
+    if (mesh_.region_names.empty() && mesh_.patch_names.empty())
+      return;
+    out_ << "$PhysicalNames\n" << mesh_.patch_names.size() + mesh_.region_names.size() << '\n';
+    for (const auto& n : mesh_.patch_names)
+      out_ << "2 " << n.first << " \"" << n.second << "\"\n";
+    for (const auto& n : mesh_.region_names)
+      out_ << "3 " << n.first << " \"" << n.second << "\"\n";
+    out_ << "$EndPhysicalNames\n";
+  }
+
+  // The box of the points; Gmsh needs one for each entity, but no tight one.
+  std::array<double, 6> bounding_box() const {
+    std::array<double, 6> box = {0, 0, 0, 0, 0, 0};
+    for (std::size_t i = 0; i < mesh_.points.size(); ++i)
+      for (int k = 0; k < 3; ++k) {
+        const double x = CGAL::to_double(mesh_.points[i][k]);
+        box[k] = i == 0 ? x : (std::min)(box[k], x);
+        box[k + 3] = i == 0 ? x : (std::max)(box[k + 3], x);
+      }
+    return box;
+  }
+
+  void write_entities() {
+    // nodes need an entity, even without elements
+    if (labels_[2].empty() && labels_[3].empty())
+      labels_[3][0] = true;
+    out_ << "$Entities\n";
+    for (int d = 0; d < 4; ++d)
+      out_.bytes(std::uint64_t(labels_[d].size()));
+    const std::array<double, 6> box = bounding_box();
+    for (int d = 2; d < 4; ++d)
+      for (const auto& l : labels_[d]) {
+        out_.bytes(entity(d, l.first));
+        for (double x : box)
+          out_.bytes(x);
+        out_.bytes(std::uint64_t(l.first > 0 ? 1 : 0));
+        if (l.first > 0)
+          out_.bytes(std::int32_t(l.first));
+        out_.bytes(std::uint64_t(0)); // bounding entities
+      }
+    out_ << "\n$EndEntities\n";
+  }
+
+  // All nodes in one block, in order: classified on patches they would have to be listed patch by patch, and programs
+  // that take nodes in the file's order would take other data for theirs.
+  void write_nodes_4() {
+    const std::uint64_t n = mesh_.points.size();
+    const int dimension = labels_[3].empty() ? 2 : 3;
+    out_ << "$Nodes\n";
+    out_.bytes(std::uint64_t(1)).bytes(n).bytes(std::uint64_t(1)).bytes(n);
+    out_.bytes(std::int32_t(dimension)).bytes(entity(dimension, labels_[dimension].begin()->first));
+    out_.bytes(std::int32_t(0)).bytes(n);
+    for (std::uint64_t i = 1; i <= n; ++i)
+      out_.bytes(i);
+    for (const auto& p : mesh_.points)
+      for (int k = 0; k < 3; ++k)
+        out_.bytes(double(CGAL::to_double(p[k])));
+    out_ << "\n$EndNodes\n";
+  }
+
+  void write_elements_4() {
+    // for each kind and label, the elements in order
+    std::vector<std::map<int, std::vector<std::size_t>>> members;
+    std::uint64_t blocks = 0, elements = 0;
+    for_each_block(mesh_, [&](const auto& block, const Element_kind&) {
+      members.emplace_back();
+      for (std::size_t i = 0; i < block.size(); ++i)
+        members.back()[block.label[i]].push_back(i);
+      blocks += members.back().size();
+      elements += block.size();
+    });
+    out_ << "$Elements\n";
+    out_.bytes(blocks).bytes(elements).bytes(std::uint64_t(1)).bytes(elements);
+    std::uint64_t first = 1;
+    for_each_block(mesh_, [&](const auto& block, const Element_kind& kind) {
+      for (const auto& m : members[static_cast<std::size_t>(&kind - element_kinds)]) {
+        out_.bytes(std::int32_t(kind.dimension)).bytes(entity(kind.dimension, m.first));
+        out_.bytes(std::int32_t(kind.gmsh_type)).bytes(std::uint64_t(m.second.size()));
+        for (std::size_t i : m.second) {
+          out_.bytes(std::uint64_t(first + i));
+          for (std::uint32_t v : block.vertices[i])
+            out_.bytes(std::uint64_t(v) + 1);
+        }
+      }
+      first += block.size();
+    });
+    out_ << "\n$EndElements\n";
+  }
+
+  void write_nodes_2() {
+    out_ << "$Nodes\n" << mesh_.points.size() << '\n';
+    for (std::size_t i = 0; i < mesh_.points.size(); ++i) {
+      out_ << i + 1;
+      for (int k = 0; k < 3; ++k)
+        out_ << ' ' << CGAL::to_double(mesh_.points[i][k]);
+      out_ << '\n';
+    }
+    out_ << "$EndNodes\n";
+  }
+
+  void write_elements_2() {
+    out_ << "$Elements\n" << mesh_.number_of_cells() + mesh_.number_of_facets() << '\n';
+    std::size_t number = 1;
+    for_each_block(mesh_, [&](const auto& block, const Element_kind& kind) {
+      for (std::size_t i = 0; i < block.size(); ++i, ++number) {
+        out_ << number << ' ' << kind.gmsh_type << " 2 " << block.label[i] << ' '
+             << entity(kind.dimension, block.label[i]);
+        for (std::uint32_t v : block.vertices[i])
+          out_ << ' ' << v + std::size_t(1);
+        out_ << '\n';
+      }
+    });
+    out_ << "$EndElements\n";
+  }
+
+  // Gmsh knows scalars, vectors and tensors of nine components: a symmetric one is written in full.
+  void write_node_data(const Point_array& a, bool binary) {
+    const std::size_t stored = static_cast<std::size_t>(a.components), written = stored == 6 ? 9 : stored;
+    if (written != 1 && written != 3 && written != 9)
+      fail("its format has no arrays of " + std::to_string(stored) + " components, as '" + a.name + "' is");
+    out_ << "$NodeData\n1\n\"" << a.name << "\"\n1\n0\n3\n0\n" << written << '\n' << mesh_.points.size() << '\n';
+    for (std::size_t i = 0; i < mesh_.points.size(); ++i) {
+      if (binary)
+        out_.bytes(static_cast<std::int32_t>(i + 1));
+      else
+        out_ << i + 1;
+      for (std::size_t k = 0; k < written; ++k) {
+        const double x = a.values[stored * i + (stored == 6 ? symmetric_component[k] : k)];
+        if (binary)
+          out_.bytes(x);
+        else
+          out_ << ' ' << x;
+      }
+      if (!binary)
+        out_ << '\n';
+    }
+    out_ << (binary ? "\n" : "") << "$EndNodeData\n";
+  }
+
+  Output_file& file_;
+  Number_writer out_;
+  const Mesh& mesh_;
+  std::array<std::map<int, bool>, 4> labels_; // that occur, by dimension
+  std::array<int, 4> highest_label_ = {0, 0, 0, 0};
+};
+
+} // namespace internal
+} // namespace IO
+} // namespace Tubular_meshing
+} // namespace CGAL
+
+#endif // CGAL_TUBULAR_MESHING_IO_INTERNAL_WRITE_MSH_H

@@ -1,0 +1,82 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_IO_INTERNAL_WRITE_VTU_H
+#define CGAL_TUBULAR_MESHING_IO_INTERNAL_WRITE_VTU_H
+
+#include <CGAL/Tubular_meshing/IO/internal/Vtk_xml_writer.h>
+#include <CGAL/Tubular_meshing/IO/internal/element_kinds.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Tubular_meshing {
+namespace IO {
+namespace internal {
+
+// Each name is a field array of pairs (label, dimension), as Gmsh's names are: dimension 3 for regions, 2 for patches.
+// A region and a patch of the same name share the array, one pair after the other.
+template <class Mesh> void write_names(const Mesh& mesh, Vtk_xml_writer& out) {
+  std::map<std::string, std::vector<std::int32_t>> pairs;
+  for (const auto& n : mesh.patch_names)
+    pairs[n.second].insert(pairs[n.second].end(), {n.first, 2});
+  for (const auto& n : mesh.region_names)
+    pairs[n.second].insert(pairs[n.second].end(), {n.first, 3});
+  if (pairs.empty())
+    return;
+  out.begin("FieldData");
+  for (const auto& p : pairs)
+    out.array(p.first, 0, p.second);
+  out.end("FieldData");
+}
+
+template <class Mesh> void write_cells(const Mesh& mesh, Vtk_xml_writer& out) {
+  std::vector<std::int32_t> regions, patches;
+  std::vector<std::int64_t> connectivity, offsets;
+  std::vector<std::uint8_t> types;
+  for_each_block(mesh, [&](const auto& block, const Element_kind& kind) {
+    for (std::size_t i = 0; i < block.size(); ++i) {
+      for (std::size_t k = 0; k < kind.corners; ++k)
+        connectivity.push_back(block.vertices[i][vtk_corner(kind, k)]);
+      offsets.push_back(static_cast<std::int64_t>(connectivity.size()));
+      types.push_back(static_cast<std::uint8_t>(kind.vtk_type));
+      regions.push_back(kind.dimension == 3 ? block.label[i] : 0);
+      patches.push_back(kind.dimension == 2 ? block.label[i] : 0);
+    }
+  });
+  out.begin("CellData");
+  out.array("region", 1, regions);
+  out.array("patch", 1, patches);
+  out.end("CellData");
+  out.begin("Cells");
+  out.array("connectivity", 1, connectivity);
+  out.array("offsets", 1, offsets);
+  out.array("types", 1, types);
+  out.end("Cells");
+}
+
+template <class Mesh> void write_vtu(Output_file& file, const Mesh& mesh) {
+  Vtk_xml_writer out("UnstructuredGrid");
+  write_names(mesh, out);
+  out.begin("Piece NumberOfPoints=\"" + std::to_string(mesh.points.size()) + "\" NumberOfCells=\"" +
+            std::to_string(mesh.number_of_cells() + mesh.number_of_facets()) + "\"");
+  out.begin("PointData");
+  for (const Point_array& a : mesh.point_arrays)
+    out.array(a.name, static_cast<std::size_t>(a.components), a.values);
+  out.end("PointData");
+  out.begin("Points");
+  out.array("Points", 3, coordinates_of(mesh.points));
+  out.end("Points");
+  write_cells(mesh, out);
+  out.end("Piece");
+  out.write(file);
+}
+
+} // namespace internal
+} // namespace IO
+} // namespace Tubular_meshing
+} // namespace CGAL
+
+#endif // CGAL_TUBULAR_MESHING_IO_INTERNAL_WRITE_VTU_H

@@ -1,0 +1,78 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_IO_READ_MESH_H
+#define CGAL_TUBULAR_MESHING_IO_READ_MESH_H
+
+#include <CGAL/Tubular_meshing/IO/internal/read_medit.h>
+#include <CGAL/Tubular_meshing/IO/internal/read_msh.h>
+#include <CGAL/Tubular_meshing/IO/internal/read_vtu.h>
+#include <CGAL/Tubular_meshing/Mixed_mesh.h>
+#include <CGAL/Tubular_meshing/exceptions.h>
+
+#include <string>
+#include <utility>
+
+namespace CGAL {
+namespace Tubular_meshing {
+namespace IO {
+
+namespace internal {
+
+inline Mixed_mesh<Coordinates> read_mesh(const std::string& name) {
+  const Input_file file(name);
+  const std::string ext = extension_of(name);
+  Mixed_mesh<Coordinates> mesh;
+  if (ext == "vtu")
+    read_vtu(file, mesh);
+  else if (ext == "msh")
+    read_msh(file, mesh);
+  else if (ext == "mesh")
+    read_medit(file, mesh);
+  else
+    file.fail("is in no known format; meshes are read from .vtu, .msh and .mesh files");
+  if (mesh.number_of_cells() + mesh.number_of_facets() == 0)
+    file.fail("contains no cells; check that it is a mesh, and the right file");
+  check_finite(mesh.points, file);
+  return mesh;
+}
+
+} // namespace internal
+
+/*! \ingroup PkgTubularMeshingRef
+ *
+ * reads a mesh with its labels, names and point arrays. What write_mesh() has written is read back equal: points bit for
+ * bit, and all elements in their order. Files of other programs may be in any encoding of VTK's XML format with zlib or
+ * without compression (.vtu), of formats 2.2 and 4.1, ASCII or binary (.msh), or in ASCII (.mesh); labels that they lack
+ * are 0.
+ *
+ * \param file the name of the file
+ * \param mesh receives the mesh; what it held before is removed
+ *
+ * Linear in the size of the file, in time and in memory; n log n for .msh files, whose elements may come in any order.
+ *
+ * \exception Input_error if the file cannot be read, is of no known format, damaged or truncated, has a coordinate that
+ * is not finite, an index that is out of range or an element that is not linear, or contains no element
+ */
+template <class Point> void read_mesh(const std::string& file, Mixed_mesh<Point>& mesh) {
+  Mixed_mesh<internal::Coordinates> in = internal::read_mesh(file);
+  mesh = Mixed_mesh<Point>();
+  mesh.points.reserve(in.points.size());
+  for (const internal::Coordinates& p : in.points)
+    mesh.points.push_back(Point(p[0], p[1], p[2]));
+  mesh.tetrahedra = std::move(in.tetrahedra);
+  mesh.pyramids = std::move(in.pyramids);
+  mesh.prisms = std::move(in.prisms);
+  mesh.hexahedra = std::move(in.hexahedra);
+  mesh.triangles = std::move(in.triangles);
+  mesh.quads = std::move(in.quads);
+  mesh.region_names = std::move(in.region_names);
+  mesh.patch_names = std::move(in.patch_names);
+  mesh.point_arrays = std::move(in.point_arrays);
+}
+
+} // namespace IO
+} // namespace Tubular_meshing
+} // namespace CGAL
+
+#endif // CGAL_TUBULAR_MESHING_IO_READ_MESH_H

@@ -1,0 +1,112 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_IO_WRITE_MESH_H
+#define CGAL_TUBULAR_MESHING_IO_WRITE_MESH_H
+
+#include <CGAL/Tubular_meshing/IO/internal/Output_file.h>
+#include <CGAL/Tubular_meshing/IO/internal/Text_cursor.h>
+#include <CGAL/Tubular_meshing/IO/internal/write_medit.h>
+#include <CGAL/Tubular_meshing/IO/internal/write_msh.h>
+#include <CGAL/Tubular_meshing/IO/internal/write_vtu.h>
+#include <CGAL/Tubular_meshing/Mixed_mesh.h>
+#include <CGAL/Tubular_meshing/exceptions.h>
+#include <CGAL/Tubular_meshing/parameters.h>
+
+#include <CGAL/number_utils.h>
+
+#include <string>
+
+namespace CGAL {
+namespace Tubular_meshing {
+namespace IO {
+
+namespace internal {
+
+inline void check_names(const Label_names& names, const std::string& file) {
+  for (const auto& n : names)
+    for (char c : n.second)
+      if (c == '"' || (c >= 0 && c < ' '))
+        throw Output_error("The file " + quoted(file) + " cannot be written: the name of label " +
+                           std::to_string(n.first) + " contains a quotation mark or a control character; rename it.");
+}
+
+// What every writer relies on.
+template <class Mesh> void check_mesh(const Mesh& mesh, const std::string& file) {
+  check_names(mesh.region_names, file);
+  check_names(mesh.patch_names, file);
+  for (const Point_array& a : mesh.point_arrays)
+    if (a.components < 1 || a.values.size() != static_cast<std::size_t>(a.components) * mesh.points.size())
+      throw Output_error("The file " + quoted(file) + " cannot be written: the point array '" + a.name +
+                         "' does not have a value for each point.");
+}
+
+} // namespace internal
+
+/*! \ingroup PkgTubularMeshingRef
+ * Whether write_mesh() and read_mesh() know the extension of the file: .vtu, .msh or .mesh. */
+inline bool is_supported_mesh_format(const std::string& file) {
+  const std::string ext = internal::extension_of(file);
+  return ext == "vtu" || ext == "msh" || ext == "mesh";
+}
+
+/*! \ingroup PkgTubularMeshingRef
+ *
+ * writes a mesh into a file that the caller commits: use it to write several files all or none.
+ * See `write_mesh(const std::string&, const Mixed_mesh<Point>&, const NamedParameters&)`.
+ */
+template <class Point, class NamedParameters = CGAL::parameters::Default_named_parameters>
+void write_mesh(Output_file& file, const Mixed_mesh<Point>& mesh,
+                const NamedParameters& np = CGAL::parameters::default_values()) {
+  internal::check_mesh(mesh, file.name());
+  const std::string ext = internal::extension_of(file.name());
+  const double format = Tubular_meshing::internal::choose(np, internal_np::format, 4.1);
+  if (format != 4.1 && format != 2.2)
+    throw Parameter_error("The format of .msh files can be 4.1 or 2.2, not " + std::to_string(format) + ".");
+  if (ext == "vtu")
+    internal::write_vtu(file, mesh);
+  else if (ext == "mesh")
+    internal::write_medit(file, mesh);
+  else if (ext == "msh" && format == 4.1)
+    internal::Msh_writer<Mixed_mesh<Point>>(file, mesh).write_4_1();
+  else if (ext == "msh")
+    internal::Msh_writer<Mixed_mesh<Point>>(file, mesh).write_2_2();
+  else
+    throw Output_error("The file " + internal::quoted(file.name()) +
+                       " cannot be written: meshes are written as .vtu, .msh or .mesh; give it one of these extensions.");
+}
+
+/*! \ingroup PkgTubularMeshingRef
+ *
+ * writes a mesh with its labels, names and point arrays, in the format that the extension of the file names.
+ *
+ * | extension | volume cells and boundary facets | names | point arrays |
+ * |---|---|---|---|
+ * | .vtu | all in one file; cell arrays `region` (0 on facets) and `patch` (0 on cells) | field data: for each name an array of pairs (label, dimension), dimension 3 for regions, 2 for patches | point data |
+ * | .msh | physical groups, dimension 3 for regions and 2 for patches | of the groups | node data; of 1, 3, 6 (written as 9) or 9 components only |
+ * | .mesh | references | comments `# region 1 lumen`, `# patch 2 inlet` | `metric` (6 components) as a .sol file of the same name; no others |
+ *
+ * .vtu files are compressed with zlib, .msh files binary in format 4.1 and ASCII in format 2.2, .mesh files ASCII.
+ * Coordinates are kept to the last bit. The file is written whole or not at all; a file that was there is replaced.
+ * The same mesh makes the same file, byte for byte. O(n log l) for n elements with l different labels.
+ *
+ * \param file the name of the file
+ * \param mesh the mesh
+ * \param np named parameters: `format`, the version of the .msh format: 4.1 (default) or 2.2
+ *
+ * \exception Output_error if the file cannot be written, or its format cannot hold the mesh
+ * \exception Parameter_error if `format` is neither 4.1 nor 2.2
+ */
+template <class Point, class NamedParameters = CGAL::parameters::Default_named_parameters>
+void write_mesh(const std::string& file, const Mixed_mesh<Point>& mesh,
+                const NamedParameters& np = CGAL::parameters::default_values()) {
+  Output_file out(file);
+  write_mesh(out, mesh, np);
+  out.commit();
+}
+
+} // namespace IO
+} // namespace Tubular_meshing
+} // namespace CGAL
+
+#endif // CGAL_TUBULAR_MESHING_IO_WRITE_MESH_H

@@ -1,0 +1,150 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_IO_WRITE_SURFACE_H
+#define CGAL_TUBULAR_MESHING_IO_WRITE_SURFACE_H
+
+#include <CGAL/Tubular_meshing/IO/internal/write_triangles.h>
+#include <CGAL/Tubular_meshing/IO/write_mesh.h>
+#include <CGAL/Tubular_meshing/labels.h>
+#include <CGAL/Tubular_meshing/parameters.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <type_traits>
+#include <unordered_map>
+
+namespace CGAL {
+namespace Tubular_meshing {
+namespace IO {
+
+namespace internal {
+
+template <class TriangleMesh, class NamedParameters>
+Labelled_triangles labelled_triangles(const TriangleMesh& mesh, const NamedParameters& np) {
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  typedef boost::graph_traits<TriangleMesh> Graph;
+  typedef std::decay_t<decltype(get_parameter(np, internal_np::face_patch_map))> Patch_map;
+  constexpr bool has_patches = !std::is_same<Patch_map, CGAL::internal_np::Param_not_found>::value;
+  const auto point_map = choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
+                                          get_const_property_map(CGAL::vertex_point, mesh));
+
+  Labelled_triangles surface;
+  std::unordered_map<typename Graph::vertex_descriptor, std::size_t> number;
+  number.reserve(num_vertices(mesh));
+  for (auto v : vertices(mesh)) {
+    number.emplace(v, surface.points.size());
+    const auto& p = get(point_map, v);
+    surface.points.push_back({CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())});
+  }
+  for (auto f : faces(mesh)) {
+    Index_triangle t{0, 0, 0};
+    std::size_t k = 0;
+    for (auto v : vertices_around_face(halfedge(f, mesh), mesh)) {
+      if (k < 3)
+        t[k] = number.at(v);
+      ++k;
+    }
+    if (k != 3)
+      throw Output_error("The surface cannot be written: one of its faces is no triangle; triangulate it first.");
+    surface.triangles.push_back(t);
+    if constexpr (has_patches)
+      surface.patch.push_back(static_cast<std::int32_t>(get(get_parameter(np, internal_np::face_patch_map), f)));
+  }
+  return surface;
+}
+
+// Names of the patches that occur, as labels.h has them.
+inline Label_names names_of_patches(const std::vector<std::int32_t>& patch) {
+  const std::set<int> used(patch.begin(), patch.end());
+  const int most = used.empty() ? 0 : (std::min)(*used.rbegin(), labels::outer_wall - 1);
+  Label_names names = lumen_patch_names((std::max)(0, most - labels::inlet + 1));
+  for (auto n = names.begin(); n != names.end();)
+    n = used.count(n->first) ? std::next(n) : names.erase(n);
+  return names;
+}
+
+inline void write_msh_surface(Output_file& file, const Labelled_triangles& surface) {
+  Mixed_mesh<Coordinates> mesh;
+  mesh.points = surface.points;
+  for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
+    const Index_triangle& t = surface.triangles[i];
+    mesh.triangles.push_back(
+        {static_cast<std::uint32_t>(t[0]), static_cast<std::uint32_t>(t[1]), static_cast<std::uint32_t>(t[2])},
+        surface.patch.empty() ? 0 : surface.patch[i]);
+  }
+  mesh.patch_names = names_of_patches(surface.patch);
+  Msh_writer<Mixed_mesh<Coordinates>>(file, mesh).write_4_1();
+}
+
+} // namespace internal
+
+/*! \ingroup PkgTubularMeshingRef
+ * Whether write_surface() knows the extension of the file: .stl, .off, .obj, .ply, .vtp, .vtk or .msh. */
+inline bool is_supported_surface_format(const std::string& file) {
+  const std::string ext = internal::extension_of(file);
+  return ext == "stl" || ext == "off" || ext == "obj" || ext == "ply" || ext == "vtp" || ext == "vtk" || ext == "msh";
+}
+
+/*! \ingroup PkgTubularMeshingRef
+ * writes a surface into a file that the caller commits: use it to write several files all or none. */
+template <class TriangleMesh, class NamedParameters = CGAL::parameters::Default_named_parameters>
+void write_surface(Output_file& file, const TriangleMesh& mesh,
+                   const NamedParameters& np = CGAL::parameters::default_values()) {
+  const internal::Labelled_triangles surface = internal::labelled_triangles(mesh, np);
+  const std::string ext = internal::extension_of(file.name());
+  if (ext == "stl")
+    internal::write_stl(file, surface);
+  else if (ext == "off")
+    internal::write_off(file, surface);
+  else if (ext == "obj")
+    internal::write_obj(file, surface);
+  else if (ext == "ply")
+    internal::write_ply(file, surface);
+  else if (ext == "vtp")
+    internal::write_vtp(file, internal::polydata_of(surface));
+  else if (ext == "vtk")
+    internal::write_legacy_vtk(file, internal::polydata_of(surface));
+  else if (ext == "msh")
+    internal::write_msh_surface(file, surface);
+  else
+    throw Output_error("The file " + internal::quoted(file.name()) +
+                       " cannot be written: surfaces are written as .stl, .off, .obj, .ply, .vtp, .vtk or .msh; give it "
+                       "one of these extensions.");
+}
+
+/*! \ingroup PkgTubularMeshingRef
+ *
+ * writes a triangle mesh in the format that the extension of the file names: STL (binary, single precision), OFF, OBJ,
+ * PLY (binary), VTP (zlib), legacy VTK (ASCII) or MSH 4.1 (binary). All but STL keep coordinates to the last bit. The
+ * file is written whole or not at all. Linear in the size of the mesh.
+ *
+ * \tparam TriangleMesh a model of `FaceListGraph` whose faces are triangles
+ * \param file the name of the file
+ * \param mesh the surface
+ * \param np named parameters: `vertex_point_map`; `face_patch_map`, a readable property map from face to the label of
+ *        its patch, which is written as cell array `patch` (.vtp, .vtk), face property `patch` (.ply) or physical group
+ *        (.msh). Default: none
+ *
+ * \exception Output_error if the file cannot be written, or a face is no triangle
+ */
+template <class TriangleMesh, class NamedParameters = CGAL::parameters::Default_named_parameters>
+void write_surface(const std::string& file, const TriangleMesh& mesh,
+                   const NamedParameters& np = CGAL::parameters::default_values()) {
+  Output_file out(file);
+  write_surface(out, mesh, np);
+  out.commit();
+}
+
+} // namespace IO
+} // namespace Tubular_meshing
+} // namespace CGAL
+
+#endif // CGAL_TUBULAR_MESHING_IO_WRITE_SURFACE_H

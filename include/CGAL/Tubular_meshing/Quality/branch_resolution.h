@@ -1,0 +1,62 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_QUALITY_BRANCH_RESOLUTION_H
+#define CGAL_TUBULAR_MESHING_QUALITY_BRANCH_RESOLUTION_H
+
+#include <CGAL/Tubular_meshing/Centerlines/Centerline_field.h>
+#include <CGAL/Tubular_meshing/Mixed_mesh.h>
+#include <CGAL/Tubular_meshing/internal/Vector_3d.h>
+#include <CGAL/Tubular_meshing/labels.h>
+
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Tubular_meshing {
+
+/*! \ingroup PkgTubularMeshingRef
+ *
+ * How finely a mesh resolves each branch: the number of points round its circumference, 2 π times the mean distance of
+ * the wall's edges to the centerline over their mean length; 0 for a branch without wall of its own. It is what the
+ * parameter `points_per_circumference` asks for.
+ *
+ * \param mesh a mesh with triangles of patch labels::wall
+ * \param centerlines the field of a graph with `number_of_branches` branches
+ *
+ * O(n log n).
+ */
+template <class Point_3>
+std::vector<double> points_per_circumference(const Mixed_mesh<Point_3>& mesh,
+                                             const Centerline_field<Point_3>& centerlines,
+                                             std::size_t number_of_branches) {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+    if (mesh.triangles.label[i] == labels::wall)
+      for (int k = 0; k < 3; ++k)
+        edges.push_back(std::minmax(mesh.triangles.vertices[i][k], mesh.triangles.vertices[i][(k + 1) % 3]));
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+
+  std::vector<double> distance(number_of_branches, 0), length(number_of_branches, 0);
+  for (const auto& e : edges) {
+    const Point_3 &p = mesh.points[e.first], &q = mesh.points[e.second];
+    const auto d = centerlines.descriptors(midpoint(p, q));
+    distance[d.branch] += d.distance;
+    length[d.branch] += internal::norm(internal::Vector_3d(q) - internal::Vector_3d(p));
+  }
+  std::vector<double> points(number_of_branches, 0);
+  for (std::size_t b = 0; b < number_of_branches; ++b)
+    if (length[b] > 0)
+      points[b] = 2 * CGAL_PI * distance[b] / length[b];
+  return points;
+}
+
+} // namespace Tubular_meshing
+} // namespace CGAL
+
+#endif // CGAL_TUBULAR_MESHING_QUALITY_BRANCH_RESOLUTION_H

@@ -1,0 +1,70 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_QUALITY_SHAPE_MEASURES_H
+#define CGAL_TUBULAR_MESHING_QUALITY_SHAPE_MEASURES_H
+
+#include <CGAL/Tubular_meshing/Quality/internal/element_measures.h>
+#include <CGAL/Tubular_meshing/Quality/internal/metric_measures.h>
+
+#include <array>
+
+namespace CGAL {
+namespace Tubular_meshing {
+
+/*! \ingroup PkgTubularMeshingRef
+ * \name Shape measures of single elements
+ *
+ * The measures by which the paper judges its meshes, eq. (12)-(17). Points are of any type with `x()`, `y()`, `z()`
+ * convertible to `double`; the numbering of an element's vertices is that of `Mixed_mesh`. All take constant time and
+ * throw nothing; a degenerate element has the worst value of its measure. */
+///@{
+
+/*! \f$ \gamma_T \f$ of (12): twice the ratio of inscribed to circumscribed radius; 1 is equilateral, 0 degenerate. */
+template <class Point> double triangle_gamma(const Point& p, const Point& q, const Point& r) {
+  typedef internal::Vector_3d V;
+  return internal::triangle_gamma(V(p), V(q), V(r));
+}
+
+/*! \f$ \gamma_\tau \f$ of (13): \f$ 2\sqrt 6 \f$ times the ratio of inscribed radius to longest edge; 1 is regular, 0
+ * flat, negative inverted. */
+template <class Point> double tetrahedron_gamma(const Point& p, const Point& q, const Point& r, const Point& s) {
+  typedef internal::Vector_3d V;
+  return internal::tetrahedron_gamma(V(p), V(q), V(r), V(s));
+}
+
+/*! \f$ \eta_q \f$ of (14), from the interior angles of a quadrilateral: 1 is a rectangle, 0 has a straight angle. */
+template <class Point> double quad_eta(const std::array<Point, 4>& p) {
+  typedef internal::Vector_3d V;
+  return internal::quad_eta({V(p[0]), V(p[1]), V(p[2]), V(p[3])});
+}
+
+/*! \f$ \zeta_H \f$ of (15), the equiangular skewness over the six faces of a hexahedron: 1 is a brick, 0 flat. */
+template <class Point> double hexahedron_zeta(const std::array<Point, 8>& p) {
+  typedef internal::Vector_3d V;
+  return internal::hexahedron_zeta({V(p[0]), V(p[1]), V(p[2]), V(p[3]), V(p[4]), V(p[5]), V(p[6]), V(p[7])});
+}
+
+/*! \f$ Q_\tau \f$ of (16), with the mean of the metrics at the four vertices, scaled to 1 for a regular tetrahedron of
+ * the metric; infinite for a flat one. A metric is given as xx, xy, xz, yy, yz, zz.
+ */
+template <class Point>
+double tetrahedron_Q(const std::array<Point, 4>& p, const std::array<std::array<double, 6>, 4>& metric) {
+  typedef internal::Vector_3d V;
+  return internal::tetrahedron_Q({V(p[0]), V(p[1]), V(p[2]), V(p[3])}, metric);
+}
+
+/*! The length (10) of a segment, the metric varying linearly between its ends, by four Gauss points. */
+template <class Point>
+double metric_length(const Point& p, const Point& q, const std::array<double, 6>& at_p,
+                     const std::array<double, 6>& at_q) {
+  typedef internal::Vector_3d V;
+  return internal::metric_length(V(q) - V(p), at_p, at_q);
+}
+
+///@}
+
+} // namespace Tubular_meshing
+} // namespace CGAL
+
+#endif // CGAL_TUBULAR_MESHING_QUALITY_SHAPE_MEASURES_H

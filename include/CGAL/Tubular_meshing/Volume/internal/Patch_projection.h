@@ -1,0 +1,107 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_PATCH_PROJECTION_H
+#define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_PATCH_PROJECTION_H
+
+#include <CGAL/Tubular_meshing/Centerlines/internal/Nearest_tree.h>
+#include <CGAL/Tubular_meshing/internal/Vector_3d.h>
+
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/properties.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Tubular_meshing {
+namespace internal {
+
+/* Nearest points on the patches of a labelled surface and on the rims between them. A planar patch (a cap) is taken as
+ * its plane: what is inside its rim stays inside, and planar to rounding. Safe to query from several threads. */
+class Patch_projection {
+public:
+  template <class SurfaceMesh, class FacePatchMap> Patch_projection(const SurfaceMesh& surface, FacePatchMap patch) {
+    std::map<std::int32_t, std::vector<Triangle>> triangles;
+    std::map<Patch_pair, std::vector<Segment>> segments;
+    for (auto f : faces(surface)) {
+      const auto h = halfedge(f, surface);
+      triangles[get(patch, f)].emplace_back(point(surface, source(h, surface)), point(surface, target(h, surface)),
+                                            point(surface, target(next(h, surface), surface)));
+    }
+    for (auto e : edges(surface)) {
+      const auto h = halfedge(e, surface);
+      if (is_border(e, surface))
+        continue;
+      const std::int32_t a = get(patch, face(h, surface)), b = get(patch, face(opposite(h, surface), surface));
+      if (a != b)
+        segments[std::minmax(a, b)].emplace_back(point(surface, source(h, surface)),
+                                                 point(surface, target(h, surface)));
+    }
+    for (auto& t : triangles) {
+      Plane plane;
+      if (is_planar(t.second, plane))
+        planes_[t.first] = plane;
+      else
+        patches_[t.first] = Nearest_tree<Triangle>(std::move(t.second));
+    }
+    for (auto& s : segments)
+      rims_[s.first] = Nearest_tree<Segment>(std::move(s.second));
+  }
+
+  Vector_3d to_patch(const Vector_3d& p, std::int32_t patch) const {
+    const auto plane = planes_.find(patch);
+    if (plane != planes_.end())
+      return p - dot(p - plane->second.origin, plane->second.normal) * plane->second.normal;
+    const auto tree = patches_.find(patch);
+    return tree == patches_.end() ? p : Vector_3d(tree->second.nearest({p.x, p.y, p.z}).point);
+  }
+
+  Vector_3d to_rim(const Vector_3d& p, std::int32_t a, std::int32_t b) const {
+    const auto tree = rims_.find(std::minmax(a, b));
+    return tree == rims_.end() ? p : Vector_3d(tree->second.nearest({p.x, p.y, p.z}).point);
+  }
+
+private:
+  typedef Double_kernel::Triangle_3 Triangle;
+  typedef Double_kernel::Segment_3 Segment;
+  typedef std::pair<std::int32_t, std::int32_t> Patch_pair;
+  struct Plane {
+    Vector_3d origin, normal;
+  };
+
+  template <class SurfaceMesh, class Vertex> static Double_kernel::Point_3 point(const SurfaceMesh& surface, Vertex v) {
+    return to_double_point(get(CGAL::vertex_point, surface, v));
+  }
+
+  static bool is_planar(const std::vector<Triangle>& triangles, Plane& plane) {
+    Vector_3d normal;
+    double extent = 0;
+    plane.origin = Vector_3d(triangles.front()[0]);
+    for (const Triangle& t : triangles) {
+      const Vector_3d a(t[0]), b(t[1]), c(t[2]);
+      normal += cross(b - a, c - a);
+      extent = (std::max)(extent, norm(a - plane.origin));
+    }
+    plane.normal = normalized(normal);
+    const auto is_off = [&](const Double_kernel::Point_3& p) {
+      return std::abs(dot(Vector_3d(p) - plane.origin, plane.normal)) > 1e-7 * extent;
+    };
+    return std::none_of(triangles.begin(), triangles.end(),
+                        [&](const Triangle& t) { return is_off(t[0]) || is_off(t[1]) || is_off(t[2]); });
+  }
+
+  std::map<std::int32_t, Plane> planes_;
+  std::map<std::int32_t, Nearest_tree<Triangle>> patches_;
+  std::map<Patch_pair, Nearest_tree<Segment>> rims_;
+};
+
+} // namespace internal
+} // namespace Tubular_meshing
+} // namespace CGAL
+
+#endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_PATCH_PROJECTION_H

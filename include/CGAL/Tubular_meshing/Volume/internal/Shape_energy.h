@@ -1,0 +1,99 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_SHAPE_ENERGY_H
+#define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_SHAPE_ENERGY_H
+
+#include <CGAL/Tubular_meshing/Quality/internal/element_measures.h>
+#include <CGAL/Tubular_meshing/internal/Vector_3d.h>
+
+#include <cmath>
+
+namespace CGAL {
+namespace Tubular_meshing {
+namespace internal {
+
+struct Symmetric_matrix_3d {
+  double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
+
+  void add_diagonal(double s) {
+    xx += s;
+    yy += s;
+    zz += s;
+  }
+  // += s (u vᵀ + v uᵀ) / 2
+  void add_product(double s, const Vector_3d& u, const Vector_3d& v) {
+    xx += s * u.x * v.x;
+    yy += s * u.y * v.y;
+    zz += s * u.z * v.z;
+    xy += s / 2 * (u.x * v.y + u.y * v.x);
+    xz += s / 2 * (u.x * v.z + u.z * v.x);
+    yz += s / 2 * (u.y * v.z + u.z * v.y);
+  }
+  Vector_3d operator*(const Vector_3d& v) const {
+    return {xx * v.x + xy * v.y + xz * v.z, xy * v.x + yy * v.y + yz * v.z, xz * v.x + yz * v.y + zz * v.z};
+  }
+};
+
+/* The sum of the shape measures Q of the elements around a vertex, as a function of the vertex's position, with its
+ * gradient and Hessian. For a tetrahedron Q is the inverse measure of eq. (16) in the identity metric, S^{3/2} / V with
+ * S the sum of the squared edges; for a triangle it is S / area; both are 1 for a regular element and go to infinity
+ * for a flat one, so that descending the sum never inverts an element. Where S is quadratic and V is linear in the
+ * position, the derivatives are exact; a triangle's area is taken in its own plane.
+ */
+struct Shape_energy {
+  double value = 0;
+  Vector_3d gradient;
+  Symmetric_matrix_3d hessian;
+
+  // The tetrahedron of x and the facet abc, counterclockwise from outside. False if it is inverted.
+  bool add_tetrahedron(const Vector_3d& x, const Vector_3d& a, const Vector_3d& b, const Vector_3d& c,
+                       bool with_derivatives) {
+    const Vector_3d u = a - x, v = b - x, w = c - x;
+    const double six_v = dot(u, cross(v, w));
+    if (six_v <= 0)
+      return false;
+    const double s = squared_norm(u) + squared_norm(v) + squared_norm(w) + squared_norm(a - b) + squared_norm(b - c) +
+                     squared_norm(c - a);
+    const double root = std::sqrt(s), k = 6 / (regular_tetrahedron_ratio * six_v);
+    const double q = k * s * root;
+    value += q;
+    if (!with_derivatives)
+      return true;
+    const Vector_3d ds = -2. * (u + v + w), dv = (-1 / six_v) * cross(b - a, c - a); // dv = ∇V / V
+    gradient += k * 1.5 * root * ds;
+    gradient += -q * dv;
+    hessian.add_diagonal(k * 9 * root);
+    hessian.add_product(k * 0.75 / root, ds, ds);
+    hessian.add_product(-2 * k * 1.5 * root, ds, dv);
+    hessian.add_product(2 * q, dv, dv);
+    return true;
+  }
+
+  // The triangle of x and the edge ab, whose unit normal was `normal`; times a weight.
+  bool add_triangle(const Vector_3d& x, const Vector_3d& a, const Vector_3d& b, const Vector_3d& normal, double weight,
+                    bool with_derivatives) {
+    const Vector_3d u = a - x, v = b - x;
+    const double two_a = dot(cross(u, v), normal);
+    if (two_a <= 0)
+      return false;
+    const double s = squared_norm(u) + squared_norm(v) + squared_norm(a - b);
+    const double k = weight / (2 * std::sqrt(3.) * two_a), q = k * s;
+    value += q;
+    if (!with_derivatives)
+      return true;
+    const Vector_3d ds = -2. * (u + v), da = (1 / two_a) * cross(normal, b - a);
+    gradient += k * ds;
+    gradient += -q * da;
+    hessian.add_diagonal(4 * k);
+    hessian.add_product(-2 * k, ds, da);
+    hessian.add_product(2 * q, da, da);
+    return true;
+  }
+};
+
+} // namespace internal
+} // namespace Tubular_meshing
+} // namespace CGAL
+
+#endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_SHAPE_ENERGY_H

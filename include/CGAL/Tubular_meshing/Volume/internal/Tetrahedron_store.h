@@ -1,0 +1,328 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_TETRAHEDRON_STORE_H
+#define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_TETRAHEDRON_STORE_H
+
+#include <CGAL/Tubular_meshing/Mixed_mesh.h>
+#include <CGAL/Tubular_meshing/internal/Vector_3d.h>
+
+#include <boost/container/small_vector.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Tubular_meshing {
+namespace internal {
+
+/* Tetrahedra with neighbors and labelled facets in compact arrays, for algorithms that change a mesh in place.
+ *
+ * Tetrahedra are positively oriented (see Mixed_mesh). A facet is a tetrahedron and the vertex opposite to it, coded as
+ * 4 t + i; a facet's other side is found in constant time, `none` on the boundary of the mesh. A facet with a label
+ * belongs to the boundary or to an interface, and carries the label on both sides; 0 means no label.
+ *
+ * All changes of topology go through replace(): a set of tetrahedra goes, another one that fills the same cavity comes.
+ */
+class Tetrahedron_store {
+public:
+  typedef std::uint32_t Index;
+  typedef std::array<Index, 4> Vertices;
+  typedef std::array<Index, 3> Facet_vertices;
+  typedef boost::container::small_vector<Index, 32> Index_list;
+
+  static constexpr Index none = (std::numeric_limits<Index>::max)();
+
+  struct Tetrahedron {
+    Vertices v;
+    std::array<Index, 4> neighbor; // facet codes
+    std::array<std::int32_t, 4> label;
+    std::int32_t region;
+  };
+  struct Labelled_facet {
+    Facet_vertices v;
+    std::int32_t label;
+  };
+
+  static constexpr Index tetrahedron_of(Index facet) { return facet / 4; }
+  static constexpr int opposite_of(Index facet) { return int(facet % 4); }
+  static constexpr Index facet(Index t, int i) { return 4 * t + Index(i); }
+
+  // The vertices of the facet opposite to vertex i, counterclockwise from outside.
+  static const std::array<int, 3>& facet_corners(int i) {
+    static const std::array<std::array<int, 3>, 4> corners = {{{{1, 2, 3}}, {{0, 3, 2}}, {{0, 1, 3}}, {{0, 2, 1}}}};
+    return corners[i];
+  }
+  // The k, l that make (i, j, k, l) an even permutation of (0, 1, 2, 3).
+  static std::pair<int, int> other_corners(int i, int j) {
+    static const int k[4][4] = {{-1, 2, 3, 1}, {3, -1, 0, 2}, {1, 3, -1, 0}, {2, 0, 1, -1}};
+    return {k[i][j], 6 - i - j - k[i][j]};
+  }
+
+  template <class Point> explicit Tetrahedron_store(const Mixed_mesh<Point>& mesh) {
+    points_.reserve(mesh.points.size());
+    for (const Point& p : mesh.points)
+      points_.emplace_back(p);
+    tetrahedra_.reserve(mesh.tetrahedra.size());
+    for (std::size_t i = 0; i < mesh.tetrahedra.size(); ++i)
+      tetrahedra_.push_back(
+          {mesh.tetrahedra.vertices[i], {none, none, none, none}, {0, 0, 0, 0}, mesh.tetrahedra.label[i]});
+    connect(mesh.triangles);
+  }
+
+  // Back to a Mixed_mesh: points, tetrahedra and labelled triangles; the rest of `mesh` stays as it is.
+  template <class Point> void write_to(Mixed_mesh<Point>& mesh) const {
+    std::vector<Index> number(points_.size(), none);
+    mesh.points.clear();
+    mesh.tetrahedra = Element_block<4>();
+    mesh.triangles = Element_block<3>();
+    for (Index t = 0; t < tetrahedra_.size(); ++t) {
+      if (!is_alive(t))
+        continue;
+      const Tetrahedron& tet = tetrahedra_[t];
+      Vertices v;
+      for (int i = 0; i < 4; ++i) {
+        Index& n = number[tet.v[i]];
+        if (n == none) {
+          n = Index(mesh.points.size());
+          const Vector_3d& p = points_[tet.v[i]];
+          mesh.points.emplace_back(p.x, p.y, p.z);
+        }
+        v[i] = n;
+      }
+      mesh.tetrahedra.push_back(v, tet.region);
+    }
+    for (Index t = 0; t < tetrahedra_.size(); ++t) {
+      if (!is_alive(t))
+        continue;
+      for (int i = 0; i < 4; ++i) {
+        const Tetrahedron& tet = tetrahedra_[t];
+        // an interface is written once, from its side of lower region
+        if (tet.label[i] == 0 || (tet.neighbor[i] != none && region(tetrahedron_of(tet.neighbor[i])) < tet.region))
+          continue;
+        const auto& c = facet_corners(i);
+        mesh.triangles.push_back({number[tet.v[c[0]]], number[tet.v[c[1]]], number[tet.v[c[2]]]}, tet.label[i]);
+      }
+    }
+  }
+
+  Index number_of_vertices() const { return Index(points_.size()); }
+  Index number_of_slots() const { return Index(tetrahedra_.size()); } // some may not be alive
+
+  const Vector_3d& point(Index v) const { return points_[v]; }
+  void move(Index v, const Vector_3d& p) { points_[v] = p; }
+
+  bool is_alive(Index t) const { return tetrahedra_[t].v[0] != none; }
+  const Tetrahedron& operator[](Index t) const { return tetrahedra_[t]; }
+  std::int32_t region(Index t) const { return tetrahedra_[t].region; }
+  Index tetrahedron_at(Index v) const { return at_vertex_[v]; }
+
+  int corner(Index t, Index v) const {
+    const Vertices& w = tetrahedra_[t].v;
+    return w[0] == v ? 0 : w[1] == v ? 1 : w[2] == v ? 2 : 3;
+  }
+
+  // The tetrahedra around a vertex, by a walk from neighbor to neighbor.
+  template <class List> void star(Index v, List& tetrahedra) const {
+    tetrahedra.clear();
+    tetrahedra.push_back(at_vertex_[v]);
+    ++stamp_;
+    visited_[at_vertex_[v]] = stamp_;
+    for (std::size_t k = 0; k < tetrahedra.size(); ++k) {
+      const Tetrahedron& t = tetrahedra_[tetrahedra[k]];
+      for (int i = 0; i < 4; ++i) {
+        if (t.v[i] == v || t.neighbor[i] == none)
+          continue;
+        const Index n = tetrahedron_of(t.neighbor[i]);
+        if (visited_[n] != stamp_) {
+          visited_[n] = stamp_;
+          tetrahedra.push_back(n);
+        }
+      }
+    }
+  }
+
+  /* The tetrahedra around an edge, and its link: vertex i and i+1 of the link lie in tetrahedron i. Counterclockwise
+   * around the edge seen from its second vertex. On the boundary the link has one vertex more than tetrahedra. */
+  struct Ring {
+    Index a, b;
+    bool closed;
+    Index_list tetrahedra;
+    Index_list link;
+  };
+  void ring(Index t, int i, int j, Ring& ring) const {
+    ring.a = tetrahedra_[t].v[i];
+    ring.b = tetrahedra_[t].v[j];
+    ring.tetrahedra.clear();
+    ring.link.clear();
+    const Index start = t;
+    ring.closed = true;
+    // backwards to the boundary, if there is one
+    for (Index n; (n = tetrahedra_[t].neighbor[other_corners(i, j).second]) != none;) {
+      turn(n, ring, t, i, j);
+      if (t == start)
+        break;
+    }
+    ring.closed = tetrahedra_[t].neighbor[other_corners(i, j).second] != none;
+    const Index first = t;
+    for (;;) {
+      const auto kl = other_corners(i, j);
+      ring.tetrahedra.push_back(t);
+      ring.link.push_back(tetrahedra_[t].v[kl.first]);
+      const Index n = tetrahedra_[t].neighbor[kl.first];
+      if (n == none) {
+        ring.link.push_back(tetrahedra_[t].v[kl.second]);
+        return;
+      }
+      turn(n, ring, t, i, j);
+      if (t == first)
+        return;
+    }
+  }
+
+  /* Takes the tetrahedra `gone` away and puts `come` in their place, all of one region. Both must fill the same cavity,
+   * but for flips on the boundary: facets that appear there and were not there before are listed in `facets`. The numbers
+   * of the new tetrahedra are left in `come_numbers`. */
+  template <class Tetrahedra, class New, class Facets>
+  void replace(const Tetrahedra& gone, const New& come, const Facets& facets, Index_list& come_numbers) {
+    struct Side {
+      Facet_vertices key;
+      Index code; // of the only side known so far: the outer one of an old facet, the inner one of a new facet
+      std::int32_t label;
+    };
+    boost::container::small_vector<Side, 64> open;
+    ++stamp_;
+    for (Index t : gone)
+      visited_[t] = stamp_;
+    const std::int32_t region = tetrahedra_[gone[0]].region;
+    for (Index t : gone) {
+      const Tetrahedron& tet = tetrahedra_[t];
+      for (int i = 0; i < 4; ++i)
+        if (tet.neighbor[i] == none || visited_[tetrahedron_of(tet.neighbor[i])] != stamp_)
+          open.push_back({key(tet.v, i), tet.neighbor[i], tet.label[i]});
+    }
+    for (Index t : gone)
+      release(t);
+    come_numbers.clear();
+    for (const Vertices& v : come) {
+      const Index t = allocate();
+      come_numbers.push_back(t);
+      tetrahedra_[t] = {v, {none, none, none, none}, {0, 0, 0, 0}, region};
+      for (int i = 0; i < 4; ++i) {
+        at_vertex_[v[i]] = t;
+        const Facet_vertices k = key(v, i);
+        const auto other = std::find_if(open.begin(), open.end(), [&](const Side& s) { return s.key == k; });
+        if (other == open.end()) {
+          open.push_back({k, facet(t, i), 0});
+          continue;
+        }
+        link(facet(t, i), other->code, other->label);
+        *other = open.back();
+        open.pop_back();
+      }
+    }
+    // what is left are the facets newly on the surface: of new tetrahedra or, where nothing came, of old neighbors
+    for (const Side& s : open) {
+      if (s.code == none)
+        continue;
+      for (const Labelled_facet& f : facets)
+        if (sorted(f.v) == s.key)
+          link(s.code, none, f.label);
+      for (Index v : tetrahedra_[tetrahedron_of(s.code)].v)
+        at_vertex_[v] = tetrahedron_of(s.code);
+    }
+  }
+
+private:
+  static Facet_vertices sorted(Facet_vertices f) {
+    if (f[0] > f[1])
+      std::swap(f[0], f[1]);
+    if (f[1] > f[2])
+      std::swap(f[1], f[2]);
+    if (f[0] > f[1])
+      std::swap(f[0], f[1]);
+    return f;
+  }
+  static Facet_vertices key(const Vertices& v, int opposite) {
+    const auto& c = facet_corners(opposite);
+    return sorted({v[c[0]], v[c[1]], v[c[2]]});
+  }
+
+  // Steps around a ring's edge into the tetrahedron behind the facet with code n.
+  void turn(Index n, const Ring& ring, Index& t, int& i, int& j) const {
+    t = tetrahedron_of(n);
+    i = corner(t, ring.a);
+    j = corner(t, ring.b);
+  }
+
+  void link(Index f, Index g, std::int32_t label) {
+    tetrahedra_[tetrahedron_of(f)].neighbor[opposite_of(f)] = g;
+    tetrahedra_[tetrahedron_of(f)].label[opposite_of(f)] = label;
+    if (g == none)
+      return;
+    tetrahedra_[tetrahedron_of(g)].neighbor[opposite_of(g)] = f;
+    tetrahedra_[tetrahedron_of(g)].label[opposite_of(g)] = label;
+  }
+
+  Index allocate() {
+    if (free_.empty()) {
+      tetrahedra_.emplace_back();
+      visited_.push_back(0);
+      return Index(tetrahedra_.size() - 1);
+    }
+    const Index t = free_.back();
+    free_.pop_back();
+    return t;
+  }
+  void release(Index t) {
+    tetrahedra_[t].v[0] = none;
+    free_.push_back(t);
+  }
+
+  // Neighbors and labels of all tetrahedra at once, by sorting facets.
+  void connect(const Element_block<3>& labelled) {
+    typedef std::pair<Facet_vertices, Index> Entry;
+    const Index is_label = Index(1) << 31; // codes of facets stay below: 2^29 tetrahedra at most
+    std::vector<Entry> entries;
+    entries.reserve(4 * tetrahedra_.size() + labelled.size());
+    for (Index t = 0; t < tetrahedra_.size(); ++t)
+      for (int i = 0; i < 4; ++i)
+        entries.emplace_back(key(tetrahedra_[t].v, i), facet(t, i));
+    for (Index f = 0; f < labelled.size(); ++f)
+      entries.emplace_back(sorted(labelled.vertices[f]), is_label | f);
+    std::sort(entries.begin(), entries.end());
+    for (std::size_t k = 0; k < entries.size();) {
+      std::size_t end = k + 1;
+      while (end < entries.size() && entries[end].first == entries[k].first)
+        ++end;
+      const bool has_label = (entries[end - 1].second & is_label) != 0;
+      const std::size_t sides = end - k - (has_label ? 1 : 0);
+      if (sides > 0)
+        link(entries[k].second, sides > 1 ? entries[k + 1].second : none,
+             has_label ? labelled.label[entries[end - 1].second & ~is_label] : 0);
+      k = end;
+    }
+    at_vertex_.assign(points_.size(), none);
+    for (Index t = 0; t < tetrahedra_.size(); ++t)
+      for (Index v : tetrahedra_[t].v)
+        at_vertex_[v] = t;
+    visited_.assign(tetrahedra_.size(), 0);
+  }
+
+  std::vector<Vector_3d> points_;
+  std::vector<Tetrahedron> tetrahedra_;
+  std::vector<Index> at_vertex_; // one tetrahedron a vertex
+  std::vector<Index> free_;
+  mutable std::vector<std::uint32_t> visited_; // per tetrahedron: the last walk that came by
+  mutable std::uint32_t stamp_ = 0;
+};
+
+} // namespace internal
+} // namespace Tubular_meshing
+} // namespace CGAL
+
+#endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_TETRAHEDRON_STORE_H

@@ -1,0 +1,40 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_INTERNAL_PARALLEL_H
+#define CGAL_TUBULAR_MESHING_INTERNAL_PARALLEL_H
+
+#include <cstddef>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+#endif
+
+namespace CGAL {
+namespace Tubular_meshing {
+namespace internal {
+
+/* Calls body(first, last) on pieces of [0, n), on `threads` threads where oneTBB is there (0: as many as there are
+ * cores). The pieces may be done in any order: the body must not depend on it. */
+template <class Body> void for_each_range(std::size_t n, int threads, const Body& body) {
+#ifdef CGAL_LINKED_WITH_TBB
+  if (threads != 1 && n > 256) {
+    tbb::task_arena arena(threads > 0 ? threads : int(tbb::task_arena::automatic));
+    arena.execute([&] {
+      tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, 128),
+                        [&](const tbb::blocked_range<std::size_t>& r) { body(r.begin(), r.end()); });
+    });
+    return;
+  }
+#endif
+  if (n > 0)
+    body(std::size_t(0), n);
+}
+
+} // namespace internal
+} // namespace Tubular_meshing
+} // namespace CGAL
+
+#endif // CGAL_TUBULAR_MESHING_INTERNAL_PARALLEL_H

@@ -1,0 +1,37 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The named parameters of the package, in the manner of CGAL's parameters_interface.h: included several times, with
+// CGAL_TUBULAR_MESHING_PARAMETER defined by the includer. Hence no include guard.
+
+// sizing
+CGAL_TUBULAR_MESHING_PARAMETER(points_per_circumference)
+CGAL_TUBULAR_MESHING_PARAMETER(min_size)
+CGAL_TUBULAR_MESHING_PARAMETER(max_size)
+CGAL_TUBULAR_MESHING_PARAMETER(gradation)
+
+// centerlines
+CGAL_TUBULAR_MESHING_PARAMETER(merge_tolerance)
+
+// openings
+CGAL_TUBULAR_MESHING_PARAMETER(inlet)
+CGAL_TUBULAR_MESHING_PARAMETER(centerline_graph)
+
+// filling
+CGAL_TUBULAR_MESHING_PARAMETER(facet_distance)
+CGAL_TUBULAR_MESHING_PARAMETER(optimization_passes)
+
+// files
+CGAL_TUBULAR_MESHING_PARAMETER(format)
+CGAL_TUBULAR_MESHING_PARAMETER(face_patch_map)
+
+// running
+CGAL_TUBULAR_MESHING_PARAMETER(number_of_threads)
+CGAL_TUBULAR_MESHING_PARAMETER(observer)
+
+// generators
+CGAL_TUBULAR_MESHING_PARAMETER(capped_ends)
+CGAL_TUBULAR_MESHING_PARAMETER(noise)
+CGAL_TUBULAR_MESHING_PARAMETER(noise_seed)
+CGAL_TUBULAR_MESHING_PARAMETER(sag)
+CGAL_TUBULAR_MESHING_PARAMETER(sag_shape)

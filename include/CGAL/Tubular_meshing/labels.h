@@ -1,0 +1,51 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_LABELS_H
+#define CGAL_TUBULAR_MESHING_LABELS_H
+
+#include <map>
+#include <string>
+
+namespace CGAL {
+namespace Tubular_meshing {
+
+/*! \ingroup PkgTubularMeshingRef
+ *
+ * The integers that tell volume cells (regions) and boundary facets (patches) apart, in memory and in every file. */
+namespace labels {
+
+// regions
+constexpr int lumen = 1;
+constexpr int wall_region = 2; ///< further wall layers count on from here
+
+// patches
+constexpr int wall = 1; ///< the lumen's surface; the interface, where there is a wall region
+constexpr int inlet = 2;
+constexpr int first_outlet = 3;
+constexpr int outer_wall = 100;
+constexpr int inlet_ring = 102;
+constexpr int first_outlet_ring = 103;
+
+/*! The patch of opening `i`: 0 is the inlet, `i` > 0 is outlet `i`. */
+constexpr int of_opening(int i) {
+  return inlet + i;
+}
+
+} // namespace labels
+
+/*! From label to name, e.g. 2 → "inlet". */
+typedef std::map<int, std::string> Label_names;
+
+/*! The names of the lumen's patches for a number of openings: wall, inlet, outlet_1, outlet_2, … */
+inline Label_names lumen_patch_names(int number_of_openings) {
+  Label_names names = {{labels::wall, "wall"}};
+  for (int i = 0; i < number_of_openings; ++i)
+    names[labels::of_opening(i)] = i == 0 ? std::string("inlet") : "outlet_" + std::to_string(i);
+  return names;
+}
+
+} // namespace Tubular_meshing
+} // namespace CGAL
+
+#endif // CGAL_TUBULAR_MESHING_LABELS_H

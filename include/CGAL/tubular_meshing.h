@@ -1,0 +1,117 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_H
+#define CGAL_TUBULAR_MESHING_H
+
+#include <CGAL/Tubular_meshing/Centerlines/Centerline_field.h>
+#include <CGAL/Tubular_meshing/Fields/Centerline_sizing_field.h>
+#include <CGAL/Tubular_meshing/Mixed_mesh.h>
+#include <CGAL/Tubular_meshing/Quality/validity_report.h>
+#include <CGAL/Tubular_meshing/Tubular_model.h>
+#include <CGAL/Tubular_meshing/Volume/fill_with_mesh_3.h>
+#include <CGAL/Tubular_meshing/Volume/optimize_tetrahedra.h>
+#include <CGAL/Tubular_meshing/exceptions.h>
+#include <CGAL/Tubular_meshing/parameters.h>
+
+#include <set>
+#include <string>
+
+namespace CGAL {
+namespace Tubular_meshing {
+namespace internal {
+
+struct Ignore_stages {
+  void operator()(const char*) const {}
+};
+
+// What a mesh of the model must be beyond valid: of the model's topology, with all of its patches.
+template <class Point> std::string differences(const Mixed_mesh<Point>& mesh, const Tubular_model<Point>& model) {
+  const Validity_report report = validity_report(mesh);
+  std::string s = report.defects();
+  const auto add = [&](const std::string& what) { s += (s.empty() ? "" : ", ") + what; };
+  const std::ptrdiff_t euler = std::ptrdiff_t(num_vertices(model.surface)) - std::ptrdiff_t(num_edges(model.surface)) +
+                               std::ptrdiff_t(num_faces(model.surface));
+  if (report.boundary_euler != euler)
+    add("a boundary of Euler characteristic " + std::to_string(report.boundary_euler) + " instead of " +
+        std::to_string(euler));
+  const std::set<int> patches(mesh.triangles.label.begin(), mesh.triangles.label.end());
+  for (const auto& opening : model.openings)
+    if (patches.count(opening.patch) == 0)
+      add("no facets on " + lumen_patch_names(int(model.openings.size())).at(opening.patch));
+  return s;
+}
+
+} // namespace internal
+
+/*! \ingroup PkgTubularMeshingRef
+ *
+ * makes a mesh of isotropic tetrahedra, of mesh size h = 2 π r / N (section 3.1 of the paper): region labels::lumen,
+ * and patches wall, inlet, outlet_1, ….
+ *
+ * Mesh_3 refines, optimize_tetrahedra() makes the mesh good, and the outcome is checked: what is returned is valid (see
+ * Validity_report), has the topology of the model's surface, and facets on every opening. Where the mesh size is too
+ * coarse for that it is made finer, by a factor of at most two.
+ *
+ * \param model see make_tubular_model()
+ *
+ * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{points_per_circumference, min_size, max_size, gradation}
+ *     \cgalParamDescription{see Centerline_sizing_field} \cgalParamNEnd
+ *   \cgalParamNBegin{facet_distance} \cgalParamDescription{see fill_with_mesh_3()} \cgalParamNEnd
+ *   \cgalParamNBegin{optimization_passes} \cgalParamDescription{see optimize_tetrahedra()} \cgalParamNEnd
+ *   \cgalParamNBegin{number_of_threads} \cgalParamDescription{1: the result is reproducible; 0: all cores}
+ *     \cgalParamDefault{0} \cgalParamNEnd
+ *   \cgalParamNBegin{observer} \cgalParamDescription{a function object that is called with the name of each stage, a
+ *     `const char*`, as it begins} \cgalParamNEnd
+ * \cgalNamedParamsEnd
+ *
+ * O(n log n) in the size of the result.
+ *
+ * \throws Parameter_error if a parameter is out of its range
+ * \throws Meshing_error if no valid mesh comes out
+ */
+template <class Point_3, class NamedParameters = CGAL::parameters::Default_named_parameters>
+Mixed_mesh<Point_3> make_isotropic_mesh(const Tubular_model<Point_3>& model,
+                                        const NamedParameters& np = CGAL::parameters::default_values()) {
+  typedef Centerline_sizing_field<Point_3> Sizing_field;
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  const auto observer = choose_parameter(get_parameter(np, internal_np::observer), internal::Ignore_stages());
+
+  observer("size field");
+  const Sizing_field size(Centerline_field<Point_3>(model.centerlines),
+                          Wall_distance<Point_3>(model.surface, model.patch, labels::wall), np);
+  Mixed_mesh<Point_3> mesh;
+  std::string differences;
+  for (double factor : {1., 0.7, 0.5}) {
+    observer("tetrahedra");
+    fill_with_mesh_3(model.surface, model.patch, internal::Scaled_field<Sizing_field>{&size, factor}, mesh, np);
+    observer("optimization");
+    optimize_tetrahedra(mesh, model.surface, model.patch, np);
+    observer("check");
+    differences = internal::differences(mesh, model);
+    if (differences.empty())
+      break;
+  }
+  if (!differences.empty())
+    throw Meshing_error("The mesh came out with " + differences +
+                        ": the surface may intersect itself, or have parts much narrower than the mesh size there.");
+  mesh.patch_names = lumen_patch_names(int(model.openings.size()));
+  return mesh;
+}
+
+/*! \ingroup PkgTubularMeshingRef
+ *
+ * the same, from a surface and its centerlines; takes the named parameters of make_tubular_model() as well.
+ */
+template <class Point_3, class TriangleMesh, class NamedParameters = CGAL::parameters::Default_named_parameters>
+Mixed_mesh<Point_3> make_isotropic_mesh(const TriangleMesh& surface, const Centerline_polylines<Point_3>& lines,
+                                        const NamedParameters& np = CGAL::parameters::default_values()) {
+  return make_isotropic_mesh(make_tubular_model(surface, lines, np), np);
+}
+
+} // namespace Tubular_meshing
+} // namespace CGAL
+
+#endif // CGAL_TUBULAR_MESHING_H
