@@ -39,13 +39,15 @@ enum Exit_status { done = 0, wrong_usage = 2, unusable_input = 3, meshing_failed
 // What is wrong with the options as such; before any work is done, since work takes time.
 void check(const Options& o) {
   if (o.type == "anisotropic" || o.type == "mixed")
-    throw tubular::Parameter_error("Meshes of type " + o.type + " are not part of this version; it makes isotropic ones.");
+    throw tubular::Parameter_error("Meshes of type " + o.type +
+                                   " are not part of this version; it makes isotropic ones.");
   if (o.type != "isotropic")
     throw tubular::Parameter_error("There is no type of mesh named \"" + o.type + "\"; the types are: isotropic.");
   if (o.min_size > o.max_size)
     throw tubular::Parameter_error("--min-size is larger than --max-size.");
   if (!tubular::IO::is_supported_mesh_format(o.output))
-    throw tubular::Parameter_error("The mesh cannot be written to \"" + o.output + "\": give a .vtu, .msh or .mesh file.");
+    throw tubular::Parameter_error("The mesh cannot be written to \"" + o.output +
+                                   "\": give a .vtu, .msh or .mesh file.");
   std::set<std::string> files = {o.surface, o.centerlines};
   for (const std::string& f : o.outputs())
     if (!files.insert(f).second)
@@ -60,7 +62,8 @@ void check(const Options& o) {
 
 template <class NamedParameters>
 tubular::Tubular_model<Point_3> prepare(const Options& o, const Surface& surface,
-                                   const tubular::Centerline_polylines<Point_3>& lines, const NamedParameters& np) {
+                                        const tubular::Centerline_polylines<Point_3>& lines,
+                                        const NamedParameters& np) {
   if (o.inlet.empty())
     return tubular::make_tubular_model(surface, lines, np);
   return tubular::make_tubular_model(surface, lines, np.inlet(Point_3(o.inlet[0], o.inlet[1], o.inlet[2])));

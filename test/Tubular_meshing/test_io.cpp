@@ -140,7 +140,8 @@ Surface tetrahedron() {
   return s;
 }
 
-const char* const off_square = "OFF\n# a square of two triangles\n4 2 0\n0 0 0\n1 0 0 255 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n";
+const char* const off_square =
+    "OFF\n# a square of two triangles\n4 2 0\n0 0 0\n1 0 0 255 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n";
 
 void expect_input_error(const std::string& file, const std::string& part_of_sentence) {
   Surface s;
@@ -339,7 +340,8 @@ TEST_F(IO, Obj_indices_of_all_sorts) {
   std::vector<Point> p;
   Triangles t;
   TM::IO::read_triangle_soup(
-      make("a.obj", "# c\nv 0 0 0\nv 1 0 0 1.0\nvn 0 0 1\nv 1 1 0\nv 0 1 0\ng x\nf 1/1 2/2/2 3//1\nf -4 -2 -1\n"), p, t);
+      make("a.obj", "# c\nv 0 0 0\nv 1 0 0 1.0\nvn 0 0 1\nv 1 1 0\nv 0 1 0\ng x\nf 1/1 2/2/2 3//1\nf -4 -2 -1\n"), p,
+      t);
   EXPECT_EQ(t, (Triangles{{0, 1, 2}, {0, 2, 3}}));
 }
 
@@ -382,8 +384,8 @@ TEST_F(IO, Vtp_ascii_with_strips_and_pieces) {
       "NumberOfComponents=\"3\" format=\"ascii\">0 0 0 1 0 0 0 1 0 1 1 0</DataArray></Points><Strips><DataArray "
       "type=\"Int32\" Name=\"connectivity\" format=\"ascii\">0 1 2 3</DataArray><DataArray type=\"Int32\" "
       "Name=\"offsets\" format=\"ascii\">4</DataArray></Strips></Piece>";
-  const std::string file = make("a.vtp", "<?xml version=\"1.0\"?><VTKFile type=\"PolyData\"><PolyData>" + piece + piece +
-                                             "</PolyData></VTKFile>");
+  const std::string file = make("a.vtp", "<?xml version=\"1.0\"?><VTKFile type=\"PolyData\"><PolyData>" + piece +
+                                             piece + "</PolyData></VTKFile>");
   std::vector<Point> p;
   Triangles t;
   TM::IO::read_triangle_soup(file, p, t);
@@ -411,7 +413,8 @@ TEST_F(IO, Vtp_inline_base64) {
 
 TEST_F(IO, Soup_becomes_an_oriented_mesh) {
   Surface s;
-  // the second triangle is turned over, the third is the first again, the fourth has two equal corners, vertex 5 is unused
+  // the second triangle is turned over, the third is the first again, the fourth has two equal corners, vertex 5 is
+  // unused
   TM::IO::read_surface(make("a.off", "OFF\n6 4 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n-0 0 0\n9 9 9\n"
                                      "3 0 1 2\n3 4 3 2\n3 2 0 1\n3 0 4 3\n"),
                        s);
@@ -451,8 +454,9 @@ TEST_F(IO, Bad_surfaces_are_named) {
   expect_input_error(make("index.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n"), "vertex 3");
   expect_input_error(make("minus.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n"), "vertex -1");
   expect_input_error(make("lie.off", "OFF\n4000000000 1 0\n0 0 0\n"), "4000000000");
-  expect_input_error(make("lie.ply", "ply\nformat ascii 1.0\nelement vertex 99999999999\nproperty float x\nend_header\n"),
-                     "99999999999");
+  expect_input_error(
+      make("lie.ply", "ply\nformat ascii 1.0\nelement vertex 99999999999\nproperty float x\nend_header\n"),
+      "99999999999");
   expect_input_error(make("point.off", "OFF\n3 1 0\n0 0 0\n0 0 0\n0 0 0\n3 0 1 2\n"), "three different corners");
 }
 
@@ -519,24 +523,27 @@ TEST_F(IO, Damage_is_an_input_error_or_harmless) {
 TEST_F(IO, Centerlines_of_legacy_vtk_in_old_and_new_layouts) {
   Centerlines c;
   TM::IO::read_centerlines(
-      make("old.vtk", "# vtk DataFile Version 3.0\nt\nASCII\nDATASET POLYDATA\nPOINTS 4 float\n0 0 0 1 0 0\n2 0 0 3 0 0\n"
-                      "VERTICES 1 2\n1 0\nLINES 2 6\n2 0 1\n2 2 3\nPOINT_DATA 4\nFIELD FieldData 2\n"
-                      "Topology 2 4 int\n1 2 3 4 5 6 7 8\nMaximumInscribedSphereRadius 1 4 double\n1 2 3 4\n"),
+      make("old.vtk",
+           "# vtk DataFile Version 3.0\nt\nASCII\nDATASET POLYDATA\nPOINTS 4 float\n0 0 0 1 0 0\n2 0 0 3 0 0\n"
+           "VERTICES 1 2\n1 0\nLINES 2 6\n2 0 1\n2 2 3\nPOINT_DATA 4\nFIELD FieldData 2\n"
+           "Topology 2 4 int\n1 2 3 4 5 6 7 8\nMaximumInscribedSphereRadius 1 4 double\n1 2 3 4\n"),
       c);
   EXPECT_EQ(c.lines, (std::vector<std::vector<std::size_t>>{{0, 1}, {2, 3}}));
   EXPECT_EQ(c.radius, (std::vector<double>{1, 2, 3, 4}));
 
   TM::IO::read_centerlines(
-      make("new.vtk", "# vtk DataFile Version 5.1\nt\nASCII\nDATASET POLYDATA\nPOINTS 3 double\n0 0 0 1 0 0 2 0 0\n"
-                      "METADATA\nINFORMATION 0\n\nLINES 2 3\nOFFSETS vtktypeint64\n0 3\nCONNECTIVITY vtktypeint64\n"
-                      "2 1 0\nPOINT_DATA 3\nSCALARS MaximumInscribedSphereRadius float\nLOOKUP_TABLE default\n.5 .25 1\n"),
+      make("new.vtk",
+           "# vtk DataFile Version 5.1\nt\nASCII\nDATASET POLYDATA\nPOINTS 3 double\n0 0 0 1 0 0 2 0 0\n"
+           "METADATA\nINFORMATION 0\n\nLINES 2 3\nOFFSETS vtktypeint64\n0 3\nCONNECTIVITY vtktypeint64\n"
+           "2 1 0\nPOINT_DATA 3\nSCALARS MaximumInscribedSphereRadius float\nLOOKUP_TABLE default\n.5 .25 1\n"),
       c);
   EXPECT_EQ(c.lines, (std::vector<std::vector<std::size_t>>{{2, 1, 0}}));
   EXPECT_EQ(c.radius, (std::vector<double>{.5, .25, 1}));
 
   TM::IO::read_centerlines(
-      make("grid.vtk", "# vtk DataFile Version 2.0\nt\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 3 double\n0 0 0 1 0 0 2 0 0\n"
-                       "CELLS 3 10\n2 0 1\n3 0 1 2\n2 1 2\nCELL_TYPES 3\n3\n5\n3\n"),
+      make("grid.vtk",
+           "# vtk DataFile Version 2.0\nt\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 3 double\n0 0 0 1 0 0 2 0 0\n"
+           "CELLS 3 10\n2 0 1\n3 0 1 2\n2 1 2\nCELL_TYPES 3\n3\n5\n3\n"),
       c);
   EXPECT_EQ(c.lines, (std::vector<std::vector<std::size_t>>{{0, 1}, {1, 2}}));
   EXPECT_TRUE(c.radius.empty());
@@ -548,8 +555,9 @@ TEST_F(IO, Centerlines_of_legacy_vtk_in_old_and_new_layouts) {
 TEST_F(IO, Centerlines_of_gmsh_with_sparse_node_numbers) {
   Centerlines c;
   TM::IO::read_centerlines(
-      make("c.msh", "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Comments\nx\n$EndComments\n$Nodes\n1 3 7 90\n1 1 0 3\n90\n7\n8\n"
-                    "9 0 0\n7 0 0\n8 0 0\n$EndNodes\n$Elements\n1 2 1 2\n1 1 1 2\n2 8 90\n1 7 8\n$EndElements\n"),
+      make("c.msh",
+           "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Comments\nx\n$EndComments\n$Nodes\n1 3 7 90\n1 1 0 3\n90\n7\n8\n"
+           "9 0 0\n7 0 0\n8 0 0\n$EndNodes\n$Elements\n1 2 1 2\n1 1 1 2\n2 8 90\n1 7 8\n$EndElements\n"),
       c);
   EXPECT_EQ(c.points, (std::vector<Point>{Point(7, 0, 0), Point(8, 0, 0), Point(9, 0, 0)}));
   EXPECT_EQ(c.lines, (std::vector<std::vector<std::size_t>>{{0, 1}, {1, 2}}));
@@ -637,10 +645,14 @@ TEST_F(IO, Real_files) {
     const char* file;
     std::size_t points, triangles;
   };
-  const Row surfaces[] = {{"paper/aorta.stl", 2211, 4323},          {"paper/bypass.stl", 23317, 46522},
-                          {"paper/carotid.stl", 5829, 11594},       {"paper/cerebral.stl", 40571, 80979},
-                          {"paper/cylemi.stl", 523, 990},           {"trees/airway_lf_open.vtp", 202093, 400481},
-                          {"trees/sofa_LCA.stl", 731, 1406},        {"trees/sofa_carotids.stl", 1164, 2289},
+  const Row surfaces[] = {{"paper/aorta.stl", 2211, 4323},
+                          {"paper/bypass.stl", 23317, 46522},
+                          {"paper/carotid.stl", 5829, 11594},
+                          {"paper/cerebral.stl", 40571, 80979},
+                          {"paper/cylemi.stl", 523, 990},
+                          {"trees/airway_lf_open.vtp", 202093, 400481},
+                          {"trees/sofa_LCA.stl", 731, 1406},
+                          {"trees/sofa_carotids.stl", 1164, 2289},
                           {"trees/sofa_phantom_network.obj", 3220, 6392}};
   const Row centerlines[] = {{"paper/centerlinesAORTA.vtk", 862, 858},
                              {"paper/centerlinesBYPASS.msh", 715, 711},

@@ -1,12 +1,15 @@
 // Copyright (c) 2026 The Tubular_meshing authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "test_surfaces.h"
+
+#include <CGAL/Tubular_meshing/Centerlines/Wall_distance.h>
+#include <CGAL/Tubular_meshing/Centerlines/build_centerline_graph.h>
+#include <CGAL/Tubular_meshing/IO/read_centerlines.h>
 #include <CGAL/Tubular_meshing/IO/read_surface.h>
 #include <CGAL/Tubular_meshing/Operators/close_openings.h>
 #include <CGAL/Tubular_meshing/Operators/openings.h>
 
-#include <CGAL/Aff_transformation_3.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
@@ -23,6 +26,7 @@
 #include <functional>
 #include <numeric>
 #include <random>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -32,195 +36,21 @@ namespace PMP = CGAL::Polygon_mesh_processing;
 using namespace CGAL::Tubular_meshing;
 namespace params = CGAL::Tubular_meshing::parameters;
 
-typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
-typedef Kernel::Point_3 Point;
-typedef Kernel::Vector_3 Vector;
-typedef CGAL::Aff_transformation_3<Kernel> Transformation;
-typedef CGAL::Surface_mesh<Point> Mesh;
+using namespace test_surfaces;
 typedef std::vector<Opening<Point>> Openings;
 
-// --- surfaces ---
+// --- centerlines ---
 
-enum class End { open, fan, fine };
+typedef Centerline_graph<Point> Graph;
 
-/* A tube along z from 0 to `length`, with `sides` sides. */
-struct Tube {
-  int sides = 20, rings = 20;
-  double length = 8, rx = 1, ry = 1;
-  End bottom = End::open, top = End::open;
-  std::function<double(double)> sag = [](double) { return 0.; }; // of the rim at the top, by angle
-  double tilt = 0;                                               // of the top, dz/dx
-  double dish = 0, noise = 0;                                    // of caps
-};
-
-void add_cap(Mesh& mesh, const Tube& tube, const std::vector<Mesh::Vertex_index>& rim, End kind, double z, bool top,
-             std::mt19937& random) {
-  auto add = [&](Mesh::Vertex_index a, Mesh::Vertex_index b, Mesh::Vertex_index c) {
-    top ? mesh.add_face(a, b, c) : mesh.add_face(a, c, b);
-  };
-  std::uniform_real_distribution<double> noise(-tube.noise, tube.noise);
-  const int circles = kind == End::fine ? std::max(2, tube.sides / 6) : 1;
-  std::vector<Mesh::Vertex_index> outer = rim;
-  for (int c = circles - 1; c >= 1; --c) {
-    const double t = double(c) / circles;
-    std::vector<Mesh::Vertex_index> inner;
-    for (auto v : rim) {
-      const Point& p = mesh.point(v);
-      inner.push_back(
-          mesh.add_vertex(Point(t * p.x(), t * p.y(), z + t * (p.z() - z) - tube.dish * (1 - t * t) + noise(random))));
-    }
-    for (std::size_t i = 0; i < rim.size(); ++i) {
-      const std::size_t j = (i + 1) % rim.size();
-      add(outer[i], outer[j], inner[j]);
-      add(outer[i], inner[j], inner[i]);
-    }
-    outer = inner;
-  }
-  const auto center = mesh.add_vertex(Point(0, 0, z - tube.dish));
-  for (std::size_t i = 0; i < rim.size(); ++i)
-    add(outer[i], outer[(i + 1) % rim.size()], center);
-}
-
-Mesh make_tube(const Tube& tube) {
-  Mesh mesh;
-  std::mt19937 random(7);
-  std::vector<std::vector<Mesh::Vertex_index>> rings(tube.rings + 1);
-  for (int k = 0; k <= tube.rings; ++k)
-    for (int i = 0; i < tube.sides; ++i) {
-      const double angle = 2 * CGAL_PI * i / tube.sides, t = double(k) / tube.rings;
-      const double x = tube.rx * std::cos(angle), y = tube.ry * std::sin(angle);
-      rings[k].push_back(
-          mesh.add_vertex(Point(x, y, t * tube.length + std::pow(t, 4) * (tube.sag(angle) + tube.tilt * x))));
-    }
-  for (int k = 0; k < tube.rings; ++k)
-    for (int i = 0; i < tube.sides; ++i) {
-      const int j = (i + 1) % tube.sides;
-      mesh.add_face(rings[k][i], rings[k][j], rings[k + 1][j]);
-      mesh.add_face(rings[k][i], rings[k + 1][j], rings[k + 1][i]);
-    }
-  if (tube.bottom != End::open)
-    add_cap(mesh, tube, rings[0], tube.bottom, 0, false, random);
-  if (tube.top != End::open)
-    add_cap(mesh, tube, rings[tube.rings], tube.top, tube.length, true, random);
-  return mesh;
-}
-
-Mesh make_sphere(int parallels, int meridians) {
-  Mesh mesh;
-  std::vector<std::vector<Mesh::Vertex_index>> rings;
-  for (int k = 1; k < parallels; ++k) {
-    rings.emplace_back();
-    for (int i = 0; i < meridians; ++i) {
-      const double u = 2 * CGAL_PI * i / meridians, v = CGAL_PI * k / parallels;
-      rings.back().push_back(
-          mesh.add_vertex(Point(std::sin(v) * std::cos(u), std::sin(v) * std::sin(u), -std::cos(v))));
-    }
-  }
-  const auto south = mesh.add_vertex(Point(0, 0, -1)), north = mesh.add_vertex(Point(0, 0, 1));
-  for (int i = 0; i < meridians; ++i) {
-    const int j = (i + 1) % meridians;
-    mesh.add_face(south, rings[0][j], rings[0][i]);
-    mesh.add_face(north, rings.back()[i], rings.back()[j]);
-    for (std::size_t k = 0; k + 1 < rings.size(); ++k) {
-      mesh.add_face(rings[k][i], rings[k][j], rings[k + 1][j]);
-      mesh.add_face(rings[k][i], rings[k + 1][j], rings[k + 1][i]);
-    }
-  }
-  return mesh;
-}
-
-Mesh make_torus(int along, int around) {
-  Mesh mesh;
-  std::vector<std::vector<Mesh::Vertex_index>> rings(along);
-  for (int k = 0; k < along; ++k)
-    for (int i = 0; i < around; ++i) {
-      const double u = 2 * CGAL_PI * k / along, v = 2 * CGAL_PI * i / around, r = 3 + std::cos(v);
-      rings[k].push_back(mesh.add_vertex(Point(r * std::cos(u), r * std::sin(u), std::sin(v))));
-    }
-  for (int k = 0; k < along; ++k)
-    for (int i = 0; i < around; ++i) {
-      const int j = (i + 1) % around, l = (k + 1) % along;
-      mesh.add_face(rings[k][i], rings[l][i], rings[l][j]);
-      mesh.add_face(rings[k][i], rings[l][j], rings[k][j]);
-    }
-  return mesh;
-}
-
-Mesh make_square_duct() {
-  Tube tube;
-  tube.sides = 4;
-  tube.bottom = tube.top = End::fan;
-  return make_tube(tube);
-}
-
-Mesh transformed(const Mesh& mesh, const Transformation& t) {
-  Mesh result = mesh;
-  for (auto v : result.vertices())
-    result.point(v) = t(result.point(v));
-  return result;
-}
-
-Transformation rotation(double angle) { // about (0, 1, 1)
-  const double c = std::cos(angle), s = std::sin(angle), h = std::sqrt(0.5);
-  return Transformation(c, -s * h, s * h, s * h, (1 + c) / 2, (1 - c) / 2, -s * h, (1 - c) / 2, (1 + c) / 2);
-}
-
-Mesh shuffled(const Mesh& mesh, unsigned seed) {
-  std::mt19937 random(seed);
-  std::vector<Mesh::Vertex_index> vertices(mesh.vertices().begin(), mesh.vertices().end());
-  std::vector<Mesh::Face_index> faces(mesh.faces().begin(), mesh.faces().end());
-  std::shuffle(vertices.begin(), vertices.end(), random);
-  std::shuffle(faces.begin(), faces.end(), random);
-  Mesh result;
-  std::vector<Mesh::Vertex_index> image(vertices.size());
-  for (auto v : vertices)
-    image[v] = result.add_vertex(mesh.point(v));
-  for (auto f : faces) {
-    auto h = mesh.halfedge(f);
-    for (unsigned i = random() % 3; i > 0; --i)
-      h = mesh.next(h);
-    result.add_face(image[mesh.source(h)], image[mesh.target(h)], image[mesh.target(mesh.next(h))]);
-  }
-  return result;
-}
-
-void append(Mesh& mesh, const Mesh& other, const Transformation& t) {
-  mesh += transformed(other, t);
-}
-
-// --- graphs: what find_openings() asks of one ---
-
-struct Test_graph {
-  struct Branch {
-    std::vector<std::size_t> points;
-    std::size_t source, target;
-    double length, max_radius;
-  };
-  struct Node {
-    std::vector<std::size_t> branches;
-    bool is_end() const { return branches.size() == 1; }
-  };
-  std::vector<Point> points_;
-  std::vector<Branch> branches_;
-  std::vector<Node> nodes_;
-  std::size_t root_ = 0;
-  const std::vector<Point>& points() const { return points_; }
-  const std::vector<Branch>& branches() const { return branches_; }
-  const std::vector<Node>& nodes() const { return nodes_; }
-  std::size_t root() const { return root_; }
-};
-
-Test_graph line_graph(const Point& from, const Point& to, double radius, std::size_t root = 0) {
-  Test_graph graph;
-  Test_graph::Branch branch{{}, 0, 1, std::sqrt(CGAL::squared_distance(from, to)), radius};
-  for (int i = 0; i <= 10; ++i) {
-    graph.points_.push_back(from + (i / 10.) * (to - from));
-    branch.points.push_back(i);
-  }
-  graph.branches_.push_back(branch);
-  graph.nodes_.resize(2);
-  graph.nodes_[0].branches = graph.nodes_[1].branches = {0};
-  graph.root_ = root;
+Graph line_graph(const Point& from, const Point& to, double radius, std::size_t root = 0) {
+  std::vector<Point> points;
+  for (int i = 0; i <= 10; ++i)
+    points.push_back(from + (i / 10.) * (to - from));
+  std::vector<std::size_t> line(points.size());
+  std::iota(line.begin(), line.end(), std::size_t(0));
+  Graph graph(points, std::vector<double>(points.size(), radius), {line});
+  graph.direct_from(root);
   return graph;
 }
 
@@ -603,7 +433,7 @@ TEST(Openings, are_matched_to_the_ends_of_centerlines) {
     tube.bottom = tube.top = kind;
     const Mesh mesh = make_tube(tube);
     for (double overshoot : {-0.8, 0., 6.}) { // short of the ends, and through them as with flow extensions
-      const Test_graph graph = line_graph(Point(0.1, 0, -overshoot), Point(0, 0.1, 8 + overshoot), 1, 1);
+      const Graph graph = line_graph(Point(0.1, 0, -overshoot), Point(0, 0.1, 8 + overshoot), 1, 1);
       const Openings openings = find_openings(mesh, params::centerline_graph(std::cref(graph)));
       ASSERT_EQ(openings.size(), 2u);
       EXPECT_NEAR(openings[0].center.z(), 8, 1e-9) << "the root is the inlet";
@@ -616,7 +446,7 @@ TEST(Openings, are_matched_to_the_ends_of_centerlines) {
 }
 
 TEST(Openings, square_ducts_need_centerlines) {
-  const Test_graph graph = line_graph(Point(0, 0, 0.1), Point(0, 0, 7.9), 0);
+  const Graph graph = line_graph(Point(0, 0, 0.1), Point(0, 0, 7.9), 0);
   Closed closed = close(make_square_duct(), params::centerline_graph(std::cref(graph)));
   ASSERT_EQ(closed.openings.size(), 2u);
   EXPECT_NEAR(closed.openings[0].center.z(), 0, 1e-12);
@@ -625,13 +455,66 @@ TEST(Openings, square_ducts_need_centerlines) {
 }
 
 TEST(Openings, centerlines_of_another_geometry_are_refused) {
-  const Test_graph graph = line_graph(Point(50, 0, 0), Point(50, 0, 8), 1);
+  const Graph graph = line_graph(Point(50, 0, 0), Point(50, 0, 8), 1);
   for (End kind : {End::open, End::fan}) {
     Tube tube;
     tube.bottom = tube.top = kind;
     EXPECT_THROW(find_openings(make_tube(tube), params::centerline_graph(std::cref(graph))), Input_error);
   }
 }
+
+struct Centerlines_case {
+  const char *surface, *centerlines;
+};
+
+class Real_centerlines : public testing::TestWithParam<Centerlines_case> {};
+
+TEST_P(Real_centerlines, end_at_the_openings) {
+#ifndef TUBULAR_MESHING_SHARED_DATA
+  GTEST_SKIP() << "needs shared/data/" << GetParam().centerlines;
+#else
+  const std::string folder = std::string(TUBULAR_MESHING_SHARED_DATA) + "/";
+  if (!std::ifstream(folder + GetParam().centerlines) || !std::ifstream(folder + GetParam().surface))
+    GTEST_SKIP() << "needs shared/data/" << GetParam().centerlines;
+  Mesh mesh;
+  CGAL::Tubular_meshing::IO::read_surface(folder + GetParam().surface, mesh);
+  Centerline_polylines<Point> lines;
+  CGAL::Tubular_meshing::IO::read_centerlines(folder + GetParam().centerlines, lines);
+  Graph graph;
+  build_centerline_graph(lines, Wall_distance<Point>(mesh), graph);
+
+  const Openings open = find_openings(mesh, params::centerline_graph(std::cref(graph)));
+  std::vector<std::size_t> nodes;
+  for (const auto& o : open) {
+    ASSERT_NE(o.node, o.no_branch) << o.center;
+    EXPECT_TRUE(graph.nodes()[o.node].is_end());
+    EXPECT_EQ(graph.nodes()[o.node].branches[0], o.branch);
+    nodes.push_back(o.node);
+  }
+  EXPECT_EQ(nodes[0], graph.root());
+  EXPECT_TRUE(std::is_sorted(nodes.begin() + 1, nodes.end()));
+  EXPECT_EQ(std::set<std::size_t>(nodes.begin(), nodes.end()).size(), open.size());
+
+  // and so they do when the surface is closed
+  const Closed closed = close(mesh, params::centerline_graph(std::cref(graph)));
+  const Openings capped = find_openings(closed.mesh, params::centerline_graph(std::cref(graph)));
+  ASSERT_EQ(capped.size(), open.size());
+  for (std::size_t i = 0; i < capped.size(); ++i) {
+    EXPECT_EQ(capped[i].node, open[i].node);
+    EXPECT_EQ(capped[i].patch, open[i].patch);
+  }
+#endif
+}
+
+INSTANTIATE_TEST_SUITE_P(Shared_data, Real_centerlines,
+                         testing::Values(Centerlines_case{"paper/aorta.stl", "paper/centerlinesAORTA.vtk"},
+                                         Centerlines_case{"paper/bypass.stl", "paper/centerlinesBYPASS.msh"},
+                                         Centerlines_case{"paper/carotid.stl", "paper/centerlinesCAROTID.vtk"},
+                                         Centerlines_case{"paper/cerebral.stl", "paper/centerlinesCEREBRAL.vtk"}),
+                         [](const auto& info) {
+                           const std::string name = info.param.surface;
+                           return name.substr(6, name.size() - 10);
+                         });
 
 // --- order ---
 

@@ -9,8 +9,9 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <map>
+#include <cstdint>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 namespace CGAL {
@@ -74,6 +75,7 @@ private:
     Point_3 point;
   };
   typedef std::array<int, 3> Grid_cell;
+  typedef std::unordered_map<std::int64_t, std::vector<Probe>> Grid;
 
   static double box_size() { return 290; }
 
@@ -109,39 +111,49 @@ private:
 
   void add(const Shoot& shoot) {
     const Hermite_curve<Point_3> curve = shoot.curve();
+    if (grids_.size() <= std::size_t(shoot.generation))
+      grids_.emplace_back();
     for (int k = 0; k <= probes; ++k) {
       const Point_3 p = curve(double(k) / probes);
-      grid_[grid_cell(p)].push_back(Probe{shoots_.size(), p});
+      grids_.back()[grid_key(grid_cell(p, shoot.radius()))].push_back(Probe{shoots_.size(), p});
     }
     shoots_.push_back(shoot);
   }
 
-  // Whether all branches but the parent and sibling are at a distance of 1.7 times the sum of the radii.
+  // Whether all branches but the parent and sibling are at a distance of 1.7 times the sum of the radii, or more.
   bool has_room(const Shoot& shoot) const {
     const Hermite_curve<Point_3> curve = shoot.curve();
-    for (int k = 0; k <= probes; ++k) {
-      const Point_3 p = curve(double(k) / probes);
-      const Grid_cell at = grid_cell(p);
-      for (int x = at[0] - 1; x <= at[0] + 1; ++x)
-        for (int y = at[1] - 1; y <= at[1] + 1; ++y)
-          for (int z = at[2] - 1; z <= at[2] + 1; ++z) {
-            const auto found = grid_.find(Grid_cell{{x, y, z}});
-            if (found != grid_.end())
-              for (const Probe& probe : found->second) {
-                const double least = 1.7 * (shoot.radius() + shoots_[probe.shoot].radius());
-                if (probe.shoot != shoot.parent && (probe.point - p).squared_length() < least * least)
-                  return false;
-              }
-          }
-    }
+    for (const Grid& grid : grids_)
+      for (int k = 0; k <= probes; ++k)
+        if (is_near_other(curve(double(k) / probes), shoot, grid,
+                          trachea_radius * std::pow(0.5, (&grid - &grids_[0]) / 3.)))
+          return false;
     return true;
   }
 
-  // Cells as wide as the largest distance that matters.
-  static Grid_cell grid_cell(const Point_3& p) {
-    const double size = 1.7 * 2 * trachea_radius;
+  bool is_near_other(const Point_3& p, const Shoot& shoot, const Grid& grid, double radius) const {
+    const double least = clearance * (shoot.radius() + radius);
+    const Grid_cell at = grid_cell(p, radius);
+    for (int x = at[0] - 1; x <= at[0] + 1; ++x)
+      for (int y = at[1] - 1; y <= at[1] + 1; ++y)
+        for (int z = at[2] - 1; z <= at[2] + 1; ++z) {
+          const auto found = grid.find(grid_key({{x, y, z}}));
+          if (found == grid.end())
+            continue;
+          for (const Probe& probe : found->second)
+            if (probe.shoot != shoot.parent && (probe.point - p).squared_length() < least * least)
+              return true;
+        }
+    return false;
+  }
+
+  // One grid a generation; cells are as wide as the distance that matters to shoots of the same and later generations.
+  static Grid_cell grid_cell(const Point_3& p, double radius) {
+    const double size = clearance * 2 * radius;
     return {{int(std::floor(p.x() / size)), int(std::floor(p.y() / size)), int(std::floor(p.z() / size))}};
   }
+
+  static std::int64_t grid_key(const Grid_cell& c) { return (std::int64_t(c[0]) * 2097152 + c[1]) * 2097152 + c[2]; }
 
   static std::size_t longest_side(const Shoot& s) {
     std::size_t longest = 0;
@@ -158,9 +170,10 @@ private:
   static constexpr double reach = 0.62; // how far towards the centre of its box a branch goes
 
   static constexpr int probes = 16;
+  static constexpr double clearance = 1.7; // of the sum of two radii
 
   std::vector<Shoot> shoots_;
-  std::map<Grid_cell, std::vector<Probe>> grid_;
+  std::vector<Grid> grids_;
 };
 
 } // namespace internal

@@ -18,8 +18,8 @@ namespace IO {
  *
  * reads centerlines: the lines of a file, as they stand there.
  *
- * The extension of the file names its format: legacy VTK (POLYDATA with LINES, UNSTRUCTURED_GRID with cells of type line
- * or polyline; ASCII or binary, versions up to 4.2 and 5.x), VTP (as read_triangle_soup()), MSH 2.2 and 4.1 (line
+ * The extension of the file names its format: legacy VTK (POLYDATA with LINES, UNSTRUCTURED_GRID with cells of type
+ * line or polyline; ASCII or binary, versions up to 4.2 and 5.x), VTP (as read_triangle_soup()), MSH 2.2 and 4.1 (line
  * elements; ASCII or binary). The point array `MaximumInscribedSphereRadius`, which VMTK writes, becomes the radius.
  *
  * \param file the name of the file

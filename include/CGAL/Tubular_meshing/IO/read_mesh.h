@@ -41,10 +41,10 @@ inline Mixed_mesh<Coordinates> read_mesh(const std::string& name) {
 
 /*! \ingroup PkgTubularMeshingRef
  *
- * reads a mesh with its labels, names and point arrays. What write_mesh() has written is read back equal: points bit for
- * bit, and all elements in their order. Files of other programs may be in any encoding of VTK's XML format with zlib or
- * without compression (.vtu), of formats 2.2 and 4.1, ASCII or binary (.msh), or in ASCII (.mesh); labels that they lack
- * are 0.
+ * reads a mesh with its labels, names and point arrays. What write_mesh() has written is read back equal: points bit
+ * for bit, and all elements in their order. Files of other programs may be in any encoding of VTK's XML format with
+ * zlib or without compression (.vtu), of formats 2.2 and 4.1, ASCII or binary (.msh), or in ASCII (.mesh); labels that
+ * they lack are 0.
  *
  * \param file the name of the file
  * \param mesh receives the mesh; what it held before is removed

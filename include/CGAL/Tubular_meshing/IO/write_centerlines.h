@@ -48,8 +48,8 @@ template <class Point_3> Polydata polydata_of(const Centerline_polylines<Point_3
 
 template <class Point_3> Polydata polydata_of(const Centerline_graph<Point_3>& graph) {
   typedef typename Centerline_graph<Point_3>::Branch Branch;
-  return polydata_of(graph.points(), graph.radii(), graph.branches(),
-                     [](const Branch& b) -> const auto& { return b.points; });
+  return polydata_of(
+      graph.points(), graph.radii(), graph.branches(), [](const Branch& b) -> const auto& { return b.points; });
 }
 
 } // namespace internal

@@ -72,8 +72,9 @@ void write_mesh(Output_file& file, const Mixed_mesh<Point>& mesh,
   else if (ext == "msh")
     internal::Msh_writer<Mixed_mesh<Point>>(file, mesh).write_2_2();
   else
-    throw Output_error("The file " + internal::quoted(file.name()) +
-                       " cannot be written: meshes are written as .vtu, .msh or .mesh; give it one of these extensions.");
+    throw Output_error(
+        "The file " + internal::quoted(file.name()) +
+        " cannot be written: meshes are written as .vtu, .msh or .mesh; give it one of these extensions.");
 }
 
 /*! \ingroup PkgTubularMeshingRef
@@ -82,9 +83,11 @@ void write_mesh(Output_file& file, const Mixed_mesh<Point>& mesh,
  *
  * | extension | volume cells and boundary facets | names | point arrays |
  * |---|---|---|---|
- * | .vtu | all in one file; cell arrays `region` (0 on facets) and `patch` (0 on cells) | field data: for each name an array of pairs (label, dimension), dimension 3 for regions, 2 for patches | point data |
- * | .msh | physical groups, dimension 3 for regions and 2 for patches | of the groups | node data; of 1, 3, 6 (written as 9) or 9 components only |
- * | .mesh | references | comments `# region 1 lumen`, `# patch 2 inlet` | `metric` (6 components) as a .sol file of the same name; no others |
+ * | .vtu | all in one file; cell arrays `region` (0 on facets) and `patch` (0 on cells) | field data: for each name an
+ * array of pairs (label, dimension), dimension 3 for regions, 2 for patches | point data | | .msh | physical groups,
+ * dimension 3 for regions and 2 for patches | of the groups | node data; of 1, 3, 6 (written as 9) or 9 components only
+ * | | .mesh | references | comments `# region 1 lumen`, `# patch 2 inlet` | `metric` (6 components) as a .sol file of
+ * the same name; no others |
  *
  * .vtu files are compressed with zlib, .msh files binary in format 4.1 and ASCII in format 2.2, .mesh files ASCII.
  * Coordinates are kept to the last bit. The file is written whole or not at all; a file that was there is replaced.

@@ -115,9 +115,10 @@ void write_surface(Output_file& file, const TriangleMesh& mesh,
   else if (ext == "msh")
     internal::write_msh_surface(file, surface);
   else
-    throw Output_error("The file " + internal::quoted(file.name()) +
-                       " cannot be written: surfaces are written as .stl, .off, .obj, .ply, .vtp, .vtk or .msh; give it "
-                       "one of these extensions.");
+    throw Output_error(
+        "The file " + internal::quoted(file.name()) +
+        " cannot be written: surfaces are written as .stl, .off, .obj, .ply, .vtp, .vtk or .msh; give it "
+        "one of these extensions.");
 }
 
 /*! \ingroup PkgTubularMeshingRef

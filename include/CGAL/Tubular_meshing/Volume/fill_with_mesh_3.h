@@ -6,6 +6,7 @@
 
 #include <CGAL/Tubular_meshing/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/Volume/internal/mesh_complex_to_mixed_mesh.h>
+#include <CGAL/Tubular_meshing/Volume/internal/rim_corners.h>
 #include <CGAL/Tubular_meshing/exceptions.h>
 #include <CGAL/Tubular_meshing/labels.h>
 #include <CGAL/Tubular_meshing/parameters.h>
@@ -48,7 +49,7 @@ template <class SizingField> struct Scaled_field {
 };
 
 template <class Point> struct Rim_polyline {
-  std::vector<Point> points; // closed: the first comes again at the end
+  std::vector<Point> points; // where closed, the first comes again at the end
   std::set<int> patches;     // the two that meet in it
 };
 
@@ -114,8 +115,11 @@ void run_mesh_3(const Surface& labelled_surface, const SizingField& size, double
   namespace params = CGAL::parameters;
 
   Domain domain(labelled_surface);
-  const std::vector<Rim> rims =
-      rim_polylines(labelled_surface, get(face_patch_id_t<int>(), const_cast<Surface&>(labelled_surface)));
+  std::vector<Rim> rims;
+  for (const Rim& rim :
+       rim_polylines(labelled_surface, get(face_patch_id_t<int>(), const_cast<Surface&>(labelled_surface))))
+    for (auto& piece : split_at_corners(rim.points, [&](const auto& p) { return 0.5 * size(p, 1, 0); }))
+      rims.push_back({std::move(piece), rim.patches});
   domain.add_features_and_incidences(rims.begin(), rims.end(), Rim_points_map<Rim>(), Rim_patches_map<Rim>());
 
   const Mesh_criteria_3<Triangulation> criteria(

@@ -44,7 +44,7 @@ public:
     size_ = mesh.template add_property_map<Vertex, double>("v:tubular_size", 0).first;
     end_ = mesh.template add_property_map<Vertex, int>("v:tubular_end", -1).first;
     for (Vertex v : mesh.vertices())
-      measure(v);
+      put(v, place_at(at(v), function_.evaluate(at(v))));
   }
 
   ~Tubular_remesher() {
@@ -82,41 +82,47 @@ private:
   // --- the surface ---
 
   Vector_3d at(Vertex v) const { return Vector_3d(mesh_.point(v)); }
-  static Point to_point(const Vector_3d& p) { return Point(p.x, p.y, p.z); }
 
-  void measure(Vertex v) {
-    const auto value = function_.evaluate(at(v));
-    normal_[v] = normalized(Vector_3d(value.gradient[0], value.gradient[1], value.gradient[2]));
-    size_[v] = edge_over_radius_ * value.radius;
+  // A point with what the function says there.
+  struct Place {
+    Vector_3d point, normal;
+    double radius;
+  };
+
+  Place place_at(const Vector_3d& p, const typename Function::Value& value) const {
+    return {p, normalized(Vector_3d(value.gradient[0], value.gradient[1], value.gradient[2])), value.radius};
   }
 
-  void project(Vertex v) { place(v, end_[v] >= 0 ? onto_rim(at(v), end_[v]) : onto_surface(at(v))); }
-
-  void place(Vertex v, const Vector_3d& p) {
-    mesh_.point(v) = to_point(p);
-    measure(v);
+  void put(Vertex v, const Place& place) {
+    mesh_.point(v) = Point(place.point.x, place.point.y, place.point.z);
+    normal_[v] = place.normal;
+    size_[v] = edge_over_radius_ * place.radius;
   }
+
+  void project(Vertex v) { put(v, projection(at(v), end_[v])); }
+
+  Place projection(const Vector_3d& p, int end) const { return end >= 0 ? onto_rim(p, end) : onto_surface(p); }
 
   // Newton's method; steps are limited, as what is far from the surface shall not leave the tube.
-  Vector_3d onto_surface(Vector_3d p) const {
-    for (int i = 0; i < 8; ++i) {
+  Place onto_surface(Vector_3d p) const {
+    for (int i = 0;; ++i) {
       const auto value = function_.evaluate(p);
       const Vector_3d g(value.gradient[0], value.gradient[1], value.gradient[2]);
       const double g2 = squared_norm(g);
-      if (std::abs(value.value) < 1e-9 * value.radius || !(g2 > 1e-6))
-        break;
+      if (i == 8 || std::abs(value.value) < 1e-9 * value.radius || !(g2 > 1e-6))
+        return place_at(p, value);
       const double step = (std::min)((std::max)(value.value / g2, -0.3 * value.radius), 0.3 * value.radius);
       p = p - step * g;
     }
-    return p;
   }
 
-  Vector_3d onto_rim(const Vector_3d& p, int end) const {
+  Place onto_rim(const Vector_3d& p, int end) const {
     const End& e = ends_[std::size_t(end)];
     const Vector_3d center(e.center), n(e.normal);
     Vector_3d d = p - center;
     d = d - dot(d, n) * n;
-    return center + e.radius * normalized(d);
+    const Vector_3d on_rim = center + e.radius * normalized(d);
+    return place_at(on_rim, function_.evaluate(on_rim));
   }
 
   double length(Edge e) const { return norm(at(mesh_.vertex(e, 0)) - at(mesh_.vertex(e, 1))); }
@@ -152,13 +158,14 @@ private:
     const int end = (std::max)(end_[a], end_[b]);
     if (mesh_.is_border(e) && loop_is_small(mesh_.halfedge(e)))
       return;
-    Vector_3d p = a_fixed == b_fixed ? 0.5 * (at(a) + at(b)) : a_fixed ? at(a) : at(b);
-    p = end >= 0 ? onto_rim(p, end) : onto_surface(p);
-    if (!may_move_to(a, b, p) || !may_move_to(b, a, p) || makes_long_edges(a, p) || makes_long_edges(b, p))
+    const Vector_3d p = a_fixed == b_fixed ? 0.5 * (at(a) + at(b)) : a_fixed ? at(a) : at(b);
+    const Place place = projection(p, end);
+    if (!may_move_to(a, b, place.point) || !may_move_to(b, a, place.point) || makes_long_edges(a, place.point) ||
+        makes_long_edges(b, place.point))
       return;
     const Vertex kept = CGAL::Euler::collapse_edge(e, mesh_);
     end_[kept] = end;
-    place(kept, p);
+    put(kept, place);
   }
 
   bool loop_is_small(Halfedge h) const {
@@ -173,23 +180,29 @@ private:
     return false;
   }
 
-  // Whether the triangles of v that do not have w keep their orientation and some area with v at p.
+  // Whether, with v at p, the triangles of v that do not have w face along the surface's normal and have some area, or
+  // are better than before in this respect.
   bool may_move_to(Vertex v, Vertex w, const Vector_3d& p) const {
+    double before = 1, after = 1;
     for (Halfedge h : CGAL::halfedges_around_target(mesh_.halfedge(v), mesh_)) {
       const Vertex a = mesh_.source(h), b = mesh_.target(mesh_.next(h));
       if (mesh_.is_border(h) || a == w || b == w)
         continue;
-      const Vector_3d before = cross(at(b) - at(v), at(a) - at(v)), after = cross(at(b) - p, at(a) - p);
-      if (!(dot(before, after) > 0.3 * norm(before) * norm(after)) || flatness(p, at(a), at(b)) < 0.03)
-        return false;
+      const Vector_3d n = normalized(normal_[a] + normal_[b] + normal_[v]);
+      before = (std::min)(before, goodness(at(v), at(b), at(a), n));
+      after = (std::min)(after, goodness(p, at(b), at(a), n));
     }
-    return true;
+    return after > 0.05 || after > before;
   }
 
-  // Twice the area over the longest edge's square: 0.87 for an equilateral triangle.
-  static double flatness(const Vector_3d& a, const Vector_3d& b, const Vector_3d& c) {
+  // Twice the area, seen along the normal, over the longest edge's square: 0.87 for an equilateral triangle.
+  static double goodness(const Vector_3d& a, const Vector_3d& b, const Vector_3d& c, const Vector_3d& normal) {
     const double longest = (std::max)({squared_norm(b - a), squared_norm(c - b), squared_norm(a - c)});
-    return longest > 0 ? norm(cross(b - a, c - a)) / longest : 0;
+    const Vector_3d area = cross(b - a, c - a);
+    const double size = norm(area), cosine = size > 0 ? dot(area, normal) / size : 0;
+    if (cosine < 0.3) // folded: the more so the worse, whatever the shape
+      return cosine - 1;
+    return size / longest;
   }
 
   // --- splits ---
@@ -208,11 +221,10 @@ private:
     const Halfedge h = CGAL::Euler::split_edge(mesh_.halfedge(e), mesh_);
     const Vertex v = mesh_.target(h);
     end_[v] = border ? end_[a] : -1;
-    mesh_.point(v) = to_point(middle);
     for (Halfedge g : {h, mesh_.prev(mesh_.opposite(h))})
       if (!mesh_.is_border(g))
         CGAL::Euler::split_face(g, mesh_.next(mesh_.next(g)), mesh_);
-    project(v);
+    put(v, projection(middle, end_[v]));
   }
 
   // --- flips ---
@@ -247,13 +259,15 @@ private:
 
   void relax() {
     for (Vertex v : mesh_.vertices()) {
-      const Vector_3d p = end_[v] >= 0 ? relaxed_on_rim(v) : relaxed_inside(v);
-      if (may_move_to(v, v, p))
-        place(v, p);
+      const Place place = end_[v] >= 0 ? relaxed_on_rim(v) : relaxed_inside(v);
+      if (may_move_to(v, v, place.point))
+        put(v, place);
+      else
+        project(v);
     }
   }
 
-  Vector_3d relaxed_on_rim(Vertex v) const {
+  Place relaxed_on_rim(Vertex v) const {
     Vector_3d sum;
     for (Halfedge h : CGAL::halfedges_around_target(mesh_.halfedge(v), mesh_))
       if (mesh_.is_border(mesh_.edge(h)))
@@ -262,7 +276,7 @@ private:
   }
 
   // Towards the centroid of the neighbouring triangles, large ones counting more, in the tangent plane.
-  Vector_3d relaxed_inside(Vertex v) const {
+  Place relaxed_inside(Vertex v) const {
     const Vector_3d p = at(v);
     Vector_3d sum;
     double weights = 0;

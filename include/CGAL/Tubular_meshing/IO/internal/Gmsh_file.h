@@ -100,7 +100,7 @@ public:
 
   std::vector<Coordinates> points;
   std::vector<Element> elements;
-  std::vector<std::int64_t> element_nodes; // indices of points
+  std::vector<std::int64_t> element_nodes;          // indices of points
   std::map<std::pair<int, int>, std::string> names; // of physical groups, by dimension and tag
   std::vector<Gmsh_node_data> node_data;
 
@@ -124,7 +124,8 @@ public:
 private:
   // The index of the node with this tag; throws if there is none.
   std::int64_t index_of(std::int64_t tag) const {
-    if (tag > 0 && static_cast<std::size_t>(tag) <= points.size() && node_tags_[static_cast<std::size_t>(tag) - 1] == tag)
+    if (tag > 0 && static_cast<std::size_t>(tag) <= points.size() &&
+        node_tags_[static_cast<std::size_t>(tag) - 1] == tag)
       return tag - 1;
     const auto i = std::lower_bound(node_tags_.begin(), node_tags_.end(), tag);
     if (i == node_tags_.end() || *i != tag)
@@ -361,7 +362,8 @@ private:
   }
 
   void sort_elements() {
-    std::stable_sort(elements.begin(), elements.end(), [](const Element& a, const Element& b) { return a.tag < b.tag; });
+    std::stable_sort(elements.begin(), elements.end(),
+                     [](const Element& a, const Element& b) { return a.tag < b.tag; });
     for (std::int64_t& node : element_nodes)
       node = index_of(node);
   }

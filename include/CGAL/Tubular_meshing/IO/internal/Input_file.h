@@ -56,7 +56,9 @@ struct Input_file {
       fail("is empty; export it again");
   }
 
-  [[noreturn]] void fail(const std::string& what) const { throw Input_error("The file " + quoted(name) + " " + what + "."); }
+  [[noreturn]] void fail(const std::string& what) const {
+    throw Input_error("The file " + quoted(name) + " " + what + ".");
+  }
 
 private:
   void reserve_for(const std::string& file) {

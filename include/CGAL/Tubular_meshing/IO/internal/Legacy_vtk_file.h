@@ -29,9 +29,9 @@ inline Number_type legacy_vtk_type(std::string_view name) {
     Number_type type;
   };
   static const Row rows[] = {
-      {"char", {'i', 1}},   {"signed_char", {'i', 1}},  {"unsigned_char", {'u', 1}}, {"short", {'i', 2}},
+      {"char", {'i', 1}},   {"signed_char", {'i', 1}},    {"unsigned_char", {'u', 1}}, {"short", {'i', 2}},
       {"int", {'i', 4}},    {"unsigned_short", {'u', 2}}, {"unsigned_int", {'u', 4}},  {"long", {'i', 8}},
-      {"float", {'f', 4}},  {"unsigned_long", {'u', 8}}, {"vtktypeint64", {'i', 8}},  {"vtktypeuint64", {'u', 8}},
+      {"float", {'f', 4}},  {"unsigned_long", {'u', 8}},  {"vtktypeint64", {'i', 8}},  {"vtktypeuint64", {'u', 8}},
       {"double", {'f', 8}}, {"vtkIdType", {'i', 4}},
   };
   for (const Row& r : rows)

@@ -169,8 +169,8 @@ private:
   std::vector<std::unique_ptr<Output_file>> companions_;
 };
 
-/*! Throws Output_error if the file cannot be created or replaced: to learn it before hours of work, not after. Leaves no
- * trace. Devices and pipes pass. */
+/*! Throws Output_error if the file cannot be created or replaced: to learn it before hours of work, not after. Leaves
+ * no trace. Devices and pipes pass. */
 inline void check_writable(const std::string& file) {
   namespace fs = std::filesystem;
   std::error_code ignored;

@@ -210,7 +210,8 @@ private:
 
 // Calls f(begin, end) for the range of `connectivity` that is cell i, for each cell, after checking the offsets.
 template <class F>
-void for_each_vtk_cell(const std::vector<std::int64_t>& offsets, std::size_t connectivity, const Input_file& file, F f) {
+void for_each_vtk_cell(const std::vector<std::int64_t>& offsets, std::size_t connectivity, const Input_file& file,
+                       F f) {
   std::size_t begin = 0;
   for (std::size_t i = 0; i < offsets.size(); ++i) {
     if (offsets[i] < static_cast<std::int64_t>(begin) || static_cast<std::size_t>(offsets[i]) > connectivity)

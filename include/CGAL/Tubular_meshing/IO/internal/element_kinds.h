@@ -27,8 +27,8 @@ struct Element_kind {
 
 constexpr int number_of_element_kinds = 6;
 constexpr Element_kind element_kinds[number_of_element_kinds] = {
-    {3, 4, 10, 4, "Tetrahedra"}, {3, 5, 14, 7, "Pyramids"},  {3, 6, 13, 6, "Prisms"},
-    {3, 8, 12, 5, "Hexahedra"},  {2, 3, 5, 2, "Triangles"},  {2, 4, 9, 3, "Quadrilaterals"},
+    {3, 4, 10, 4, "Tetrahedra"}, {3, 5, 14, 7, "Pyramids"}, {3, 6, 13, 6, "Prisms"},
+    {3, 8, 12, 5, "Hexahedra"},  {2, 3, 5, 2, "Triangles"}, {2, 4, 9, 3, "Quadrilaterals"},
 };
 
 // The kind of which a member has a value; null if there is none.

@@ -44,10 +44,10 @@ inline Number_type ply_type(std::string_view name) {
     Number_type type;
   };
   static const Row rows[] = {
-      {"char", {'i', 1}},   {"int8", {'i', 1}},   {"uchar", {'u', 1}}, {"uint8", {'u', 1}},
-      {"short", {'i', 2}},  {"int16", {'i', 2}},  {"ushort", {'u', 2}}, {"uint16", {'u', 2}},
-      {"int", {'i', 4}},    {"int32", {'i', 4}},  {"uint", {'u', 4}},  {"uint32", {'u', 4}},
-      {"float", {'f', 4}},  {"float32", {'f', 4}}, {"double", {'f', 8}}, {"float64", {'f', 8}},
+      {"char", {'i', 1}},  {"int8", {'i', 1}},    {"uchar", {'u', 1}},  {"uint8", {'u', 1}},
+      {"short", {'i', 2}}, {"int16", {'i', 2}},   {"ushort", {'u', 2}}, {"uint16", {'u', 2}},
+      {"int", {'i', 4}},   {"int32", {'i', 4}},   {"uint", {'u', 4}},   {"uint32", {'u', 4}},
+      {"float", {'f', 4}}, {"float32", {'f', 4}}, {"double", {'f', 8}}, {"float64", {'f', 8}},
   };
   for (const Row& r : rows)
     if (name == r.name)
@@ -142,9 +142,8 @@ private:
 
   void read_vertices(const Ply_element& e, Polygon_soup& soup) {
     for (const char* name : {"x", "y", "z"})
-      if (std::none_of(e.properties.begin(), e.properties.end(), [=](const Ply_property& p) {
-            return p.name == name && !p.length.is_known();
-          }))
+      if (std::none_of(e.properties.begin(), e.properties.end(),
+                       [=](const Ply_property& p) { return p.name == name && !p.length.is_known(); }))
         text_.file().fail(std::string("cannot be used: its vertices have no property '") + name + "'");
     soup.points.reserve(e.count);
     for (std::size_t i = 0; i < e.count; ++i) {

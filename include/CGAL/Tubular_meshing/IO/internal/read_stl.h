@@ -106,8 +106,8 @@ inline Polygon_soup read_stl(const Input_file& file) {
     file.fail("is neither ASCII STL (it does not start with 'solid') nor binary STL (it has " +
               std::to_string(file.bytes.size()) + " bytes, fewer than the header takes); export it again");
   file.fail("is neither ASCII STL (it does not start with 'solid') nor whole binary STL (as such it would have to be " +
-            std::to_string(announced_stl_bytes(file)) + " bytes long, but it has " +
-            std::to_string(file.bytes.size()) + "); if it was truncated, export or copy it again");
+            std::to_string(announced_stl_bytes(file)) + " bytes long, but it has " + std::to_string(file.bytes.size()) +
+            "); if it was truncated, export or copy it again");
 }
 
 } // namespace internal

@@ -57,9 +57,8 @@ inline Polygon_soup read_vtp_surface(const Input_file& file) {
     if (number_of_strips > 0) {
       const auto corners = vtp_connectivity(vtp, piece.child("Strips"), points.size());
       const auto offsets = vtp.values<std::int64_t>(vtp.find(piece.child("Strips"), "offsets"), number_of_strips);
-      for_each_vtk_cell(offsets, corners.size(), file, [&](std::size_t begin, std::size_t end) {
-        add_strip(corners, begin, end, shift, soup);
-      });
+      for_each_vtk_cell(offsets, corners.size(), file,
+                        [&](std::size_t begin, std::size_t end) { add_strip(corners, begin, end, shift, soup); });
     }
   }
   return soup;

@@ -70,7 +70,8 @@ private:
   }
 
   [[noreturn]] void fail(const std::string& reason) const {
-    throw Output_error("The file \"" + file_.name() + "\" cannot be written: " + reason + "; write a .vtu file instead.");
+    throw Output_error("The file \"" + file_.name() + "\" cannot be written: " + reason +
+                       "; write a .vtu file instead.");
   }
 
   // Entities are numbered from 1.

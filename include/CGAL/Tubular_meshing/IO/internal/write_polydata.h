@@ -31,9 +31,9 @@ struct Polydata {
 inline void write_vtp(Output_file& file, const Polydata& data) {
   const std::string n = std::to_string(data.ends.size());
   Vtk_xml_writer out("PolyData");
-  out.begin("Piece NumberOfPoints=\"" + std::to_string(data.points.size()) +
-            "\" NumberOfVerts=\"0\" NumberOfLines=\"" + (data.are_lines ? n : "0") +
-            "\" NumberOfStrips=\"0\" NumberOfPolys=\"" + (data.are_lines ? "0" : n) + "\"");
+  out.begin("Piece NumberOfPoints=\"" + std::to_string(data.points.size()) + "\" NumberOfVerts=\"0\" NumberOfLines=\"" +
+            (data.are_lines ? n : "0") + "\" NumberOfStrips=\"0\" NumberOfPolys=\"" + (data.are_lines ? "0" : n) +
+            "\"");
   out.begin("PointData");
   if (!data.point_array_name.empty())
     out.array(data.point_array_name, 1, data.point_array);
@@ -61,8 +61,8 @@ inline void write_legacy_vtk(Output_file& file, const Polydata& data) {
       << " double\n";
   for (const Coordinates& p : data.points)
     out << p[0] << ' ' << p[1] << ' ' << p[2] << '\n';
-  out << (data.are_lines ? "LINES " : "POLYGONS ") << data.ends.size() << ' '
-      << data.ends.size() + data.corners.size() << '\n';
+  out << (data.are_lines ? "LINES " : "POLYGONS ") << data.ends.size() << ' ' << data.ends.size() + data.corners.size()
+      << '\n';
   std::int64_t begin = 0;
   for (std::int64_t end : data.ends) {
     out << end - begin;

@@ -5,6 +5,7 @@
 #define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_PATCH_PROJECTION_H
 
 #include <CGAL/Tubular_meshing/Centerlines/internal/Nearest_tree.h>
+#include <CGAL/Tubular_meshing/Volume/internal/rim_corners.h>
 #include <CGAL/Tubular_meshing/internal/Vector_3d.h>
 
 #include <CGAL/boost/graph/helpers.h>
@@ -14,6 +15,7 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -49,8 +51,10 @@ public:
       else
         patches_[t.first] = Nearest_tree<Triangle>(std::move(t.second));
     }
-    for (auto& s : segments)
+    for (auto& s : segments) {
+      collect_corners(s.second);
       rims_[s.first] = Nearest_tree<Segment>(std::move(s.second));
+    }
   }
 
   Vector_3d to_patch(const Vector_3d& p, std::int32_t patch) const {
@@ -65,6 +69,9 @@ public:
     const auto tree = rims_.find(std::minmax(a, b));
     return tree == rims_.end() ? p : Vector_3d(tree->second.nearest({p.x, p.y, p.z}).point);
   }
+
+  // Whether p is a vertex at which a rim has a corner.
+  bool is_corner(const Vector_3d& p) const { return corners_.count({p.x, p.y, p.z}) != 0; }
 
 private:
   typedef Double_kernel::Triangle_3 Triangle;
@@ -95,9 +102,21 @@ private:
                         [&](const Triangle& t) { return is_off(t[0]) || is_off(t[1]) || is_off(t[2]); });
   }
 
+  void collect_corners(const std::vector<Segment>& rim) {
+    std::map<Double_kernel::Point_3, std::vector<Double_kernel::Point_3>> neighbors;
+    for (const Segment& s : rim) {
+      neighbors[s.source()].push_back(s.target());
+      neighbors[s.target()].push_back(s.source());
+    }
+    for (const auto& n : neighbors)
+      if (n.second.size() == 2 && is_rim_corner(Vector_3d(n.second[0]), Vector_3d(n.first), Vector_3d(n.second[1])))
+        corners_.insert(n.first);
+  }
+
   std::map<std::int32_t, Plane> planes_;
   std::map<std::int32_t, Nearest_tree<Triangle>> patches_;
   std::map<Patch_pair, Nearest_tree<Segment>> rims_;
+  std::set<Double_kernel::Point_3> corners_;
 };
 
 } // namespace internal

@@ -185,8 +185,8 @@ public:
   }
 
   /* Takes the tetrahedra `gone` away and puts `come` in their place, all of one region. Both must fill the same cavity,
-   * but for flips on the boundary: facets that appear there and were not there before are listed in `facets`. The numbers
-   * of the new tetrahedra are left in `come_numbers`. */
+   * but for flips on the boundary: facets that appear there and were not there before are listed in `facets`. The
+   * numbers of the new tetrahedra are left in `come_numbers`. */
   template <class Tetrahedra, class New, class Facets>
   void replace(const Tetrahedra& gone, const New& come, const Facets& facets, Index_list& come_numbers) {
     struct Side {

@@ -90,6 +90,9 @@ private:
       }
     }
     for (Index v = 0; v < n; ++v)
+      if (location_[v].dimension == 1 && project_.is_corner(store_.point(v)))
+        location_[v].dimension = 0;
+    for (Index v = 0; v < n; ++v)
       star_begin_[v + 1] += star_begin_[v];
     star_.resize(star_begin_[n]);
     std::vector<Index> next(star_begin_.begin(), star_begin_.end() - 1);

@@ -1,0 +1,220 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The tetrahedral mesh optimizer on a cube, whose volume and sides are known.
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/Tubular_meshing/Mixed_mesh.h>
+#include <CGAL/Tubular_meshing/Quality/quality_report.h>
+#include <CGAL/Tubular_meshing/Quality/validity_report.h>
+#include <CGAL/Tubular_meshing/Volume/optimize_tetrahedra.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <random>
+#include <set>
+#include <vector>
+
+namespace {
+
+typedef CGAL::Exact_predicates_inexact_constructions_kernel::Point_3 Point;
+typedef CGAL::Surface_mesh<Point> Surface;
+typedef CGAL::Tubular_meshing::Mixed_mesh<Point> Mesh;
+namespace tubular = CGAL::Tubular_meshing;
+using tubular::internal::Tetrahedron_store;
+using tubular::internal::Vector_3d;
+
+// The side of the unit cube that points lie on, 1 to 6; 0 if they share none.
+template <class Points> int common_side(const Points& points) {
+  for (int axis = 0; axis < 3; ++axis)
+    for (int end = 0; end < 2; ++end)
+      if (std::all_of(points.begin(), points.end(), [&](const Point& p) { return std::abs(p[axis] - end) < 1e-12; }))
+        return 1 + 2 * axis + end;
+  return 0;
+}
+
+/* The unit cube as n³ cubes of six tetrahedra, its inner vertices shaken; sides labelled 1 to 6. */
+Mesh make_cube(int n, double shake) {
+  Mesh m;
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> uniform(-shake / n, shake / n);
+  const auto at = [n](int i, int j, int k) { return std::uint32_t((i * (n + 1) + j) * (n + 1) + k); };
+  for (int i = 0; i <= n; ++i)
+    for (int j = 0; j <= n; ++j)
+      for (int k = 0; k <= n; ++k) {
+        const auto moved = [&](int x) { return x == 0 || x == n ? double(x / n) : double(x) / n + uniform(random); };
+        const double x = moved(i), y = moved(j), z = moved(k);
+        m.points.push_back(Point(x, y, z));
+      }
+  std::map<std::array<std::uint32_t, 3>, int> faces;
+  const int orders[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j)
+      for (int k = 0; k < n; ++k)
+        for (int o = 0; o < 6; ++o) {
+          std::array<int, 3> at_corner = {i, j, k};
+          std::array<std::uint32_t, 4> t = {at(i, j, k), 0, 0, 0};
+          for (int s = 0; s < 3; ++s) {
+            ++at_corner[orders[o][s]];
+            t[s + 1] = at(at_corner[0], at_corner[1], at_corner[2]);
+          }
+          if (o >= 3)
+            std::swap(t[2], t[3]);
+          m.tetrahedra.push_back(t, 1);
+        }
+  for (const auto& t : m.tetrahedra.vertices)
+    for (int f = 0; f < 4; ++f) {
+      const auto& c = Tetrahedron_store::facet_corners(f);
+      const std::array<Point, 3> p = {m.points[t[c[0]]], m.points[t[c[1]]], m.points[t[c[2]]]};
+      if (common_side(p) != 0)
+        m.triangles.push_back({t[c[0]], t[c[1]], t[c[2]]}, common_side(p));
+    }
+  return m;
+}
+
+struct Cube_surface {
+  Surface surface;
+  Surface::Property_map<Surface::Face_index, int> patch;
+
+  Cube_surface() {
+    std::vector<Surface::Vertex_index> v;
+    for (int i = 0; i < 8; ++i)
+      v.push_back(surface.add_vertex(Point(i & 1, (i >> 1) & 1, i >> 2)));
+    for (auto q :
+         {std::array<int, 4>{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}) {
+      surface.add_face(v[q[0]], v[q[1]], v[q[2]]);
+      surface.add_face(v[q[0]], v[q[2]], v[q[3]]);
+    }
+    patch = surface.add_property_map<Surface::Face_index, int>("f:patch", 0).first;
+    for (auto f : surface.faces()) {
+      std::vector<Point> p;
+      for (auto u : CGAL::vertices_around_face(surface.halfedge(f), surface))
+        p.push_back(surface.point(u));
+      patch[f] = common_side(p);
+    }
+  }
+};
+
+double volume(const Mesh& m) {
+  double v = 0;
+  for (const auto& t : m.tetrahedra.vertices)
+    v += tubular::internal::signed_volume(Vector_3d(m.points[t[0]]), Vector_3d(m.points[t[1]]),
+                                          Vector_3d(m.points[t[2]]), Vector_3d(m.points[t[3]]));
+  return v;
+}
+
+Mesh optimized(Mesh m, int passes, int threads) {
+  const Cube_surface cube;
+  tubular::optimize_tetrahedra(m, cube.surface, cube.patch,
+                               tubular::parameters::optimization_passes(passes).number_of_threads(threads));
+  return m;
+}
+
+TEST(Tetrahedron_store, WritesBackWhatItRead) {
+  const Mesh m = make_cube(3, 0.2);
+  Mesh back;
+  Tetrahedron_store(m).write_to(back);
+  EXPECT_EQ(back.tetrahedra.size(), m.tetrahedra.size());
+  EXPECT_EQ(back.triangles.size(), m.triangles.size());
+  const auto r = tubular::validity_report(back);
+  EXPECT_TRUE(r.is_valid()) << r.defects();
+  EXPECT_NEAR(volume(back), 1, 1e-12);
+}
+
+TEST(Tetrahedron_store, RingsAndStars) {
+  const Mesh m = make_cube(2, 0);
+  const Tetrahedron_store store(m);
+  Tetrahedron_store::Ring ring;
+  std::vector<Tetrahedron_store::Index> star;
+  std::size_t closed = 0, open = 0;
+  for (Tetrahedron_store::Index t = 0; t < store.number_of_slots(); ++t)
+    for (int i = 0; i < 4; ++i)
+      for (int j = 0; j < 4; ++j)
+        if (i != j) {
+          store.ring(t, i, j, ring);
+          ++(ring.closed ? closed : open);
+          ASSERT_EQ(ring.link.size(), ring.tetrahedra.size() + (ring.closed ? 0 : 1));
+          for (std::size_t k = 0; k < ring.tetrahedra.size(); ++k) {
+            // each tetrahedron of the ring is (a, b, link k, link k+1), positively oriented
+            const auto p = [&](Tetrahedron_store::Index v) { return store.point(v); };
+            EXPECT_GT(tubular::internal::signed_volume(p(ring.a), p(ring.b), p(ring.link[k]),
+                                                       p(ring.link[(k + 1) % ring.link.size()])),
+                      0);
+          }
+        }
+  EXPECT_GT(closed, 0u);
+  EXPECT_GT(open, 0u);
+  store.star(13, star); // the cube's centre: all small cubes meet there
+  std::size_t incident = 0;
+  for (const auto& t : m.tetrahedra.vertices)
+    incident += std::count(t.begin(), t.end(), 13u);
+  EXPECT_EQ(std::set<Tetrahedron_store::Index>(star.begin(), star.end()).size(), incident);
+}
+
+TEST(Optimize_tetrahedra, ImprovesAShakenCubeAndKeepsItsShape) {
+  const Mesh before = make_cube(8, 0.2);
+  ASSERT_TRUE(tubular::validity_report(before).is_valid()) << tubular::validity_report(before).defects();
+  const Mesh after = optimized(before, 3, 1);
+  const auto r = tubular::validity_report(after);
+  EXPECT_TRUE(r.is_valid()) << r.defects();
+  EXPECT_EQ(r.boundary_euler, 2);
+  EXPECT_NEAR(volume(after), 1, 1e-12);
+  const auto worse = tubular::quality_report(before), better = tubular::quality_report(after);
+  EXPECT_GT(better.gamma_tau.min(), worse.gamma_tau.min() + 0.15);
+  EXPECT_GT(better.gamma_tau.mean(), 0.7);
+  EXPECT_GT(better.gamma_T.mean(), 0.9);
+  for (std::size_t i = 0; i < after.triangles.size(); ++i) {
+    const auto& v = after.triangles.vertices[i];
+    const std::array<Point, 3> p = {after.points[v[0]], after.points[v[1]], after.points[v[2]]};
+    EXPECT_EQ(common_side(p), after.triangles.label[i]);
+  }
+}
+
+TEST(Optimize_tetrahedra, KeepsCornersAndEveryLabel) {
+  const Mesh after = optimized(make_cube(4, 0.2), 2, 1);
+  std::set<int> labels(after.triangles.label.begin(), after.triangles.label.end());
+  EXPECT_EQ(labels.size(), 6u);
+  for (int i = 0; i < 8; ++i) {
+    const Point corner(i & 1, (i >> 1) & 1, i >> 2);
+    EXPECT_EQ(std::count(after.points.begin(), after.points.end(), corner), 1);
+  }
+}
+
+TEST(Optimize_tetrahedra, IsTheSameOnAnyNumberOfThreads) {
+  const Mesh m = make_cube(10, 0.2), one = optimized(m, 2, 1), two = optimized(m, 2, 2);
+  EXPECT_EQ(one.points, two.points);
+  EXPECT_EQ(one.tetrahedra.vertices, two.tetrahedra.vertices);
+}
+
+TEST(Optimize_tetrahedra, DoesNothingInNoPassesToAGoodMesh) {
+  const Mesh m = make_cube(4, 0), after = optimized(m, 0, 1);
+  EXPECT_GE(tubular::quality_report(after).gamma_tau.min(), tubular::quality_report(m).gamma_tau.min() - 1e-12);
+  EXPECT_NEAR(volume(after), 1, 1e-12);
+}
+
+TEST(Optimize_tetrahedra, WorksInAnyUnit) {
+  const Mesh m = make_cube(5, 0.2);
+  const tubular::Measure_statistics unit = tubular::quality_report(optimized(m, 2, 1)).gamma_tau;
+  for (double s : {1e-9, 1e9}) {
+    Mesh scaled = m;
+    for (Point& p : scaled.points)
+      p = Point(s * p.x(), s * p.y(), s * p.z());
+    Cube_surface cube;
+    for (auto v : cube.surface.vertices()) {
+      const Point p = cube.surface.point(v);
+      cube.surface.point(v) = Point(s * p.x(), s * p.y(), s * p.z());
+    }
+    tubular::optimize_tetrahedra(scaled, cube.surface, cube.patch,
+                                 tubular::parameters::optimization_passes(2).number_of_threads(1));
+    EXPECT_NEAR(tubular::quality_report(scaled).gamma_tau.mean(), unit.mean(), 1e-3);
+    EXPECT_TRUE(tubular::validity_report(scaled).is_valid());
+  }
+}
+
+} // namespace

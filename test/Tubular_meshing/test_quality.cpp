@@ -1,0 +1,207 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Shape measures, quality and validity reports against closed forms.
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Tubular_meshing/Mixed_mesh.h>
+#include <CGAL/Tubular_meshing/Quality/quality_report.h>
+#include <CGAL/Tubular_meshing/Quality/shape_measures.h>
+#include <CGAL/Tubular_meshing/Quality/validity_report.h>
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace {
+
+typedef CGAL::Exact_predicates_inexact_constructions_kernel::Point_3 Point;
+typedef CGAL::Tubular_meshing::Mixed_mesh<Point> Mesh;
+namespace tubular = CGAL::Tubular_meshing;
+
+const double eps = 1e-12;
+const std::array<Point, 4> regular = {Point(1, 1, 1), Point(1, -1, -1), Point(-1, 1, -1), Point(-1, -1, 1)};
+
+TEST(Shape_measures, Triangles) {
+  EXPECT_NEAR(tubular::triangle_gamma(Point(0, 0, 0), Point(1, 0, 0), Point(0.5, std::sqrt(0.75), 0)), 1, eps);
+  // the 3-4-5 triangle has inradius 1 and circumradius 5/2
+  EXPECT_NEAR(tubular::triangle_gamma(Point(0, 0, 7), Point(3, 0, 7), Point(0, 4, 7)), 0.8, eps);
+  EXPECT_EQ(tubular::triangle_gamma(Point(0, 0, 0), Point(1, 0, 0), Point(2, 0, 0)), 0);
+  EXPECT_EQ(tubular::triangle_gamma(Point(1, 1, 1), Point(1, 1, 1), Point(1, 1, 1)), 0);
+}
+
+TEST(Shape_measures, Tetrahedra) {
+  EXPECT_NEAR(tubular::tetrahedron_gamma(regular[0], regular[2], regular[1], regular[3]), 1, eps);
+  EXPECT_NEAR(tubular::tetrahedron_gamma(regular[0], regular[1], regular[2], regular[3]), -1, eps);
+  // the unit corner: V = 1/6, area (3 + √3) / 2, longest edge √2
+  const double inradius = 1 / (3 + std::sqrt(3.));
+  EXPECT_NEAR(tubular::tetrahedron_gamma(Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0), Point(0, 0, 1)),
+              2 * std::sqrt(6.) * inradius / std::sqrt(2.), eps);
+  EXPECT_NEAR(tubular::tetrahedron_gamma(Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0), Point(1, 1, 0)), 0, eps);
+}
+
+TEST(Shape_measures, DoNotDependOnUnits) {
+  for (double s : {1e-9, 1e-3, 1e6}) {
+    const auto p = [s](double x, double y, double z) { return Point(s * x, s * y, s * z); };
+    EXPECT_NEAR(tubular::tetrahedron_gamma(p(0, 0, 0), p(1, 0, 0), p(0, 1, 0), p(0, 0, 1)),
+                tubular::tetrahedron_gamma(Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0), Point(0, 0, 1)), 1e-9);
+    EXPECT_NEAR(tubular::triangle_gamma(p(0, 0, 7), p(3, 0, 7), p(0, 4, 7)), 0.8, 1e-9);
+  }
+}
+
+TEST(Shape_measures, Quadrilaterals) {
+  EXPECT_NEAR(tubular::quad_eta<Point>({Point(0, 0, 0), Point(3, 0, 0), Point(3, 1, 0), Point(0, 1, 0)}), 1, eps);
+  // a rhombus of 60 and 120 degrees is 30 degrees off
+  const double h = std::sqrt(0.75);
+  EXPECT_NEAR(tubular::quad_eta<Point>({Point(0, 0, 0), Point(1, 0, 0), Point(1.5, h, 0), Point(0.5, h, 0)}), 2. / 3,
+              eps);
+  // three of its vertices in line
+  EXPECT_NEAR(tubular::quad_eta<Point>({Point(0, 0, 0), Point(1, 0, 0), Point(2, 0, 0), Point(0, 2, 0)}), 0, eps);
+}
+
+TEST(Shape_measures, Hexahedra) {
+  const auto brick = [](double shear) {
+    std::array<Point, 8> p;
+    const double x[4] = {0, 1, 1, 0}, y[4] = {0, 0, 2, 2};
+    for (std::size_t i = 0; i < 8; ++i)
+      p[i] = Point(x[i % 4] + (i > 3 ? 3 * shear : 0), y[i % 4], i > 3 ? 3 : 0);
+    return p;
+  };
+  EXPECT_NEAR(tubular::hexahedron_zeta(brick(0)), 1, eps);
+  // sheared by 45 degrees, angles are 45 and 135
+  EXPECT_NEAR(tubular::hexahedron_zeta(brick(1)), 0.5, eps);
+}
+
+TEST(Shape_measures, InAMetric) {
+  const std::array<double, 6> metric = {1. / 9, 0, 0, 4, 0, 25}; // sizes 3, 1/2, 1/5 along the axes
+  std::array<Point, 4> p = regular;
+  for (Point& q : p)
+    q = Point(3 * q.x(), q.y() / 2, q.z() / 5);
+  EXPECT_NEAR(tubular::tetrahedron_Q<Point>(p, {metric, metric, metric, metric}), 1, eps);
+  EXPECT_NEAR(tubular::metric_length(p[0], p[1], metric, metric), std::sqrt(8.), eps);
+  // an edge along x whose squared metric goes from 1 to 4: ∫ √(1 + 3t) dt = 14/9
+  EXPECT_NEAR(tubular::metric_length(Point(0, 0, 0), Point(1, 0, 0), {1, 0, 0, 1, 0, 1}, {4, 0, 0, 1, 0, 1}), 14. / 9,
+              1e-5);
+  const std::array<double, 6> identity = {1, 0, 0, 1, 0, 1};
+  EXPECT_EQ(tubular::tetrahedron_Q<Point>({Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0), Point(1, 1, 0)},
+                                          {identity, identity, identity, identity}),
+            (std::numeric_limits<double>::infinity)());
+}
+
+TEST(Measure_statistics, OfKnownNumbers) {
+  const tubular::Measure_statistics s({0.5, 0.1, 0.3, 0.2, 0.4});
+  EXPECT_EQ(s.count(), 5u);
+  EXPECT_EQ(s.min(), 0.1);
+  EXPECT_EQ(s.max(), 0.5);
+  EXPECT_NEAR(s.mean(), 0.3, eps);
+  EXPECT_NEAR(s.percentile(50), 0.3, eps);
+  EXPECT_NEAR(s.percentile(10), 0.14, eps);
+  EXPECT_NEAR(s.share_below(0.3), 0.4, eps);
+  EXPECT_EQ(s.histogram()[2], 1u);
+  EXPECT_EQ(s.histogram()[19], 0u);
+  EXPECT_EQ(tubular::Measure_statistics().mean(), 0);
+  EXPECT_EQ(tubular::Measure_statistics().percentile(50), 0);
+}
+
+/* A cube of side 1 as a hexahedron, a pyramid on its top whose apex is 1 above, and a prism at its side x = 1; all
+ * boundary faces labelled 1. */
+Mesh mixed_cells() {
+  Mesh m;
+  m.points = {Point(0, 0, 0), Point(1, 0, 0), Point(1, 1, 0), Point(0, 1, 0), Point(0, 0, 1),  Point(1, 0, 1),
+              Point(1, 1, 1), Point(0, 1, 1), Point(2, 0, 0), Point(2, 1, 0), Point(.5, .5, 2)};
+  m.hexahedra.push_back({0, 1, 2, 3, 4, 5, 6, 7}, 1);
+  m.pyramids.push_back({4, 5, 6, 7, 10}, 1);
+  m.prisms.push_back({1, 8, 5, 2, 9, 6}, 1);
+  for (auto t : {std::array<std::uint32_t, 3>{4, 5, 10}, {5, 6, 10}, {6, 7, 10}, {7, 4, 10}, {1, 8, 5}, {2, 6, 9}})
+    m.triangles.push_back(t, 1);
+  for (auto q :
+       {std::array<std::uint32_t, 4>{0, 3, 2, 1}, {0, 1, 5, 4}, {2, 3, 7, 6}, {3, 0, 4, 7}, {1, 2, 9, 8}, {8, 9, 6, 5}})
+    m.quads.push_back(q, 1);
+  return m;
+}
+
+TEST(Validity_report, AcceptsMixedCells) {
+  Mesh m = mixed_cells();
+  const auto r = tubular::validity_report(m);
+  // the prism's base must turn counterclockwise seen from its top
+  EXPECT_EQ(r.inverted_cells, 1u) << r.defects();
+  m.prisms.vertices[0] = {1, 5, 8, 2, 6, 9};
+  const auto fixed = tubular::validity_report(m);
+  EXPECT_TRUE(fixed.is_valid()) << fixed.defects();
+  EXPECT_EQ(fixed.boundary_euler, 2);
+  EXPECT_EQ(fixed.cells, 3u);
+}
+
+TEST(Validity_report, NamesEveryDefect) {
+  Mesh good = mixed_cells();
+  good.prisms.vertices[0] = {1, 5, 8, 2, 6, 9};
+  EXPECT_EQ(tubular::validity_report(Mesh()).defects(), "no cells");
+
+  Mesh m = good;
+  m.points.push_back(Point(9, 9, 9));
+  EXPECT_EQ(tubular::validity_report(m).unused_points, 1u);
+
+  m = good;
+  m.triangles.vertices.pop_back();
+  m.triangles.label.pop_back();
+  EXPECT_EQ(tubular::validity_report(m).unlabelled_faces, 1u);
+
+  m = good;
+  m.triangles.push_back({0, 1, 8}, 1);
+  EXPECT_EQ(tubular::validity_report(m).misplaced_facets, 1u);
+
+  m = good; // the same cell twice
+  m.pyramids.push_back(m.pyramids.vertices[0], 1);
+  EXPECT_GT(tubular::validity_report(m).overfull_faces, 0u);
+
+  m = good; // a tetrahedron grown into the pyramid: both lie on one side of their face
+  m.points.push_back(Point(.5, .4, 1.2));
+  m.tetrahedra.push_back({4, 5, 11, 10}, 1);
+  EXPECT_EQ(tubular::validity_report(m).overfull_faces, 1u);
+
+  m = good; // a second piece
+  for (double x : {5., 6.})
+    m.points.push_back(Point(x, 0, 0));
+  m.points.push_back(Point(5, 1, 0));
+  m.points.push_back(Point(5, 0, 1));
+  m.tetrahedra.push_back({11, 12, 13, 14}, 1);
+  EXPECT_EQ(tubular::validity_report(m).connected_components, 2u);
+  EXPECT_EQ(tubular::validity_report(m).boundary_euler, 4);
+
+  m = good; // two cells that touch in an edge only
+  m.points.push_back(Point(-1, 0, 0));
+  m.points.push_back(Point(0, -1, .5));
+  m.tetrahedra.push_back({0, 4, 12, 11}, 1);
+  EXPECT_EQ(tubular::validity_report(m).inverted_cells + tubular::validity_report(m).nonmanifold_edges, 2u);
+}
+
+TEST(Quality_report, MeasuresWhatIsThere) {
+  Mesh m = mixed_cells();
+  const auto r = tubular::quality_report(m);
+  EXPECT_EQ(r.gamma_tau.count(), 0u);
+  EXPECT_EQ(r.Q_tau.count(), 0u);
+  EXPECT_EQ(r.gamma_T.count(), 6u);
+  EXPECT_EQ(r.eta_q.count(), 6u);
+  EXPECT_NEAR(r.zeta_H.min(), 1, eps);
+}
+
+TEST(Quality_report, EfficiencyOfAUnitMesh) {
+  Mesh m;
+  m.points.assign(regular.begin(), regular.end());
+  m.tetrahedra.push_back({0, 1, 2, 3}, 1);
+  const double unit = 1. / 8; // edges are √8 long
+  m.point_arrays.push_back({"metric", 6, {}});
+  for (int i = 0; i < 4; ++i)
+    m.point_arrays[0].values.insert(m.point_arrays[0].values.end(), {unit, 0, 0, unit, 0, unit});
+  const auto r = tubular::quality_report(m);
+  EXPECT_NEAR(r.Q_tau.mean(), 1, eps);
+  EXPECT_NEAR(r.efficiency, 1, eps);
+  for (double& v : m.point_arrays[0].values)
+    v *= 4; // edges of length 2: exp(1/2 - 1)
+  EXPECT_NEAR(tubular::quality_report(m).efficiency, std::exp(-0.5), eps);
+}
+
+} // namespace
