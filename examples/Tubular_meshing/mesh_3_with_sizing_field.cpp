@@ -44,7 +44,7 @@ int main(int argc, char* argv[]) {
       TM::parameters::points_per_circumference(20));
   const Domain domain(model.surface);
   const CGAL::Mesh_criteria_3<Triangulation> criteria(
-      CGAL::parameters::facet_angle(25).facet_size(size).cell_size(size));
+      CGAL::parameters::facet_angle = 25, CGAL::parameters::facet_size = size, CGAL::parameters::cell_size = size);
   const C3t3 c3t3 = CGAL::make_mesh_3<C3t3>(domain, criteria);
 
   std::cout << c3t3.number_of_cells_in_complex() << " tetrahedra\n";

@@ -203,9 +203,11 @@ TEST(Bronchial_tree, Radii_shrink_as_Weibel_says_and_branches_keep_apart) {
   std::vector<std::size_t> into(s.nodes.size(), 305);
   for (std::size_t i = 0; i < 305; ++i)
     into[s.branches[i].target] = i;
-  for (const auto& b : s.branches)
-    if (b.source != s.inlet)
-      EXPECT_NEAR(b.radius[0] / s.branches[into[b.source]].radius[0], std::pow(0.5, 1 / 3.), 1e-12);
+  for (const auto& b : s.branches) {
+    if (b.source == s.inlet)
+      continue;
+    EXPECT_NEAR(b.radius[0] / s.branches[into[b.source]].radius[0], std::pow(0.5, 1 / 3.), 1e-12);
+  }
   double least = 1e9;
   for (const auto& a : s.branches)
     for (const auto& b : s.branches) {
