@@ -301,7 +301,7 @@ def generated(options, directory):
     """Shapes of the project's generator: a Y, a loop, and the paper's count of bronchial branches."""
     if not options.generator:
         return
-    for name, arguments in (("y", ["y"]), ("willis", ["willis"]), ("bronchial_305", ["bronchial", "--branches", "305"])):
+    for name, arguments in (("y", ["y"]), ("willis", ["willis"]), ("tree_305", ["tree", "--branches", "305"])):
         surface, centerlines = directory / f"{name}.stl", directory / f"{name}_centerlines.vtk"
         run = Run([options.generator, *arguments, "-o", surface, "--centerlines", centerlines], directory, options.limit)
         if run.status == 0:
