@@ -72,9 +72,11 @@ public:
       const auto d = centerlines.descriptors(on_wall);
       const double radius = (std::max)(d.radius, d.distance);
       const double size = (std::min)((std::max)(2 * CGAL_PI * radius / points, min_size), max_size);
-      return internal::Size_octree::Sample{size, std::sqrt(CGAL::to_double(squared_distance(p, on_wall))), radius};
+      const bool outside = squared_distance(p, d.point) > squared_distance(on_wall, d.point);
+      return internal::Size_octree::Sample{size, outside ? std::sqrt(CGAL::to_double(squared_distance(p, on_wall))) : 0,
+                                           leaf_per_radius * radius};
     };
-    octree_ = internal::Size_octree(wall.bbox(), sample, leaf_per_radius, gradation - 1,
+    octree_ = internal::Size_octree(wall.bbox(), sample, gradation - 1,
                                     internal::choose(np, internal_np::number_of_threads, 0));
   }
 

@@ -32,25 +32,24 @@ class Size_octree {
 public:
   typedef std::array<double, 3> Position;
 
-  /* What the function says at a position: its value, the distance to the domain's wall, and the reach: the length over
-   * which the value changes, and how far inside of the wall the domain may go. */
+  /* What the function says at a position: its value, how far away the domain is (0 inside; only there is the value
+   * asked for), and how wide a leaf may be that represents it. */
   struct Sample {
     double size;
-    double distance_to_wall;
-    double reach;
+    double distance_to_domain;
+    double leaf_width;
   };
 
   Size_octree() = default;
 
-  /* `sample(Position) -> Sample`, safe to call from several threads; a leaf's edge is at most `resolution` times the
-   * size sampled at its center; |size(x) - size(y)| <= slope |x - y| along the tree's edges. */
-  template <class Function>
-  Size_octree(const Bbox_3& box, const Function& sample, double resolution, double slope, int threads) {
+  /* `sample(Position) -> Sample`, safe to call from several threads; a leaf that touches the domain is no wider
+   * than the sample at its center allows; |size(x) - size(y)| <= slope |x - y| along the tree's edges. */
+  template <class Function> Size_octree(const Bbox_3& box, const Function& sample, double slope, int threads) {
     const double dx = box.xmax() - box.xmin(), dy = box.ymax() - box.ymin(), dz = box.zmax() - box.zmin();
     edge_ = (std::max)({dx, dy, dz}) * 1.0625;
     origin_ = {(box.xmin() + box.xmax() - edge_) / 2, (box.ymin() + box.ymax() - edge_) / 2,
                (box.zmin() + box.zmax() - edge_) / 2};
-    refine(sample, resolution, threads);
+    refine(sample, threads);
     sample_corners(sample, threads);
     limit_growth(slope);
   }
@@ -107,7 +106,7 @@ private:
   }
 
   // Level by level, so that the samples of a level can be taken in parallel.
-  template <class Function> void refine(const Function& sample, double resolution, int threads) {
+  template <class Function> void refine(const Function& sample, int threads) {
     std::vector<Lattice_point> lower = {{0, 0, 0}}; // corner of each node
     std::vector<Sample> samples;
     nodes_.push_back({0, 0, true});
@@ -124,8 +123,8 @@ private:
       });
       for (std::size_t n = begin; n < end; ++n) {
         const Sample& s = samples[n - begin];
-        const bool matters = s.distance_to_wall <= 0.87 * edge + s.reach;
-        if (depth + 1 < max_depth && matters && edge > resolution * s.reach)
+        const bool may_touch_domain = s.distance_to_domain <= 0.87 * edge; // half the diagonal
+        if (depth + 1 < max_depth && may_touch_domain && edge > s.leaf_width)
           split(n, width / 2, lower);
         else {
           nodes_[n].first = std::uint32_t(leaf_lower_.size());

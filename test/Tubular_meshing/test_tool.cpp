@@ -1,0 +1,671 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The command-line tool, as its user meets it: exit status, what it says, what it writes, and what it leaves alone.
+
+#include "test_tool_helpers.h"
+
+#include <CGAL/Tubular_meshing/Centerlines/Wall_distance.h>
+#include <CGAL/Tubular_meshing/IO/read_centerlines.h>
+#include <CGAL/Tubular_meshing/IO/read_surface.h>
+#include <CGAL/Tubular_meshing/Quality/quality_report.h>
+#include <CGAL/Tubular_meshing/Quality/validity_report.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <map>
+#include <ostream>
+
+using namespace tool_test;
+
+namespace {
+
+const Arguments reproducibly = {"--threads", "1"};
+
+// The tube in its plainest files, and the options every run needs.
+Arguments tube_run(const Tool& t) {
+  const Sample s = tube();
+  return {t.make("tube.off", s.surface), "-c", t.make("lines.vtk", s.lines), "-o", t.out("mesh.vtu")};
+}
+
+Arguments run_on(const Tool& t, const std::string& surface_file) {
+  return {surface_file, "-c", t.make("lines.vtk", tube().lines), "-o", t.out("mesh.vtu")};
+}
+
+Arguments run_along(const Tool& t, const std::string& centerline_file) {
+  return {t.make("tube.off", tube().surface), "-c", centerline_file, "-o", t.out("mesh.vtu")};
+}
+
+Arguments run_to(const Tool& t, const std::string& output_file) {
+  return {t.make("tube.off", tube().surface), "-c", t.make("lines.vtk", tube().lines), "-o", output_file};
+}
+
+Centerlines scaled(Centerlines lines, double factor) {
+  for (Point& p : lines.points)
+    p = Point(factor * p.x(), factor * p.y(), factor * p.z());
+  return lines;
+}
+
+Centerlines moved(Centerlines lines, const Kernel::Vector_3& by) {
+  for (Point& p : lines.points)
+    p = p + by;
+  return lines;
+}
+
+std::string first_part(const std::string& file, double share) {
+  const std::string bytes = bytes_of(file);
+  return bytes.substr(0, std::size_t(share * double(bytes.size())));
+}
+
+std::string one_facet(const std::string& x) {
+  return "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex " + x +
+         " 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid s\n";
+}
+
+// --- what cannot be done ---
+
+enum Exit_status { usage = 2, input = 3, meshing = 4 };
+
+/* A run that has to be refused: how it is called, with what status it ends, and what its sentence has to mention. */
+struct Refusal {
+  const char* name;
+  Exit_status status;
+  Arguments mentioned;
+  std::function<Arguments(const Tool&)> arguments;
+};
+
+std::ostream& operator<<(std::ostream& out, const Refusal& r) {
+  return out << r.name; // ctest's name of the test
+}
+
+// A capital, one full stop, at the end.
+bool is_a_sentence(const std::string& s) {
+  return !s.empty() && std::isupper(static_cast<unsigned char>(s.front())) != 0 && s.back() == '.' &&
+         !std::regex_search(s, std::regex("\\. [A-Z]"));
+}
+
+// The tool's own sentences begin with its name; the option parser's, with the option's.
+void expect_one_sentence(const Outcome& outcome, const Arguments& mentioned) {
+  const std::vector<std::string> said = complaints(outcome);
+  ASSERT_EQ(said.size(), 1u) << outcome.err;
+  const std::string prefix = "tubular_mesh: ";
+  if (said[0].compare(0, prefix.size(), prefix) == 0)
+    EXPECT_TRUE(is_a_sentence(said[0].substr(prefix.size()))) << said[0];
+  EXPECT_LT(said[0].size(), 500u) << said[0];
+  for (const std::string& word : mentioned)
+    EXPECT_NE(said[0].find(word), std::string::npos) << "no mention of \"" << word << "\" in: " << said[0];
+}
+
+class Refused : public Tool, public ::testing::WithParamInterface<Refusal> {};
+
+TEST_P(Refused, With_a_sentence_and_without_a_trace) {
+  const Refusal& refusal = GetParam();
+  const Arguments arguments = refusal.arguments(*this);
+  const std::set<std::string> before = listing(output_directory());
+  const Outcome outcome = run(arguments);
+  EXPECT_EQ(outcome.status, refusal.status) << outcome.killed_by << outcome.err;
+  EXPECT_EQ(outcome.out, "");
+  expect_one_sentence(outcome, refusal.mentioned);
+  EXPECT_EQ(listing(output_directory()), before);
+  if (refusal.status == usage) { // known before any work
+    for (const std::string& line : lines_of(outcome.err))
+      EXPECT_EQ(stage_in(line), "");
+  }
+}
+
+std::string name_of(const ::testing::TestParamInfo<Refusal>& info) {
+  return info.param.name;
+}
+
+const std::vector<Refusal> usage_errors = {
+    {"No_arguments", usage, {"surface"}, [](const Tool&) { return Arguments(); }},
+    {"No_centerlines", usage, {"centerlines"}, [](const Tool& t) { return Arguments{"a.stl", "-o", t.out("m.vtu")}; }},
+    {"No_output", usage, {"output"}, [](const Tool&) { return Arguments{"a.stl", "-c", "c.vtk"}; }},
+    {"Unknown_option", usage, {"--colour"}, [](const Tool& t) { return tube_run(t) + Arguments{"--colour"}; }},
+    {"Two_surfaces", usage, {"b.stl"}, [](const Tool& t) { return tube_run(t) + Arguments{"b.stl"}; }},
+    {"No_points", usage, {"-points"}, [](const Tool& t) { return tube_run(t) + Arguments{"-n", "0"}; }},
+    {"Negative_points", usage, {"-points"}, [](const Tool& t) { return tube_run(t) + Arguments{"-n", "-20"}; }},
+    {"Points_in_letters", usage, {"-points", "abc"}, [](const Tool& t) { return tube_run(t) + Arguments{"-n", "abc"}; }},
+    {"Points_and_letters", usage, {"-points"}, [](const Tool& t) { return tube_run(t) + Arguments{"-n", "20mm"}; }},
+    {"No_number", usage, {"-points"}, [](const Tool& t) { return tube_run(t) + Arguments{"-n"}; }},
+    {"Negative_size", usage, {"--min-size"}, [](const Tool& t) { return tube_run(t) + Arguments{"--min-size", "-1"}; }},
+    {"No_size", usage, {"--max-size"}, [](const Tool& t) { return tube_run(t) + Arguments{"--max-size", "0"}; }},
+    {"Sizes_reversed", usage, {"--min-size", "--max-size"},
+     [](const Tool& t) { return tube_run(t) + Arguments{"--min-size", "0.5", "--max-size", "0.4"}; }},
+    {"Gradation_below_one", usage, {"--gradation"},
+     [](const Tool& t) { return tube_run(t) + Arguments{"--gradation", "0.9"}; }},
+    {"Inlet_of_two_numbers", usage, {"--inlet"}, [](const Tool& t) { return tube_run(t) + Arguments{"--inlet", "1,2"}; }},
+    {"Negative_threads", usage, {"--threads"}, [](const Tool& t) { return tube_run(t) + Arguments{"--threads", "-1"}; }},
+    {"Quiet_and_verbose", usage, {"--quiet"}, [](const Tool& t) { return tube_run(t) + Arguments{"-q", "-v"}; }},
+    {"Type_anisotropic", usage, {"anisotropic", "isotropic ones"},
+     [](const Tool& t) { return tube_run(t) + Arguments{"-t", "anisotropic"}; }},
+    {"Type_mixed", usage, {"mixed", "isotropic ones"},
+     [](const Tool& t) { return tube_run(t) + Arguments{"--type", "mixed"}; }},
+    {"Type_unknown", usage, {"cubic", "isotropic"}, [](const Tool& t) { return tube_run(t) + Arguments{"-t", "cubic"}; }},
+
+    {"Output_of_unknown_format", usage, {"mesh.stl", ".vtu"}, [](const Tool& t) { return run_to(t, t.out("mesh.stl")); }},
+    {"Output_without_format", usage, {"out/mesh", ".vtu"}, [](const Tool& t) { return run_to(t, t.out("mesh")); }},
+    {"Output_without_name", usage, {".vtu"}, [](const Tool& t) { return run_to(t, ""); }},
+    {"Output_in_missing_directory", usage, {"nowhere/mesh.vtu"},
+     [](const Tool& t) { return run_to(t, t.out("nowhere/mesh.vtu")); }},
+    {"Output_is_a_directory", usage, {"taken.vtu"},
+     [](const Tool& t) {
+       fs::create_directory(t.out("taken.vtu"));
+       return run_to(t, t.out("taken.vtu"));
+     }},
+    {"Output_below_a_file", usage, {"file/mesh.vtu"},
+     [](const Tool& t) {
+       std::ofstream(t.out("file")) << "a file";
+       return run_to(t, t.out("file/mesh.vtu"));
+     }},
+    {"Report_in_missing_directory", usage, {"nowhere/r.json"},
+     [](const Tool& t) { return tube_run(t) + Arguments{"--report", t.out("nowhere/r.json")}; }},
+    {"Surface_output_in_missing_directory", usage, {"nowhere/s.vtp"},
+     [](const Tool& t) { return tube_run(t) + Arguments{"--write-surface", t.out("nowhere/s.vtp")}; }},
+    {"Surface_output_of_unknown_format", usage, {"s.xyz", ".vtp"},
+     [](const Tool& t) { return tube_run(t) + Arguments{"--write-surface", t.out("s.xyz")}; }},
+    {"Centerline_output_of_unknown_format", usage, {"c.stl", ".vtp"},
+     [](const Tool& t) { return tube_run(t) + Arguments{"--write-centerlines", t.out("c.stl")}; }},
+    {"Output_named_twice", usage, {"both.vtp", "twice"},
+     [](const Tool& t) {
+       return tube_run(t) + Arguments{"--write-surface", t.out("both.vtp"), "--write-centerlines", t.out("both.vtp")};
+     }},
+    {"Output_named_twice_differently", usage, {"both.vtp", "twice"},
+     [](const Tool& t) {
+       return tube_run(t) + Arguments{"--write-surface", t.out("both.vtp"), "--write-centerlines", t.out("./both.vtp")};
+     }},
+    {"Output_over_the_input", usage, {"tube.off", "twice"},
+     [](const Tool& t) { return tube_run(t) + Arguments{"--write-surface", t.in("./tube.off")}; }},
+};
+INSTANTIATE_TEST_SUITE_P(Usage, Refused, ::testing::ValuesIn(usage_errors), name_of);
+
+const std::vector<Refusal> file_errors = {
+    {"Missing_surface", input, {"absent.stl"}, [](const Tool& t) { return run_on(t, t.in("absent.stl")); }},
+    {"Empty_surface", input, {"a.stl", "empty"}, [](const Tool& t) { return run_on(t, t.make("a.stl", "")); }},
+    {"Directory_as_surface", input, {"folder.stl"},
+     [](const Tool& t) {
+       fs::create_directory(t.in("folder.stl"));
+       return run_on(t, t.in("folder.stl"));
+     }},
+    {"Text_as_surface", input, {"a.stl"},
+     [](const Tool& t) { return run_on(t, t.make("a.stl", "Dear reader,\nthis is a letter, not a surface.\n")); }},
+    {"Surface_of_unknown_format", input, {"a.docx", ".stl"},
+     [](const Tool& t) { return run_on(t, t.make("a.docx", "solid")); }},
+    {"Binary_STL_cut_off", input, {"b.stl"},
+     [](const Tool& t) { return run_on(t, t.make("b.stl", first_part(t.make("a.stl", tube().surface), 0.6))); }},
+    {"Binary_STL_without_triangles", input, {"b.stl"},
+     [](const Tool& t) { return run_on(t, t.make("b.stl", bytes_of(t.make("a.stl", tube().surface)).substr(0, 84))); }},
+    {"Binary_STL_header_cut_off", input, {"b.stl"},
+     [](const Tool& t) { return run_on(t, t.make("b.stl", bytes_of(t.make("a.stl", tube().surface)).substr(0, 40))); }},
+    {"Binary_STL_of_four_billion", input, {"b.stl"},
+     [](const Tool& t) {
+       std::string bytes = bytes_of(t.make("a.stl", tube().surface));
+       bytes.replace(80, 4, "\xff\xff\xff\xff");
+       return run_on(t, t.make("b.stl", bytes));
+     }},
+    {"ASCII_STL_cut_off", input, {"a.stl"},
+     [](const Tool& t) { return run_on(t, t.make("a.stl", one_facet("1").substr(0, 70))); }},
+    {"NaN_in_STL", input, {"a.stl", "line 5"}, [](const Tool& t) { return run_on(t, t.make("a.stl", one_facet("nan"))); }},
+    {"Infinity_in_STL", input, {"a.stl", "line 5"},
+     [](const Tool& t) { return run_on(t, t.make("a.stl", one_facet("-inf"))); }},
+    {"NaN_in_binary_STL", input, {"b.stl"},
+     [](const Tool& t) {
+       std::string bytes = bytes_of(t.make("a.stl", tube().surface));
+       bytes.replace(84 + 50 * 7 + 12, 4, std::string("\x00\x00\xc0\x7f", 4));
+       return run_on(t, t.make("b.stl", bytes));
+     }},
+    {"OFF_cut_off", input, {"b.off"},
+     [](const Tool& t) { return run_on(t, t.make("b.off", first_part(t.make("a.off", tube().surface), 0.8))); }},
+    {"OFF_with_wrong_index", input, {"a.off"},
+     [](const Tool& t) { return run_on(t, t.make("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n")); }},
+    {"VTP_cut_off", input, {"b.vtp"},
+     [](const Tool& t) { return run_on(t, t.make("b.vtp", first_part(t.make("a.vtp", tube().surface), 0.7))); }},
+    {"Centerlines_as_surface", input, {"a.vtp"}, [](const Tool& t) { return run_on(t, t.make("a.vtp", tube().lines)); }},
+    {"Surface_of_one_triangle", input, {}, [](const Tool& t) { return run_on(t, t.make("a.stl", one_facet("1"))); }},
+    {"Surface_without_extent", input, {"a.off"},
+     [](const Tool& t) { return run_on(t, t.make("a.off", "OFF\n3 1 0\n1 1 1\n1 1 1\n1 1 1\n3 0 1 2\n")); }},
+
+    {"Missing_centerlines", input, {"absent.vtk"}, [](const Tool& t) { return run_along(t, t.in("absent.vtk")); }},
+    {"Empty_centerlines", input, {"c.vtp", "empty"}, [](const Tool& t) { return run_along(t, t.make("c.vtp", "")); }},
+    {"Text_as_centerlines", input, {"c.vtk"},
+     [](const Tool& t) { return run_along(t, t.make("c.vtk", "Dear reader,\nthis is a letter.\n")); }},
+    {"Centerlines_cut_off", input, {"d.vtk"},
+     [](const Tool& t) { return run_along(t, t.make("d.vtk", first_part(t.make("c.vtk", tube().lines), 0.5))); }},
+    {"Surface_as_centerlines", input, {"c.vtp", "line"},
+     [](const Tool& t) { return run_along(t, t.make("c.vtp", tube().surface)); }},
+    {"STL_as_centerlines", input, {"c.stl"}, [](const Tool& t) { return run_along(t, t.make("c.stl", tube().surface)); }},
+    {"NaN_in_centerlines", input, {"c.vtk"},
+     [](const Tool& t) {
+       return run_along(t, t.make("c.vtk", "# vtk DataFile Version 3.0\nc\nASCII\nDATASET POLYDATA\nPOINTS 2 double\n"
+                                           "0 0 0 0 0 nan\nLINES 1 3\n2 0 1\n"));
+     }},
+};
+INSTANTIATE_TEST_SUITE_P(File, Refused, ::testing::ValuesIn(file_errors), name_of);
+
+const std::vector<Refusal> geometry_errors = {
+    {"Surface_without_openings", input, {"closed", "flat"},
+     [](const Tool& t) { return run_on(t, t.make("sphere.off", sphere_off())); }},
+    {"Centerlines_far_away", input, {"centerlines", "surface"},
+     [](const Tool& t) { return run_along(t, t.make("c.vtk", moved(tube().lines, {1000, 0, 0}))); }},
+    {"Centerlines_beside_the_surface", input, {"centerlines", "surface"},
+     [](const Tool& t) { return run_along(t, t.make("c.vtk", moved(tube().lines, {4, 0, 0}))); }},
+    {"Centerlines_in_larger_units", input, {"centerlines", "unit"},
+     [](const Tool& t) { return run_along(t, t.make("c.vtk", moved(scaled(tube().lines, 1000), {0, 50, 0}))); }},
+    {"Centerlines_in_smaller_units", input, {"centerlines", "unit"},
+     [](const Tool& t) { return run_along(t, t.make("c.vtk", moved(scaled(tube().lines, 1e-3), {0, 0, -1}))); }},
+    {"Centerlines_without_length", input, {"centerlines"},
+     [](const Tool& t) { return run_along(t, t.make("c.vtk", scaled(tube().lines, 0))); }},
+};
+INSTANTIATE_TEST_SUITE_P(Geometry, Refused, ::testing::ValuesIn(geometry_errors), name_of);
+
+// --- what fails on the way ---
+
+class Full_disk : public Tool {
+protected:
+  // The output directory holds an older mesh, which must survive.
+  void expect_nothing_written(const Arguments& arguments, const Limits& limits, const std::string& culprit) {
+    std::ofstream(out("mesh.vtu")) << "the mesh of yesterday";
+    const std::set<std::string> before = listing(output_directory());
+    const Outcome outcome = run(arguments, limits);
+    EXPECT_EQ(outcome.status, meshing) << outcome.killed_by << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+    expect_one_sentence(outcome, {culprit, "cannot be written"});
+    EXPECT_EQ(listing(output_directory()), before);
+    EXPECT_EQ(bytes_of(out("mesh.vtu")), "the mesh of yesterday");
+  }
+  bool link_to_full_device(const std::string& name) const {
+    if (!fs::exists("/dev/full"))
+      return false;
+    fs::create_symlink("/dev/full", out(name));
+    return true;
+  }
+};
+
+TEST_F(Full_disk, While_the_mesh_is_written) {
+  Limits limits;
+  limits.file_size = 20000;
+  for (const char* format : {".vtu", ".msh", ".mesh"})
+    expect_nothing_written(run_to(*this, out(std::string("mesh") + format)), limits, std::string("mesh") + format);
+}
+
+TEST_F(Full_disk, While_what_comes_after_the_mesh_is_written) {
+  if (!link_to_full_device("full.json") || !link_to_full_device("full.vtp") || !link_to_full_device("full.vtu"))
+    GTEST_SKIP() << "needs /dev/full";
+  expect_nothing_written(tube_run(*this) + Arguments{"--report", out("full.json")}, Limits(), "full.json");
+  expect_nothing_written(tube_run(*this) + Arguments{"--write-surface", out("full.vtp")}, Limits(), "full.vtp");
+  expect_nothing_written(tube_run(*this) + Arguments{"--write-centerlines", out("full.vtp")}, Limits(), "full.vtp");
+  expect_nothing_written(run_to(*this, out("full.vtu")) + Arguments{"--report", out("r.json")}, Limits(), "full.vtu");
+}
+
+TEST_F(Tool, Refuses_a_directory_that_is_write_protected) {
+  if (geteuid() == 0)
+    GTEST_SKIP() << "needs a user who is not root";
+  fs::permissions(output_directory(), fs::perms::owner_read | fs::perms::owner_exec);
+  const Outcome outcome = run(tube_run(*this));
+  fs::permissions(output_directory(), fs::perms::owner_all);
+  EXPECT_EQ(outcome.status, usage);
+  expect_one_sentence(outcome, {"mesh.vtu"});
+}
+
+// --- what goes well ---
+
+TEST_F(Tool, Tells_its_version_and_its_options) {
+  const Outcome version = succeed({"--version"}), help = succeed({"--help"});
+  EXPECT_TRUE(std::regex_match(version.out, std::regex("tubular_mesh [0-9]+\\.[0-9.]+\n"))) << version.out;
+  for (const char* option :
+       {"--centerlines", "--output", "--type", "--points-per-circumference", "--min-size", "--max-size", "--gradation",
+        "--inlet", "--report", "--write-surface", "--write-centerlines", "--threads", "--verbose", "--quiet", "--version",
+        "Exit status", ".vtu"})
+    EXPECT_NE(help.out.find(option), std::string::npos) << option;
+}
+
+void expect_statistics(const Json& told, const tubular::Measure_statistics& measured) {
+  EXPECT_EQ(told["count"], measured.count());
+  EXPECT_NEAR(told["min"].get<double>(), measured.min(), 1e-9);
+  EXPECT_NEAR(told["mean"].get<double>(), measured.mean(), 1e-9);
+  EXPECT_NEAR(told["p1"].get<double>(), measured.percentile(1), 1e-9);
+  EXPECT_EQ(told["histogram"], Json(measured.histogram()));
+}
+
+double diagonal_of(const Mesh& mesh) {
+  CGAL::Bbox_3 b;
+  for (const Point& p : mesh.points)
+    b += p.bbox();
+  return std::hypot(b.xmax() - b.xmin(), b.ymax() - b.ymin(), b.zmax() - b.zmin());
+}
+
+// The cap of an opening in the mesh, and what the report says of it.
+void expect_opening(const Json& told, const Mesh& mesh) {
+  const int patch = told["patch"];
+  EXPECT_EQ(told["name"], mesh.patch_names.at(patch));
+  const auto vector = [&](const char* key) {
+    return Kernel::Vector_3(told[key][0].get<double>(), told[key][1].get<double>(), told[key][2].get<double>());
+  };
+  const Kernel::Vector_3 center = vector("center"), normal = vector("normal");
+  Kernel::Vector_3 area = CGAL::NULL_VECTOR;
+  std::size_t triangles = 0;
+  double off_plane = 0;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+    if (mesh.triangles.label[i] == patch) {
+      const auto& v = mesh.triangles.vertices[i];
+      const Point &p = mesh.points[v[0]], &q = mesh.points[v[1]], &r = mesh.points[v[2]];
+      area = area + CGAL::cross_product(q - p, r - p) / 2;
+      off_plane = (std::max)(off_plane, std::abs((p - CGAL::ORIGIN - center) * normal));
+      ++triangles;
+    }
+  EXPECT_EQ(told["triangles"], triangles);
+  EXPECT_GE(triangles, 8u);
+  EXPECT_LE(off_plane, 1e-9 * diagonal_of(mesh));
+  EXPECT_NEAR(area * normal, told["area"].get<double>(), 0.06 * told["area"].get<double>()) << told["name"];
+}
+
+void expect_report_of(const Json& report, const Mesh& mesh) {
+  const tubular::Validity_report validity = tubular::validity_report(mesh);
+  EXPECT_TRUE(validity.is_valid()) << validity.defects();
+  EXPECT_EQ(report["valid"], true);
+  EXPECT_EQ(report["boundary_euler"], validity.boundary_euler);
+  EXPECT_EQ(report["points"], mesh.points.size());
+  EXPECT_EQ(report["cells"]["tetrahedra"], mesh.number_of_cells());
+  EXPECT_EQ(report["facets"]["triangles"], mesh.number_of_facets());
+  const tubular::Quality_report quality = tubular::quality_report(mesh);
+  expect_statistics(report["quality"]["gamma_tau"], quality.gamma_tau);
+  expect_statistics(report["quality"]["gamma_T"], quality.gamma_T);
+  EXPECT_EQ(report["openings"].size() + 1, mesh.patch_names.size()); // and the wall
+  EXPECT_EQ(report["openings"][0]["name"], "inlet");
+  for (const Json& opening : report["openings"])
+    expect_opening(opening, mesh);
+  EXPECT_EQ(std::set<int>(mesh.tetrahedra.label.begin(), mesh.tetrahedra.label.end()), std::set<int>{1});
+}
+
+TEST_F(Tool, Reports_the_mesh_that_it_writes) {
+  const Sample s = bifurcation();
+  const std::string surface = make("y.vtp", s.surface), lines = make("lines.vtp", s.lines);
+  const Outcome outcome = succeed({surface, "-c", lines, "-o", out("mesh.vtu"), "--report", out("r.json")});
+  EXPECT_EQ(listing(output_directory()).size(), 2u);
+  const Json report = json_in(out("r.json"));
+  const Mesh mesh = mesh_in(out("mesh.vtu"));
+  expect_report_of(report, mesh);
+  EXPECT_EQ(report["program"].get<std::string>() + "\n", run({"--version"}).out);
+  EXPECT_EQ(report["input"], surface);
+  EXPECT_EQ(report["centerlines"], lines);
+  EXPECT_EQ(report["output"], out("mesh.vtu"));
+  EXPECT_EQ(report["boundary_euler"], 2);
+  EXPECT_EQ(report["openings"].size(), 3u);
+  EXPECT_EQ(report["branches"].size(), 3u);
+
+  // What it prints is the same.
+  for (const char* number : {"points", "cells", "facets"}) {
+    const Json& n = report[number];
+    EXPECT_NE(outcome.out.find((n.is_object() ? n.front() : n).dump()), std::string::npos) << number;
+  }
+  double sum = 0;
+  std::vector<std::string> stages;
+  for (const std::string& line : lines_of(outcome.err))
+    stages.push_back(stage_in(line));
+  for (const auto& time : report["times"].items()) {
+    EXPECT_GT(std::count(stages.begin(), stages.end(), time.key()), 0) << time.key();
+    EXPECT_NE(outcome.out.find(time.key()), std::string::npos) << time.key();
+    sum += time.value().get<double>();
+  }
+  EXPECT_LE(sum, report["total_time"].get<double>() + 0.01);
+  EXPECT_GE(sum, 0.9 * report["total_time"].get<double>() - 0.01);
+  EXPECT_GT(report["peak_memory_bytes"].get<double>(), 1e6);
+}
+
+TEST_F(Tool, Says_as_much_as_it_is_told_to) {
+  const Arguments arguments = tube_run(*this);
+  const Outcome quiet = succeed(arguments + Arguments{"-q"}), plain = succeed(arguments);
+  const Outcome verbose = succeed(arguments + Arguments{"-v"});
+  EXPECT_EQ(quiet.out + quiet.err, "");
+  EXPECT_GT(lines_of(verbose.out).size(), lines_of(plain.out).size() + 20); // the histograms
+  EXPECT_EQ(plain.out.find("\033"), std::string::npos);
+  EXPECT_EQ(plain.err.find('\r'), std::string::npos);
+
+  const Outcome failed = run({"absent.stl", "-c", "absent.vtk", "-o", out("m.vtu"), "-q"});
+  EXPECT_EQ(failed.status, input);
+  expect_one_sentence(failed, {"absent.stl"}); // errors are not kept quiet
+}
+
+TEST_F(Tool, Makes_the_same_files_from_the_same_input) {
+  const Sample s = bifurcation();
+  const Arguments arguments = {make("y.off", s.surface), "-c", make("lines.vtk", s.lines), "--threads", "1"};
+  for (const char* run : {"a", "b"})
+    succeed(arguments + Arguments{"-o", out(run + std::string(".vtu")), "--write-surface",
+                                  out(run + std::string(".vtp")), "--write-centerlines", out(run + std::string(".vtk"))});
+  for (const char* format : {".vtu", ".vtp", ".vtk"}) {
+    EXPECT_EQ(bytes_of(out(std::string("a") + format)), bytes_of(out(std::string("b") + format))) << format;
+    EXPECT_GT(bytes_of(out(std::string("a") + format)).size(), 1000u);
+  }
+}
+
+TEST_F(Tool, Writes_the_same_mesh_in_each_format) {
+  const Arguments arguments = tube_run(*this) + reproducibly;
+  std::vector<Mesh> meshes;
+  for (const char* format : {".vtu", ".msh", ".mesh"}) {
+    succeed(arguments + Arguments{"-o", out(std::string("m") + format)});
+    meshes.push_back(mesh_in(out(std::string("m") + format)));
+  }
+  for (const Mesh& m : meshes) {
+    EXPECT_EQ(m.points, meshes[0].points);
+    EXPECT_EQ(m.tetrahedra.vertices, meshes[0].tetrahedra.vertices);
+    EXPECT_EQ(m.tetrahedra.label, meshes[0].tetrahedra.label);
+    EXPECT_EQ(m.triangles.vertices, meshes[0].triangles.vertices);
+    EXPECT_EQ(m.triangles.label, meshes[0].triangles.label);
+    EXPECT_EQ(m.patch_names, meshes[0].patch_names);
+  }
+}
+
+TEST_F(Tool, Takes_the_opening_at_the_point_for_the_inlet) {
+  const Sample s = bifurcation();
+  const Arguments arguments = {make("y.off", s.surface), "-c", make("lines.vtk", s.lines), "-n", "10", "-o",
+                               out("mesh.vtu"), "--report", out("r.json")};
+  const auto inlet_z = [&](const Arguments& inlet) {
+    succeed(arguments + inlet);
+    const Json report = json_in(out("r.json"));
+    expect_report_of(report, mesh_in(out("mesh.vtu")));
+    EXPECT_EQ(report["openings"][0]["patch"], 2);
+    EXPECT_TRUE(report["branches"][report["openings"][0]["branch"].get<std::size_t>()]["parents"].empty());
+    return report["openings"][0]["center"][2].get<double>();
+  };
+  EXPECT_NEAR(inlet_z({}), 0, 0.01); // where the lines begin
+  EXPECT_NEAR(inlet_z({"--inlet", "3.2,0,12"}), 12, 0.2);
+  EXPECT_NEAR(inlet_z({"--inlet", "-30,0,110"}), 11, 0.2);
+  EXPECT_NEAR(inlet_z({"--inlet=-1,-1,-1"}), 0, 0.01);
+}
+
+TEST_F(Tool, Reads_what_it_has_written) {
+  const Sample s = bifurcation();
+  Json reports[3];
+  succeed({make("y.off", s.surface), "-c", make("lines.vtk", s.lines), "-o", out("a.vtu"), "--threads", "1", "--report",
+           out("r.json"), "--write-surface", out("a.vtp"), "--write-centerlines", out("c.vtp")});
+  reports[0] = json_in(out("r.json"));
+  Surface closed;
+  tubular::IO::read_surface(out("a.vtp"), closed);
+  EXPECT_TRUE(CGAL::is_closed(closed));
+  Centerlines branches;
+  tubular::IO::read_centerlines(out("c.vtp"), branches);
+  EXPECT_EQ(branches.lines.size(), 3u);
+  EXPECT_EQ(branches.radius.size(), branches.points.size());
+
+  const Arguments again = {"-o", out("b.vtu"), "--threads", "1", "--report", out("r.json")};
+  succeed(again + Arguments{in("y.off"), "-c", out("c.vtp")});
+  reports[1] = json_in(out("r.json"));
+  succeed(again + Arguments{out("a.vtp"), "-c", out("c.vtp")});
+  reports[2] = json_in(out("r.json"));
+  expect_report_of(reports[2], mesh_in(out("b.vtu")));
+  for (const Json& r : reports) {
+    EXPECT_EQ(r["openings"].size(), 3u);
+    EXPECT_EQ(r["branches"].size(), 3u);
+    EXPECT_NEAR(r["points"].get<double>(), reports[0]["points"].get<double>(), 0.02 * r["points"].get<double>());
+    for (int i = 0; i < 3; ++i)
+      EXPECT_NEAR(r["openings"][i]["area"].get<double>(), reports[0]["openings"][i]["area"].get<double>(), 0.02);
+  }
+}
+
+TEST_F(Tool, Obeys_the_limits_of_the_mesh_size) {
+  const Arguments arguments = tube_run(*this) + Arguments{"--report", out("r.json")} + reproducibly;
+  const auto cells = [&](const Arguments& options) {
+    succeed(arguments + options);
+    return json_in(out("r.json"))["cells"]["tetrahedra"].get<double>();
+  };
+  const double n_20 = cells({}), n_12 = cells({"-n", "12"});
+  EXPECT_NEAR(n_20 / n_12, std::pow(20. / 12, 3), 1.5);
+  EXPECT_NEAR(cells({"-n", "12", "--max-size", "0.31416"}), n_20, 0.02 * n_20);
+  EXPECT_NEAR(cells({"-n", "40", "--min-size", "0.31416"}), n_20, 0.02 * n_20);
+}
+
+// --- the same model elsewhere, in other units ---
+
+class Invariance : public Tool {
+protected:
+  Json report_of(const Sample& s) {
+    succeed({make("s.off", s.surface), "-c", make("c.vtk", s.lines), "-o", out("m.vtu"), "--report", out("r.json"),
+             "--threads", "1"});
+    expect_report_of(json_in(out("r.json")), mesh_in(out("m.vtu")));
+    return json_in(out("r.json"));
+  }
+
+  void expect_the_same(const Json& report, const Json& original, double scale) {
+    const auto near = [](const Json& a, const Json& b, double share) {
+      EXPECT_NEAR(a.get<double>(), b.get<double>(), share * b.get<double>());
+    };
+    near(report["points"], original["points"], 0.02);
+    near(report["cells"]["tetrahedra"], original["cells"]["tetrahedra"], 0.02);
+    near(report["facets"]["triangles"], original["facets"]["triangles"], 0.02);
+    near(report["quality"]["gamma_tau"]["mean"], original["quality"]["gamma_tau"]["mean"], 0.01);
+    near(report["quality"]["gamma_T"]["mean"], original["quality"]["gamma_T"]["mean"], 0.01);
+    EXPECT_EQ(report["boundary_euler"], original["boundary_euler"]);
+    ASSERT_EQ(report["openings"].size(), original["openings"].size());
+    for (std::size_t i = 0; i < report["openings"].size(); ++i) // in the same order
+      EXPECT_NEAR(report["openings"][i]["radius"].get<double>(),
+                  scale * original["openings"][i]["radius"].get<double>(),
+                  1e-4 * report["openings"][i]["radius"].get<double>());
+    ASSERT_EQ(report["branches"].size(), original["branches"].size());
+  }
+
+  void expect_invariance(const Sample& s) {
+    const Json original = report_of(s);
+    for (double scale : {1000., 1e6, 1e-3}) {
+      SCOPED_TRACE("scaled by " + std::to_string(scale));
+      expect_the_same(report_of(transformed(s, [&](const Point& p) { return CGAL::ORIGIN + scale * (p - CGAL::ORIGIN); })),
+                      original, scale);
+    }
+    CGAL::Bbox_3 box;
+    for (auto v : s.surface.vertices())
+      box += s.surface.point(v).bbox();
+    const Kernel::Vector_3 across(box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin());
+    {
+      SCOPED_TRACE("moved by a hundred diagonals");
+      expect_the_same(report_of(transformed(s, [&](const Point& p) { return p + 100 * across; })), original, 1);
+    }
+    for (const double angle : {0.4, 2.}) {
+      SCOPED_TRACE("rotated by " + std::to_string(angle));
+      const double c = std::cos(angle), i = std::sin(angle);
+      expect_the_same(report_of(transformed(s,
+                                            [&](const Point& p) { // about x, then about z
+                                              const double y = c * p.y() - i * p.z(), z = i * p.y() + c * p.z();
+                                              return Point(c * p.x() - i * y, i * p.x() + c * y, z);
+                                            })),
+                      original, 1);
+    }
+  }
+};
+
+TEST_F(Invariance, Of_a_bifurcation) {
+  expect_invariance(bifurcation());
+}
+
+// --- the paper's own geometries ---
+
+#ifdef TUBULAR_MESHING_SHARED_DATA
+const char* const shared_data = TUBULAR_MESHING_SHARED_DATA;
+#else
+const char* const shared_data = "shared/data, which is not here";
+#endif
+
+struct Real_model {
+  const char *name, *surface, *centerlines;
+  double points;
+  std::size_t openings, branches;
+  int euler;
+  double least_gamma_tau, mean_gamma_tau, mean_gamma_T;
+};
+
+std::ostream& operator<<(std::ostream& out, const Real_model& m) {
+  return out << m.name;
+}
+
+std::string file_of(const char* name) {
+  return (fs::path(shared_data) / "paper" / name).string();
+}
+
+bool is_absent(const Real_model& m) {
+  return !fs::exists(file_of(m.surface)) || !fs::exists(file_of(m.centerlines));
+}
+
+class Real : public Tool, public ::testing::WithParamInterface<Real_model> {};
+
+// How far the input's vertices are from the mesh, at most, over the diagonal: caps may cut off a little at the ends.
+double distance_to_mesh(const std::string& surface_file, const Mesh& mesh) {
+  Surface surface, boundary;
+  tubular::IO::read_surface(surface_file, surface);
+  for (const Point& p : mesh.points)
+    boundary.add_vertex(p);
+  typedef Surface::Vertex_index Vertex;
+  for (const auto& t : mesh.triangles.vertices)
+    boundary.add_face(Vertex(t[0]), Vertex(t[1]), Vertex(t[2]));
+  const tubular::Wall_distance<Point> distance(boundary);
+  double largest = 0;
+  for (auto v : surface.vertices())
+    largest = (std::max)(largest, distance(surface.point(v)));
+  return largest / diagonal_of(mesh);
+}
+
+TEST_P(Real, Is_meshed_well) {
+  const Real_model& model = GetParam();
+  if (is_absent(model))
+    GTEST_SKIP() << "needs " << file_of(model.surface);
+  std::ostringstream n;
+  n << model.points;
+  succeed({file_of(model.surface), "-c", file_of(model.centerlines), "-n", n.str(), "-o", out("mesh.vtu"), "--report",
+           out("r.json")});
+  const Json report = json_in(out("r.json"));
+  const Mesh mesh = mesh_in(out("mesh.vtu"));
+  expect_report_of(report, mesh);
+  EXPECT_EQ(report["boundary_euler"], model.euler);
+  EXPECT_EQ(report["openings"].size(), model.openings);
+
+  EXPECT_EQ(report["branches"].size(), model.branches);
+  EXPECT_GE(report["quality"]["gamma_tau"]["min"].get<double>(), model.least_gamma_tau);
+  EXPECT_GE(report["quality"]["gamma_tau"]["mean"].get<double>(), model.mean_gamma_tau);
+  EXPECT_GE(report["quality"]["gamma_T"]["mean"].get<double>(), model.mean_gamma_T);
+  EXPECT_LE(distance_to_mesh(file_of(model.surface), mesh), 0.004);
+  for (const Json& branch : report["branches"])
+    if (branch["points_per_circumference"] > 0) {
+      EXPECT_GE(branch["points_per_circumference"].get<double>(), 0.9 * model.points);
+      EXPECT_LE(branch["points_per_circumference"].get<double>(), 1.35 * model.points);
+    }
+}
+
+const Real_model real_models[] = {
+    {"aorta", "aorta.stl", "centerlinesAORTA.vtk", 20, 5, 7, 2, 0.21, 0.72, 0.90},
+    {"carotid", "carotid.stl", "centerlinesCAROTID.vtk", 20, 3, 3, 2, 0.18, 0.72, 0.90},
+    {"carotid_16", "carotid.stl", "centerlinesCAROTID.vtk", 16, 3, 3, 2, 0.18, 0.72, 0.90},
+    {"bypass", "bypass.stl", "centerlinesBYPASS.msh", 20, 2, 4, 0, 0.18, 0.72, 0.90},
+    {"bypass_25", "bypass.stl", "centerlinesBYPASS.msh", 25, 2, 4, 0, 0.18, 0.72, 0.90},
+    {"cerebral_10", "cerebral.stl", "centerlinesCEREBRAL.vtk", 10, 9, 15, 2, 0.15, 0.66, 0.85},
+};
+INSTANTIATE_TEST_SUITE_P(Paper, Real, ::testing::ValuesIn(real_models),
+                         [](const ::testing::TestParamInfo<Real_model>& info) { return std::string(info.param.name); });
+
+TEST_F(Invariance, Of_the_aorta) {
+  if (is_absent(real_models[0]))
+    GTEST_SKIP() << "needs " << file_of(real_models[0].surface);
+  Sample s;
+  tubular::IO::read_surface(file_of(real_models[0].surface), s.surface);
+  tubular::IO::read_centerlines(file_of(real_models[0].centerlines), s.lines);
+  expect_invariance(s);
+}
+
+} // namespace
