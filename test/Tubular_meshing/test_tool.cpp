@@ -4,6 +4,7 @@
 // The command-line tool, as its user meets it: exit status, what it says, what it writes, and what it leaves alone.
 
 #include "test_tool_helpers.h"
+#include "test_tool_refusals.h"
 
 #include <CGAL/Tubular_meshing/Centerlines/Wall_distance.h>
 #include <CGAL/Tubular_meshing/IO/read_centerlines.h>
@@ -11,10 +12,9 @@
 #include <CGAL/Tubular_meshing/Quality/quality_report.h>
 #include <CGAL/Tubular_meshing/Quality/validity_report.h>
 
+#include <CGAL/boost/graph/helpers.h>
+
 #include <cmath>
-#include <functional>
-#include <limits>
-#include <map>
 #include <ostream>
 
 using namespace tool_test;
@@ -23,66 +23,20 @@ namespace {
 
 const Arguments reproducibly = {"--threads", "1"};
 
-// The tube in its plainest files, and the options every run needs.
-Arguments tube_run(const Tool& t) {
-  const Sample s = tube();
-  return {t.make("tube.off", s.surface), "-c", t.make("lines.vtk", s.lines), "-o", t.out("mesh.vtu")};
-}
-
-Arguments run_on(const Tool& t, const std::string& surface_file) {
-  return {surface_file, "-c", t.make("lines.vtk", tube().lines), "-o", t.out("mesh.vtu")};
-}
-
-Arguments run_along(const Tool& t, const std::string& centerline_file) {
-  return {t.make("tube.off", tube().surface), "-c", centerline_file, "-o", t.out("mesh.vtu")};
-}
-
 Arguments run_to(const Tool& t, const std::string& output_file) {
-  return {t.make("tube.off", tube().surface), "-c", t.make("lines.vtk", tube().lines), "-o", output_file};
+  const Sample s = tube();
+  return {t.make("tube.off", s.surface), "-c", t.make("lines.vtk", s.lines), "-o", output_file};
 }
 
-Centerlines scaled(Centerlines lines, double factor) {
-  for (Point& p : lines.points)
-    p = Point(factor * p.x(), factor * p.y(), factor * p.z());
-  return lines;
-}
-
-Centerlines moved(Centerlines lines, const Kernel::Vector_3& by) {
-  for (Point& p : lines.points)
-    p = p + by;
-  return lines;
-}
-
-std::string first_part(const std::string& file, double share) {
-  const std::string bytes = bytes_of(file);
-  return bytes.substr(0, std::size_t(share * double(bytes.size())));
-}
-
-std::string one_facet(const std::string& x) {
-  return "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex " + x +
-         " 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid s\n";
+Arguments tube_run(const Tool& t) {
+  return run_to(t, t.out("mesh.vtu"));
 }
 
 // --- what cannot be done ---
 
-enum Exit_status { usage = 2, input = 3, meshing = 4 };
-
-/* A run that has to be refused: how it is called, with what status it ends, and what its sentence has to mention. */
-struct Refusal {
-  const char* name;
-  Exit_status status;
-  Arguments mentioned;
-  std::function<Arguments(const Tool&)> arguments;
-};
-
-std::ostream& operator<<(std::ostream& out, const Refusal& r) {
-  return out << r.name; // ctest's name of the test
-}
-
-// A capital, one full stop, at the end.
+// It begins with a capital, or an option, and has one full stop, at the end.
 bool is_a_sentence(const std::string& s) {
-  return !s.empty() && std::isupper(static_cast<unsigned char>(s.front())) != 0 && s.back() == '.' &&
-         !std::regex_search(s, std::regex("\\. [A-Z]"));
+  return std::regex_match(s, std::regex("([A-Z]|--).*\\.")) && !std::regex_search(s, std::regex("\\. [A-Z]"));
 }
 
 // The tool's own sentences begin with its name; the option parser's, with the option's.
@@ -90,27 +44,42 @@ void expect_one_sentence(const Outcome& outcome, const Arguments& mentioned) {
   const std::vector<std::string> said = complaints(outcome);
   ASSERT_EQ(said.size(), 1u) << outcome.err;
   const std::string prefix = "tubular_mesh: ";
-  if (said[0].compare(0, prefix.size(), prefix) == 0)
+  if (said[0].compare(0, prefix.size(), prefix) == 0) {
     EXPECT_TRUE(is_a_sentence(said[0].substr(prefix.size()))) << said[0];
+  }
   EXPECT_LT(said[0].size(), 500u) << said[0];
   for (const std::string& word : mentioned)
     EXPECT_NE(said[0].find(word), std::string::npos) << "no mention of \"" << word << "\" in: " << said[0];
 }
 
-class Refused : public Tool, public ::testing::WithParamInterface<Refusal> {};
+class Refused : public Tool, public ::testing::WithParamInterface<Refusal> {
+protected:
+  void SetUp() override {
+    Tool::SetUp();
+    const Sample good = tube();
+    make("tube.off", good.surface);
+    make("lines.vtk", good.lines);
+    make_bad_surfaces(*this, good);
+    make_bad_centerlines(*this, good);
+    fs::create_directory(out("folder.vtu"));
+    std::ofstream(out("file")) << "a file";
+  }
+};
 
 TEST_P(Refused, With_a_sentence_and_without_a_trace) {
   const Refusal& refusal = GetParam();
-  const Arguments arguments = refusal.arguments(*this);
   const std::set<std::string> before = listing(output_directory());
-  const Outcome outcome = run(arguments);
-  EXPECT_EQ(outcome.status, refusal.status) << outcome.killed_by << outcome.err;
+  const std::string good_surface = bytes_of(in("tube.off"));
+  Limits limits;
+  limits.seconds = 20;
+  const Outcome outcome = run(arguments_of(refusal, *this), limits);
+  EXPECT_EQ(outcome.status, refusal.status) << outcome.killed_by << "\n" << outcome.err;
   EXPECT_EQ(outcome.out, "");
   expect_one_sentence(outcome, refusal.mentioned);
   EXPECT_EQ(listing(output_directory()), before);
-  if (refusal.status == usage) { // known before any work
-    for (const std::string& line : lines_of(outcome.err))
-      EXPECT_EQ(stage_in(line), "");
+  EXPECT_EQ(bytes_of(in("tube.off")), good_surface);
+  if (refusal.status == usage) {
+    EXPECT_EQ(stages_of(outcome), Arguments()) << "it was known before any work";
   }
 }
 
@@ -118,146 +87,9 @@ std::string name_of(const ::testing::TestParamInfo<Refusal>& info) {
   return info.param.name;
 }
 
-const std::vector<Refusal> usage_errors = {
-    {"No_arguments", usage, {"surface"}, [](const Tool&) { return Arguments(); }},
-    {"No_centerlines", usage, {"centerlines"}, [](const Tool& t) { return Arguments{"a.stl", "-o", t.out("m.vtu")}; }},
-    {"No_output", usage, {"output"}, [](const Tool&) { return Arguments{"a.stl", "-c", "c.vtk"}; }},
-    {"Unknown_option", usage, {"--colour"}, [](const Tool& t) { return tube_run(t) + Arguments{"--colour"}; }},
-    {"Two_surfaces", usage, {"b.stl"}, [](const Tool& t) { return tube_run(t) + Arguments{"b.stl"}; }},
-    {"No_points", usage, {"-points"}, [](const Tool& t) { return tube_run(t) + Arguments{"-n", "0"}; }},
-    {"Negative_points", usage, {"-points"}, [](const Tool& t) { return tube_run(t) + Arguments{"-n", "-20"}; }},
-    {"Points_in_letters", usage, {"-points", "abc"}, [](const Tool& t) { return tube_run(t) + Arguments{"-n", "abc"}; }},
-    {"Points_and_letters", usage, {"-points"}, [](const Tool& t) { return tube_run(t) + Arguments{"-n", "20mm"}; }},
-    {"No_number", usage, {"-points"}, [](const Tool& t) { return tube_run(t) + Arguments{"-n"}; }},
-    {"Negative_size", usage, {"--min-size"}, [](const Tool& t) { return tube_run(t) + Arguments{"--min-size", "-1"}; }},
-    {"No_size", usage, {"--max-size"}, [](const Tool& t) { return tube_run(t) + Arguments{"--max-size", "0"}; }},
-    {"Sizes_reversed", usage, {"--min-size", "--max-size"},
-     [](const Tool& t) { return tube_run(t) + Arguments{"--min-size", "0.5", "--max-size", "0.4"}; }},
-    {"Gradation_below_one", usage, {"--gradation"},
-     [](const Tool& t) { return tube_run(t) + Arguments{"--gradation", "0.9"}; }},
-    {"Inlet_of_two_numbers", usage, {"--inlet"}, [](const Tool& t) { return tube_run(t) + Arguments{"--inlet", "1,2"}; }},
-    {"Negative_threads", usage, {"--threads"}, [](const Tool& t) { return tube_run(t) + Arguments{"--threads", "-1"}; }},
-    {"Quiet_and_verbose", usage, {"--quiet"}, [](const Tool& t) { return tube_run(t) + Arguments{"-q", "-v"}; }},
-    {"Type_anisotropic", usage, {"anisotropic", "isotropic ones"},
-     [](const Tool& t) { return tube_run(t) + Arguments{"-t", "anisotropic"}; }},
-    {"Type_mixed", usage, {"mixed", "isotropic ones"},
-     [](const Tool& t) { return tube_run(t) + Arguments{"--type", "mixed"}; }},
-    {"Type_unknown", usage, {"cubic", "isotropic"}, [](const Tool& t) { return tube_run(t) + Arguments{"-t", "cubic"}; }},
-
-    {"Output_of_unknown_format", usage, {"mesh.stl", ".vtu"}, [](const Tool& t) { return run_to(t, t.out("mesh.stl")); }},
-    {"Output_without_format", usage, {"out/mesh", ".vtu"}, [](const Tool& t) { return run_to(t, t.out("mesh")); }},
-    {"Output_without_name", usage, {".vtu"}, [](const Tool& t) { return run_to(t, ""); }},
-    {"Output_in_missing_directory", usage, {"nowhere/mesh.vtu"},
-     [](const Tool& t) { return run_to(t, t.out("nowhere/mesh.vtu")); }},
-    {"Output_is_a_directory", usage, {"taken.vtu"},
-     [](const Tool& t) {
-       fs::create_directory(t.out("taken.vtu"));
-       return run_to(t, t.out("taken.vtu"));
-     }},
-    {"Output_below_a_file", usage, {"file/mesh.vtu"},
-     [](const Tool& t) {
-       std::ofstream(t.out("file")) << "a file";
-       return run_to(t, t.out("file/mesh.vtu"));
-     }},
-    {"Report_in_missing_directory", usage, {"nowhere/r.json"},
-     [](const Tool& t) { return tube_run(t) + Arguments{"--report", t.out("nowhere/r.json")}; }},
-    {"Surface_output_in_missing_directory", usage, {"nowhere/s.vtp"},
-     [](const Tool& t) { return tube_run(t) + Arguments{"--write-surface", t.out("nowhere/s.vtp")}; }},
-    {"Surface_output_of_unknown_format", usage, {"s.xyz", ".vtp"},
-     [](const Tool& t) { return tube_run(t) + Arguments{"--write-surface", t.out("s.xyz")}; }},
-    {"Centerline_output_of_unknown_format", usage, {"c.stl", ".vtp"},
-     [](const Tool& t) { return tube_run(t) + Arguments{"--write-centerlines", t.out("c.stl")}; }},
-    {"Output_named_twice", usage, {"both.vtp", "twice"},
-     [](const Tool& t) {
-       return tube_run(t) + Arguments{"--write-surface", t.out("both.vtp"), "--write-centerlines", t.out("both.vtp")};
-     }},
-    {"Output_named_twice_differently", usage, {"both.vtp", "twice"},
-     [](const Tool& t) {
-       return tube_run(t) + Arguments{"--write-surface", t.out("both.vtp"), "--write-centerlines", t.out("./both.vtp")};
-     }},
-    {"Output_over_the_input", usage, {"tube.off", "twice"},
-     [](const Tool& t) { return tube_run(t) + Arguments{"--write-surface", t.in("./tube.off")}; }},
-};
-INSTANTIATE_TEST_SUITE_P(Usage, Refused, ::testing::ValuesIn(usage_errors), name_of);
-
-const std::vector<Refusal> file_errors = {
-    {"Missing_surface", input, {"absent.stl"}, [](const Tool& t) { return run_on(t, t.in("absent.stl")); }},
-    {"Empty_surface", input, {"a.stl", "empty"}, [](const Tool& t) { return run_on(t, t.make("a.stl", "")); }},
-    {"Directory_as_surface", input, {"folder.stl"},
-     [](const Tool& t) {
-       fs::create_directory(t.in("folder.stl"));
-       return run_on(t, t.in("folder.stl"));
-     }},
-    {"Text_as_surface", input, {"a.stl"},
-     [](const Tool& t) { return run_on(t, t.make("a.stl", "Dear reader,\nthis is a letter, not a surface.\n")); }},
-    {"Surface_of_unknown_format", input, {"a.docx", ".stl"},
-     [](const Tool& t) { return run_on(t, t.make("a.docx", "solid")); }},
-    {"Binary_STL_cut_off", input, {"b.stl"},
-     [](const Tool& t) { return run_on(t, t.make("b.stl", first_part(t.make("a.stl", tube().surface), 0.6))); }},
-    {"Binary_STL_without_triangles", input, {"b.stl"},
-     [](const Tool& t) { return run_on(t, t.make("b.stl", bytes_of(t.make("a.stl", tube().surface)).substr(0, 84))); }},
-    {"Binary_STL_header_cut_off", input, {"b.stl"},
-     [](const Tool& t) { return run_on(t, t.make("b.stl", bytes_of(t.make("a.stl", tube().surface)).substr(0, 40))); }},
-    {"Binary_STL_of_four_billion", input, {"b.stl"},
-     [](const Tool& t) {
-       std::string bytes = bytes_of(t.make("a.stl", tube().surface));
-       bytes.replace(80, 4, "\xff\xff\xff\xff");
-       return run_on(t, t.make("b.stl", bytes));
-     }},
-    {"ASCII_STL_cut_off", input, {"a.stl"},
-     [](const Tool& t) { return run_on(t, t.make("a.stl", one_facet("1").substr(0, 70))); }},
-    {"NaN_in_STL", input, {"a.stl", "line 5"}, [](const Tool& t) { return run_on(t, t.make("a.stl", one_facet("nan"))); }},
-    {"Infinity_in_STL", input, {"a.stl", "line 5"},
-     [](const Tool& t) { return run_on(t, t.make("a.stl", one_facet("-inf"))); }},
-    {"NaN_in_binary_STL", input, {"b.stl"},
-     [](const Tool& t) {
-       std::string bytes = bytes_of(t.make("a.stl", tube().surface));
-       bytes.replace(84 + 50 * 7 + 12, 4, std::string("\x00\x00\xc0\x7f", 4));
-       return run_on(t, t.make("b.stl", bytes));
-     }},
-    {"OFF_cut_off", input, {"b.off"},
-     [](const Tool& t) { return run_on(t, t.make("b.off", first_part(t.make("a.off", tube().surface), 0.8))); }},
-    {"OFF_with_wrong_index", input, {"a.off"},
-     [](const Tool& t) { return run_on(t, t.make("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n")); }},
-    {"VTP_cut_off", input, {"b.vtp"},
-     [](const Tool& t) { return run_on(t, t.make("b.vtp", first_part(t.make("a.vtp", tube().surface), 0.7))); }},
-    {"Centerlines_as_surface", input, {"a.vtp"}, [](const Tool& t) { return run_on(t, t.make("a.vtp", tube().lines)); }},
-    {"Surface_of_one_triangle", input, {}, [](const Tool& t) { return run_on(t, t.make("a.stl", one_facet("1"))); }},
-    {"Surface_without_extent", input, {"a.off"},
-     [](const Tool& t) { return run_on(t, t.make("a.off", "OFF\n3 1 0\n1 1 1\n1 1 1\n1 1 1\n3 0 1 2\n")); }},
-
-    {"Missing_centerlines", input, {"absent.vtk"}, [](const Tool& t) { return run_along(t, t.in("absent.vtk")); }},
-    {"Empty_centerlines", input, {"c.vtp", "empty"}, [](const Tool& t) { return run_along(t, t.make("c.vtp", "")); }},
-    {"Text_as_centerlines", input, {"c.vtk"},
-     [](const Tool& t) { return run_along(t, t.make("c.vtk", "Dear reader,\nthis is a letter.\n")); }},
-    {"Centerlines_cut_off", input, {"d.vtk"},
-     [](const Tool& t) { return run_along(t, t.make("d.vtk", first_part(t.make("c.vtk", tube().lines), 0.5))); }},
-    {"Surface_as_centerlines", input, {"c.vtp", "line"},
-     [](const Tool& t) { return run_along(t, t.make("c.vtp", tube().surface)); }},
-    {"STL_as_centerlines", input, {"c.stl"}, [](const Tool& t) { return run_along(t, t.make("c.stl", tube().surface)); }},
-    {"NaN_in_centerlines", input, {"c.vtk"},
-     [](const Tool& t) {
-       return run_along(t, t.make("c.vtk", "# vtk DataFile Version 3.0\nc\nASCII\nDATASET POLYDATA\nPOINTS 2 double\n"
-                                           "0 0 0 0 0 nan\nLINES 1 3\n2 0 1\n"));
-     }},
-};
-INSTANTIATE_TEST_SUITE_P(File, Refused, ::testing::ValuesIn(file_errors), name_of);
-
-const std::vector<Refusal> geometry_errors = {
-    {"Surface_without_openings", input, {"closed", "flat"},
-     [](const Tool& t) { return run_on(t, t.make("sphere.off", sphere_off())); }},
-    {"Centerlines_far_away", input, {"centerlines", "surface"},
-     [](const Tool& t) { return run_along(t, t.make("c.vtk", moved(tube().lines, {1000, 0, 0}))); }},
-    {"Centerlines_beside_the_surface", input, {"centerlines", "surface"},
-     [](const Tool& t) { return run_along(t, t.make("c.vtk", moved(tube().lines, {4, 0, 0}))); }},
-    {"Centerlines_in_larger_units", input, {"centerlines", "unit"},
-     [](const Tool& t) { return run_along(t, t.make("c.vtk", moved(scaled(tube().lines, 1000), {0, 50, 0}))); }},
-    {"Centerlines_in_smaller_units", input, {"centerlines", "unit"},
-     [](const Tool& t) { return run_along(t, t.make("c.vtk", moved(scaled(tube().lines, 1e-3), {0, 0, -1}))); }},
-    {"Centerlines_without_length", input, {"centerlines"},
-     [](const Tool& t) { return run_along(t, t.make("c.vtk", scaled(tube().lines, 0))); }},
-};
-INSTANTIATE_TEST_SUITE_P(Geometry, Refused, ::testing::ValuesIn(geometry_errors), name_of);
+INSTANTIATE_TEST_SUITE_P(Usage, Refused, ::testing::ValuesIn(usage_errors()), name_of);
+INSTANTIATE_TEST_SUITE_P(File, Refused, ::testing::ValuesIn(file_errors()), name_of);
+INSTANTIATE_TEST_SUITE_P(Geometry, Refused, ::testing::ValuesIn(geometry_errors()), name_of);
 
 // --- what fails on the way ---
 
@@ -315,8 +147,8 @@ TEST_F(Tool, Tells_its_version_and_its_options) {
   EXPECT_TRUE(std::regex_match(version.out, std::regex("tubular_mesh [0-9]+\\.[0-9.]+\n"))) << version.out;
   for (const char* option :
        {"--centerlines", "--output", "--type", "--points-per-circumference", "--min-size", "--max-size", "--gradation",
-        "--inlet", "--report", "--write-surface", "--write-centerlines", "--threads", "--verbose", "--quiet", "--version",
-        "Exit status", ".vtu"})
+        "--inlet", "--report", "--write-surface", "--write-centerlines", "--threads", "--verbose", "--quiet",
+        "--version", "Exit status", ".vtu"})
     EXPECT_NE(help.out.find(option), std::string::npos) << option;
 }
 
@@ -357,7 +189,8 @@ void expect_opening(const Json& told, const Mesh& mesh) {
   EXPECT_EQ(told["triangles"], triangles);
   EXPECT_GE(triangles, 8u);
   EXPECT_LE(off_plane, 1e-9 * diagonal_of(mesh));
-  EXPECT_NEAR(area * normal, told["area"].get<double>(), 0.06 * told["area"].get<double>()) << told["name"];
+  // The caps' rims are polygons of at least ten sides.
+  EXPECT_NEAR(area * normal, told["area"].get<double>(), 0.08 * told["area"].get<double>()) << told["name"];
 }
 
 void expect_report_of(const Json& report, const Mesh& mesh) {
@@ -400,9 +233,7 @@ TEST_F(Tool, Reports_the_mesh_that_it_writes) {
     EXPECT_NE(outcome.out.find((n.is_object() ? n.front() : n).dump()), std::string::npos) << number;
   }
   double sum = 0;
-  std::vector<std::string> stages;
-  for (const std::string& line : lines_of(outcome.err))
-    stages.push_back(stage_in(line));
+  const std::vector<std::string> stages = stages_of(outcome);
   for (const auto& time : report["times"].items()) {
     EXPECT_GT(std::count(stages.begin(), stages.end(), time.key()), 0) << time.key();
     EXPECT_NE(outcome.out.find(time.key()), std::string::npos) << time.key();
@@ -432,7 +263,8 @@ TEST_F(Tool, Makes_the_same_files_from_the_same_input) {
   const Arguments arguments = {make("y.off", s.surface), "-c", make("lines.vtk", s.lines), "--threads", "1"};
   for (const char* run : {"a", "b"})
     succeed(arguments + Arguments{"-o", out(run + std::string(".vtu")), "--write-surface",
-                                  out(run + std::string(".vtp")), "--write-centerlines", out(run + std::string(".vtk"))});
+                                  out(run + std::string(".vtp")), "--write-centerlines",
+                                  out(run + std::string(".vtk"))});
   for (const char* format : {".vtu", ".vtp", ".vtk"}) {
     EXPECT_EQ(bytes_of(out(std::string("a") + format)), bytes_of(out(std::string("b") + format))) << format;
     EXPECT_GT(bytes_of(out(std::string("a") + format)).size(), 1000u);
@@ -440,10 +272,9 @@ TEST_F(Tool, Makes_the_same_files_from_the_same_input) {
 }
 
 TEST_F(Tool, Writes_the_same_mesh_in_each_format) {
-  const Arguments arguments = tube_run(*this) + reproducibly;
   std::vector<Mesh> meshes;
   for (const char* format : {".vtu", ".msh", ".mesh"}) {
-    succeed(arguments + Arguments{"-o", out(std::string("m") + format)});
+    succeed(run_to(*this, out(std::string("m") + format)) + reproducibly);
     meshes.push_back(mesh_in(out(std::string("m") + format)));
   }
   for (const Mesh& m : meshes) {
@@ -458,8 +289,15 @@ TEST_F(Tool, Writes_the_same_mesh_in_each_format) {
 
 TEST_F(Tool, Takes_the_opening_at_the_point_for_the_inlet) {
   const Sample s = bifurcation();
-  const Arguments arguments = {make("y.off", s.surface), "-c", make("lines.vtk", s.lines), "-n", "10", "-o",
-                               out("mesh.vtu"), "--report", out("r.json")};
+  const Arguments arguments = {make("y.off", s.surface),
+                               "-c",
+                               make("lines.vtk", s.lines),
+                               "-n",
+                               "10",
+                               "-o",
+                               out("mesh.vtu"),
+                               "--report",
+                               out("r.json")};
   const auto inlet_z = [&](const Arguments& inlet) {
     succeed(arguments + inlet);
     const Json report = json_in(out("r.json"));
@@ -509,10 +347,23 @@ TEST_F(Tool, Obeys_the_limits_of_the_mesh_size) {
     succeed(arguments + options);
     return json_in(out("r.json"))["cells"]["tetrahedra"].get<double>();
   };
-  const double n_20 = cells({}), n_12 = cells({"-n", "12"});
-  EXPECT_NEAR(n_20 / n_12, std::pow(20. / 12, 3), 1.5);
-  EXPECT_NEAR(cells({"-n", "12", "--max-size", "0.31416"}), n_20, 0.02 * n_20);
-  EXPECT_NEAR(cells({"-n", "40", "--min-size", "0.31416"}), n_20, 0.02 * n_20);
+  const double n_20 = cells({}), n_12 = cells({"-n", "12"}), size_at_20 = 2 * CGAL_PI / 20;
+  const std::string size = std::to_string(size_at_20);
+  EXPECT_GT(n_20 / n_12, 3); // 4.6, but for the surface's share
+  EXPECT_LT(n_20 / n_12, 5);
+  EXPECT_NEAR(cells({"-n", "12", "--max-size", size}), n_20, 0.06 * n_20); // the polygonal tube's radius is less than 1
+  EXPECT_NEAR(cells({"-n", "40", "--min-size", size}), n_20, 0.06 * n_20);
+}
+
+TEST_F(Tool, Meshes_the_sample_that_is_shipped) {
+  const std::string sample = std::string(TUBULAR_MESHING_DATA) + "/aortic_arch";
+  succeed({sample + ".stl", "-c", sample + "_centerlines.vtk", "-o", out("mesh.msh"), "--report", out("r.json")});
+  const Json report = json_in(out("r.json"));
+  expect_report_of(report, mesh_in(out("mesh.msh")));
+  EXPECT_EQ(report["openings"].size(), 5u);
+  EXPECT_EQ(report["branches"].size(), 7u);
+  EXPECT_EQ(report["boundary_euler"], 2);
+  EXPECT_GE(report["quality"]["gamma_tau"]["min"].get<double>(), 0.21);
 }
 
 // --- the same model elsewhere, in other units ---
@@ -526,13 +377,16 @@ protected:
     return json_in(out("r.json"));
   }
 
+  // Of a small model, rims make up much of the surface, and they count a few points more or less.
+  double triangles_share = 0.03;
+
   void expect_the_same(const Json& report, const Json& original, double scale) {
     const auto near = [](const Json& a, const Json& b, double share) {
       EXPECT_NEAR(a.get<double>(), b.get<double>(), share * b.get<double>());
     };
     near(report["points"], original["points"], 0.02);
     near(report["cells"]["tetrahedra"], original["cells"]["tetrahedra"], 0.02);
-    near(report["facets"]["triangles"], original["facets"]["triangles"], 0.02);
+    near(report["facets"]["triangles"], original["facets"]["triangles"], triangles_share);
     near(report["quality"]["gamma_tau"]["mean"], original["quality"]["gamma_tau"]["mean"], 0.01);
     near(report["quality"]["gamma_T"]["mean"], original["quality"]["gamma_T"]["mean"], 0.01);
     EXPECT_EQ(report["boundary_euler"], original["boundary_euler"]);
@@ -548,8 +402,9 @@ protected:
     const Json original = report_of(s);
     for (double scale : {1000., 1e6, 1e-3}) {
       SCOPED_TRACE("scaled by " + std::to_string(scale));
-      expect_the_same(report_of(transformed(s, [&](const Point& p) { return CGAL::ORIGIN + scale * (p - CGAL::ORIGIN); })),
-                      original, scale);
+      expect_the_same(
+          report_of(transformed(s, [&](const Point& p) { return CGAL::ORIGIN + scale * (p - CGAL::ORIGIN); })),
+          original, scale);
     }
     CGAL::Bbox_3 box;
     for (auto v : s.surface.vertices())
@@ -644,7 +499,7 @@ TEST_P(Real, Is_meshed_well) {
   for (const Json& branch : report["branches"])
     if (branch["points_per_circumference"] > 0) {
       EXPECT_GE(branch["points_per_circumference"].get<double>(), 0.9 * model.points);
-      EXPECT_LE(branch["points_per_circumference"].get<double>(), 1.35 * model.points);
+      EXPECT_LE(branch["points_per_circumference"].get<double>(), model.points + 6);
     }
 }
 
@@ -665,6 +520,7 @@ TEST_F(Invariance, Of_the_aorta) {
   Sample s;
   tubular::IO::read_surface(file_of(real_models[0].surface), s.surface);
   tubular::IO::read_centerlines(file_of(real_models[0].centerlines), s.lines);
+  triangles_share = 0.02;
   expect_invariance(s);
 }
 

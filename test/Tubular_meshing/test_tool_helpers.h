@@ -57,7 +57,7 @@ inline Arguments operator+(Arguments a, const Arguments& b) {
 // --- child processes ---
 
 struct Limits {
-  int seconds = 120;             // then it is killed, which no test forgives
+  int seconds = 120;                // then it is killed, which no test forgives
   rlim_t file_size = RLIM_INFINITY; // as on a disk of which so many bytes are left
 };
 
@@ -160,6 +160,14 @@ inline std::string stage_in(const std::string& line) {
   static const std::regex progress(" *[0-9]+\\.[0-9][0-9] s  (.+)");
   std::smatch match;
   return std::regex_match(line, match, progress) ? match[1].str() : std::string();
+}
+
+inline std::vector<std::string> stages_of(const Outcome& outcome) {
+  std::vector<std::string> stages;
+  for (const std::string& line : lines_of(outcome.err))
+    if (!stage_in(line).empty())
+      stages.push_back(stage_in(line));
+  return stages;
 }
 
 // What stands on stderr beside progress, and the option parser's hint at --help.
@@ -280,30 +288,6 @@ template <class Transformation> Sample transformed(Sample s, const Transformatio
     p = move(p);
   s.lines.radius.clear(); // of no use to the tool, and no longer true
   return s;
-}
-
-// A closed surface without a flat place.
-inline std::string sphere_off() {
-  const int rows = 24, columns = 32;
-  std::ostringstream points, faces;
-  const auto index = [&](int i, int j) { return 1 + (i - 1) * columns + j % columns; };
-  points << "0 0 1\n";
-  for (int i = 1; i < rows; ++i)
-    for (int j = 0; j < columns; ++j) {
-      const double a = CGAL_PI * i / rows, b = 2 * CGAL_PI * j / columns;
-      points << std::sin(a) * std::cos(b) << " " << std::sin(a) * std::sin(b) << " " << std::cos(a) << "\n";
-    }
-  points << "0 0 -1\n";
-  const int last = (rows - 1) * columns + 1;
-  for (int j = 0; j < columns; ++j) {
-    faces << "3 0 " << index(1, j) << " " << index(1, j + 1) << "\n";
-    for (int i = 1; i + 1 < rows; ++i)
-      faces << "3 " << index(i, j) << " " << index(i + 1, j) << " " << index(i + 1, j + 1) << "\n3 " << index(i, j)
-            << " " << index(i + 1, j + 1) << " " << index(i, j + 1) << "\n";
-    faces << "3 " << index(rows - 1, j) << " " << last << " " << index(rows - 1, j + 1) << "\n";
-  }
-  return "OFF\n" + std::to_string(last + 1) + " " + std::to_string(2 * (rows - 1) * columns) + " 0\n" + points.str() +
-         faces.str();
 }
 
 } // namespace tool_test

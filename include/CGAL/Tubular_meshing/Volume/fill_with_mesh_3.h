@@ -96,9 +96,9 @@ template <class Rim> struct Rim_patches_map {
 };
 
 // Mesh_3 bounds the radii of Delaunay balls, not edges: these ratios make the mean edge, on the surface and inside,
-// about h (0.9 h and 0.98 h after optimization, on tubes of 10 to 40 points a circumference).
-constexpr double facet_ball_radius = 0.82;
-constexpr double cell_ball_radius = 0.74;
+// about h (0.95 h and 1.06 h after optimization, on the vessels that were measured).
+constexpr double facet_ball_radius = 0.9;
+constexpr double cell_ball_radius = 0.81;
 constexpr double facet_angle_bound = 25; // degrees; Mesh_3 is proved to end up to 30
 constexpr double radius_edge_ratio_bound = 2;
 
@@ -146,7 +146,7 @@ void run_mesh_3(const Surface& labelled_surface, const SizingField& size, double
  *
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{facet_distance} \cgalParamDescription{how far the middle of a surface triangle may be from the
- *     surface, relative to the local mesh size} \cgalParamDefault{0.08, half again what a triangle of edge h has on a
+ *     surface, relative to the local mesh size} \cgalParamDefault{0.07, a third more than a triangle of edge h has on a
  *     tube of 20 h circumference} \cgalParamNEnd
  *   \cgalParamNBegin{number_of_threads} \cgalParamDescription{with 1 the result is reproducible; 0 takes all cores}
  *     \cgalParamDefault{0} \cgalParamNEnd
@@ -159,7 +159,7 @@ template <class TriangleMesh, class FacePatchMap, class SizingField, class Point
 void fill_with_mesh_3(const TriangleMesh& surface, FacePatchMap patch, const SizingField& size, Mixed_mesh<Point>& mesh,
                       const NamedParameters& np = CGAL::parameters::default_values()) {
   typedef Surface_mesh<Exact_predicates_inexact_constructions_kernel::Point_3> Surface;
-  const double distance = internal::choose(np, internal_np::facet_distance, 0.08);
+  const double distance = internal::choose(np, internal_np::facet_distance, 0.07);
   const int threads = internal::choose(np, internal_np::number_of_threads, 0);
 
   Surface labelled;
