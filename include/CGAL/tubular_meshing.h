@@ -54,6 +54,7 @@ template <class Point> std::string differences(const Mixed_mesh<Point>& mesh, co
  * coarse for that it is made finer, by a factor of at most two.
  *
  * \param model see make_tubular_model()
+ * \param np an optional sequence of named parameters among the ones listed below
  *
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{points_per_circumference, min_size, max_size, gradation}

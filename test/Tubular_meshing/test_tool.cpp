@@ -444,7 +444,7 @@ struct Real_model {
   double points;
   std::size_t openings, branches;
   int euler;
-  double least_gamma_tau, mean_gamma_tau, mean_gamma_T;
+  double least_gamma_tau, mean_gamma_tau, mean_gamma_T, distance;
 };
 
 std::ostream& operator<<(std::ostream& out, const Real_model& m) {
@@ -495,7 +495,7 @@ TEST_P(Real, Is_meshed_well) {
   EXPECT_GE(report["quality"]["gamma_tau"]["min"].get<double>(), model.least_gamma_tau);
   EXPECT_GE(report["quality"]["gamma_tau"]["mean"].get<double>(), model.mean_gamma_tau);
   EXPECT_GE(report["quality"]["gamma_T"]["mean"].get<double>(), model.mean_gamma_T);
-  EXPECT_LE(distance_to_mesh(file_of(model.surface), mesh), 0.004);
+  EXPECT_LE(distance_to_mesh(file_of(model.surface), mesh), model.distance);
   for (const Json& branch : report["branches"])
     if (branch["points_per_circumference"] > 0) {
       EXPECT_GE(branch["points_per_circumference"].get<double>(), 0.9 * model.points);
@@ -504,12 +504,13 @@ TEST_P(Real, Is_meshed_well) {
 }
 
 const Real_model real_models[] = {
-    {"aorta", "aorta.stl", "centerlinesAORTA.vtk", 20, 5, 7, 2, 0.21, 0.72, 0.90},
-    {"carotid", "carotid.stl", "centerlinesCAROTID.vtk", 20, 3, 3, 2, 0.18, 0.72, 0.90},
-    {"carotid_16", "carotid.stl", "centerlinesCAROTID.vtk", 16, 3, 3, 2, 0.18, 0.72, 0.90},
-    {"bypass", "bypass.stl", "centerlinesBYPASS.msh", 20, 2, 4, 0, 0.18, 0.72, 0.90},
-    {"bypass_25", "bypass.stl", "centerlinesBYPASS.msh", 25, 2, 4, 0, 0.18, 0.72, 0.90},
-    {"cerebral_10", "cerebral.stl", "centerlinesCEREBRAL.vtk", 10, 9, 15, 2, 0.15, 0.66, 0.85},
+    {"aorta", "aorta.stl", "centerlinesAORTA.vtk", 20, 5, 7, 2, 0.21, 0.72, 0.90, 0.004},
+    {"carotid", "carotid.stl", "centerlinesCAROTID.vtk", 20, 3, 3, 2, 0.18, 0.72, 0.90, 0.004},
+    {"carotid_16", "carotid.stl", "centerlinesCAROTID.vtk", 16, 3, 3, 2, 0.18, 0.72, 0.90, 0.004},
+    {"bypass", "bypass.stl", "centerlinesBYPASS.msh", 20, 2, 4, 0, 0.18, 0.72, 0.90, 0.004},
+    {"bypass_25", "bypass.stl", "centerlinesBYPASS.msh", 25, 2, 4, 0, 0.18, 0.72, 0.90, 0.004},
+    {"cerebral_10", "cerebral.stl", "centerlinesCEREBRAL.vtk", 10, 9, 15, 2, 0.15, 0.66, 0.85,
+     0.008}, // chords of ten a round
 };
 INSTANTIATE_TEST_SUITE_P(Paper, Real, ::testing::ValuesIn(real_models),
                          [](const ::testing::TestParamInfo<Real_model>& info) { return std::string(info.param.name); });

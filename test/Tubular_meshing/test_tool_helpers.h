@@ -68,7 +68,8 @@ struct Outcome {
 
 class Child_process {
 public:
-  Child_process(const std::string& program, const Arguments& arguments, const Limits& limits) {
+  Child_process(const std::string& program, const Arguments& arguments, const fs::path& directory,
+                const Limits& limits) {
     std::vector<char*> argv = {const_cast<char*>(program.c_str())};
     for (const std::string& a : arguments)
       argv.push_back(const_cast<char*>(a.c_str()));
@@ -80,7 +81,7 @@ public:
     if (id_ < 0)
       throw std::runtime_error("no process");
     if (id_ == 0)
-      become(argv.data(), limits);
+      become(argv.data(), directory.c_str(), limits);
     for (auto& pipe_ends : pipes_)
       close(pipe_ends[1]);
     deadline_ = Clock::now() + std::chrono::seconds(limits.seconds);
@@ -105,7 +106,7 @@ public:
 private:
   typedef std::chrono::steady_clock Clock;
 
-  [[noreturn]] void become(char** argv, const Limits& limits) {
+  [[noreturn]] void become(char** argv, const char* directory, const Limits& limits) {
     dup2(pipes_[0][1], STDOUT_FILENO);
     dup2(pipes_[1][1], STDERR_FILENO);
     for (auto& pipe_ends : pipes_)
@@ -115,7 +116,8 @@ private:
     if (limits.file_size != RLIM_INFINITY)
       setrlimit(RLIMIT_FSIZE, &file_size);
     setrlimit(RLIMIT_CORE, &no_core);
-    execv(argv[0], argv);
+    if (chdir(directory) == 0)
+      execv(argv[0], argv);
     _exit(127);
   }
 
@@ -234,12 +236,13 @@ public:
     return in(name);
   }
 
-  static Outcome run(const Arguments& arguments, const Limits& limits = Limits()) {
-    return Child_process(TUBULAR_MESH_TOOL, arguments, limits).wait();
+  // In the directory for output, so that any file it leaves behind there is seen.
+  Outcome run(const Arguments& arguments, const Limits& limits = Limits()) const {
+    return Child_process(TUBULAR_MESH_TOOL, arguments, output_directory(), limits).wait();
   }
 
   // A run that has to succeed.
-  static Outcome succeed(const Arguments& arguments) {
+  Outcome succeed(const Arguments& arguments) const {
     const Outcome outcome = run(arguments);
     EXPECT_EQ(outcome.status, 0) << outcome.killed_by << "\n" << outcome.err;
     EXPECT_TRUE(complaints(outcome).empty()) << outcome.err;

@@ -37,7 +37,10 @@ template <std::size_t N> struct Element_block {
   }
 };
 
-/*! Values at the points of a mesh: `components` numbers a point, point after point. */
+/*! \ingroup PkgTubularMeshingRef
+ *
+ * Values at the points of a mesh: `components` numbers a point, point after point.
+ */
 struct Point_array {
   std::string name;
   int components;

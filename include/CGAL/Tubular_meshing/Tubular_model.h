@@ -58,6 +58,7 @@ template <class Point_3_> struct Tubular_model {
  *
  * \param surface the tree's surface, open at its ends or closed by flat caps
  * \param lines its centerlines, as read by IO::read_centerlines()
+ * \param np an optional sequence of named parameters among the ones listed below
  *
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{inlet} \cgalParamDescription{a `Point_3`: the nearest opening is the inlet}

@@ -21,28 +21,40 @@ public:
       : std::runtime_error(sentence) {}
 };
 
-/*! The input cannot be read, or cannot be used: a broken file, a surface or centerlines that do not fit together. */
+/*! \ingroup PkgTubularMeshingRef
+ *
+ * The input cannot be read, or cannot be used: a broken file, a surface or centerlines that do not fit together.
+ */
 class Input_error : public Error {
 public:
   explicit Input_error(const std::string& sentence)
       : Error(sentence) {}
 };
 
-/*! An option has a value outside its documented range. */
+/*! \ingroup PkgTubularMeshingRef
+ *
+ * An option has a value outside its documented range.
+ */
 class Parameter_error : public Error {
 public:
   explicit Parameter_error(const std::string& sentence)
       : Error(sentence) {}
 };
 
-/*! The input is usable, but no valid mesh came out of it. */
+/*! \ingroup PkgTubularMeshingRef
+ *
+ * The input is usable, but no valid mesh came out of it.
+ */
 class Meshing_error : public Error {
 public:
   explicit Meshing_error(const std::string& sentence)
       : Error(sentence) {}
 };
 
-/*! A file cannot be written. The file that was there before, if any, is as it was. */
+/*! \ingroup PkgTubularMeshingRef
+ *
+ * A file cannot be written. The file that was there before, if any, is as it was.
+ */
 class Output_error : public Error {
 public:
   explicit Output_error(const std::string& sentence)

@@ -34,10 +34,12 @@ constexpr int of_opening(int i) {
 
 } // namespace labels
 
-/*! From label to name, e.g. 2 → "inlet". */
+/*! \ingroup PkgTubularMeshingRef
+ * From label to name, e.g. 2 → "inlet". */
 typedef std::map<int, std::string> Label_names;
 
-/*! The names of the lumen's patches for a number of openings: wall, inlet, outlet_1, outlet_2, … */
+/*! \ingroup PkgTubularMeshingRef
+ * The names of the lumen's patches for a number of openings: wall, inlet, outlet_1, outlet_2, … */
 inline Label_names lumen_patch_names(int number_of_openings) {
   Label_names names = {{labels::wall, "wall"}};
   for (int i = 0; i < number_of_openings; ++i)

@@ -43,7 +43,10 @@ struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base> {
 #undef CGAL_TUBULAR_MESHING_PARAMETER
 };
 
-/*! The named parameters of the package as free functions, to start a chain with. */
+/*! \ingroup PkgTubularMeshingRef
+ *
+ * The named parameters of the package as free functions, to start a chain with.
+ */
 namespace parameters {
 
 #define CGAL_TUBULAR_MESHING_PARAMETER(name)                                                                           \

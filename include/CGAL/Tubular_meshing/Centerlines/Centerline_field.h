@@ -83,8 +83,7 @@ public:
   Descriptors descriptors(const Point_3& x) const { return descriptors(locate(internal::to_double_point(x))); }
 
   /*! The triad axis at `x`. e_t is interpolated along the branch; e_n is x − x_c made perpendicular to e_t, and on the
-   * centerline itself a normal that turns as little as possible along the tree (Wang, Jüttler, Zheng and Liu,
-   * Computation of rotation minimizing frames, ACM Trans. Graph. 27 (2008)). */
+   * centerline itself a normal that turns as little as possible along the tree \cgalCite{wang2008}. */
   Frame frame(const Point_3& x) const {
     const Double_point q = internal::to_double_point(x);
     return frame(q, locate(q));

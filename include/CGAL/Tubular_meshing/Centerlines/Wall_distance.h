@@ -36,6 +36,7 @@ public:
   typedef Point_3_ Point_3;
 
   /*! The distance to all faces of a triangle mesh.
+   * \param mesh a triangle mesh
    * \param np CGAL's `vertex_point_map`
    * \throws Input_error if there are no faces */
   template <class TriangleMesh, class NamedParameters = CGAL::parameters::Default_named_parameters>
@@ -45,7 +46,10 @@ public:
   }
 
   /*! The distance to the faces whose value in `patches` is `patch` (`labels::wall`, as a rule).
+   * \param mesh a triangle mesh
    * \param patches a readable property map from face descriptor to integer
+   * \param patch the label of the faces that count
+   * \param np CGAL's `vertex_point_map`
    * \throws Input_error if there is no such face */
   template <class TriangleMesh, class PatchMap, class NamedParameters = CGAL::parameters::Default_named_parameters>
   Wall_distance(const TriangleMesh& mesh, const PatchMap& patches, int patch,

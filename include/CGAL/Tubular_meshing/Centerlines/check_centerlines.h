@@ -56,6 +56,7 @@ template <class Point_3> std::vector<Point_3> evenly_spaced_points(const Centerl
  * all of it must: centerlines of a surface with flow extensions run out of the openings.) 256 points are tried, each in
  * O(log n).
  *
+ * \param graph the centerlines
  * \param surface a closed triangle mesh
  * \throws Input_error, with both bounding boxes, if none, or less than half, of the centerlines is inside
  */

@@ -44,6 +44,7 @@ public:
   /*!
    * \param centerlines descriptors of the centerlines
    * \param wall the lumen's wall, without its caps
+   * \param np an optional sequence of named parameters among the ones listed below
    *
    * \cgalNamedParamsBegin
    *   \cgalParamNBegin{points_per_circumference} \cgalParamDescription{N; at least 3} \cgalParamDefault{20}

@@ -25,7 +25,7 @@ namespace Tubular_meshing {
  * outside, in the unit of the skeleton.
  *
  * Along one branch it is d - r: the distance from the nearest point of the branch minus the radius there. Branches are
- * united by a polynomial smooth minimum (I. Quílez, Smooth minimum, 2013), whose blending width is half the smaller
+ * united by a polynomial smooth minimum \cgalCite{quilez2013}, whose blending width is half the smaller
  * radius times 1 - cos(a), where a is the angle between the branches' gradients: creases become fillets, and where
  * branches continue each other smoothly, or only one is near, the function is *exactly* d - r. Ends are half balls.
  *

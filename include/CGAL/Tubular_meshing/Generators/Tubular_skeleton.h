@@ -89,6 +89,7 @@ template <class Point_3_> struct Tubular_skeleton {
   }
 
   /*! Adds a branch along a curve, cut into equal parameter steps of about a quarter of the radius.
+   * \param source, target nodes
    * \param curve from [0, 1] to points; its ends are the two nodes
    * \param radius from [0, 1] to radii */
   template <class Curve, class Radius>

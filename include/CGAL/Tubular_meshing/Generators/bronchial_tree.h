@@ -180,9 +180,9 @@ private:
 
 /*! \ingroup PkgTubularMeshingRef
  *
- * A bronchial tree after Weibel: each branch divides into two, radii and lengths shrink by 2^(-1/3) a generation, and
- * planes of bifurcation turn. The radius of the trachea is 9. Branches that do not share a node keep a third of their
- * diameters apart or more.
+ * A bronchial tree after Weibel \cgalCite{weibel1963}: each branch divides into two, radii and lengths shrink by
+ * 2^(-1/3) a generation, and planes of bifurcation turn. The radius of the trachea is 9. Branches that do not share a
+ * node keep a third of their diameters apart or more.
  *
  * \param number_of_branches odd, as each bifurcation adds two; generation after generation is filled, so that
  *        2^(g+1) - 1 branches are g + 1 complete generations (305: eight of them and a part of the ninth), up to some

@@ -45,7 +45,8 @@ struct Smooth_taper {
 
 } // namespace internal
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \addtogroup PkgTubularMeshingRef
+ * @{
  * \name Ready-made skeletons
  * Lengths are in millimetres where they are not given: nothing in the package depends on it.
  * \{ */
@@ -168,6 +169,7 @@ template <class Point_3> Tubular_skeleton<Point_3> willis_loop() {
 }
 
 /*! \} */
+/*! @} */
 
 } // namespace Tubular_meshing
 } // namespace CGAL

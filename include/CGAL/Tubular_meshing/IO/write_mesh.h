@@ -81,13 +81,13 @@ void write_mesh(Output_file& file, const Mixed_mesh<Point>& mesh,
  *
  * writes a mesh with its labels, names and point arrays, in the format that the extension of the file names.
  *
- * | extension | volume cells and boundary facets | names | point arrays |
- * |---|---|---|---|
- * | .vtu | all in one file; cell arrays `region` (0 on facets) and `patch` (0 on cells) | field data: for each name an
- * array of pairs (label, dimension), dimension 3 for regions, 2 for patches | point data | | .msh | physical groups,
- * dimension 3 for regions and 2 for patches | of the groups | node data; of 1, 3, 6 (written as 9) or 9 components only
- * | | .mesh | references | comments `# region 1 lumen`, `# patch 2 inlet` | `metric` (6 components) as a .sol file of
- * the same name; no others |
+ * - `.vtu`: volume cells and boundary facets in one file, with cell arrays `region` (0 on facets) and `patch` (0 on
+ *   cells). Names are field data: for each an array of pairs (label, dimension), the dimension being 3 for regions and
+ *   2 for patches. Point arrays are point data.
+ * - `.msh`: physical groups with their names, dimension 3 for regions and 2 for patches. Point arrays of 1, 3, 6
+ *   (written as 9) or 9 components are node data; others are not written.
+ * - `.mesh`: labels are references, names are comments (`# region 1 lumen`, `# patch 2 inlet`). The point array
+ *   `metric` of 6 components becomes a `.sol` file of the same name; others are not written.
  *
  * .vtu files are compressed with zlib, .msh files binary in format 4.1 and ASCII in format 2.2, .mesh files ASCII.
  * Coordinates are kept to the last bit. The file is written whole or not at all; a file that was there is replaced.

@@ -115,7 +115,8 @@ std::vector<Opening_site<Point>> sites_of(const std::vector<Opening<Point>>& ope
  *   collected; property maps are, with default values for new elements.
  * \param openings what find_openings() has returned for this surface
  * \param patch a writable property map from face to int: labels::wall, or the label of the face's opening
- * \param np for later options; none at present
+ *
+ * The fourth parameter is for later options; there is none at present.
  *
  * \throws Input_error as find_openings() does, and if the openings are not those of the surface
  * \throws Meshing_error if an opening cannot be closed without folding the wall. The surface is then partly closed.

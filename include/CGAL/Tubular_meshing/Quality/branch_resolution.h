@@ -26,7 +26,8 @@ namespace Tubular_meshing {
  * parameter `points_per_circumference` asks for.
  *
  * \param mesh a mesh with triangles of patch labels::wall
- * \param centerlines the field of a graph with `number_of_branches` branches
+ * \param centerlines the field of the graph
+ * \param number_of_branches of that graph
  *
  * O(n log n).
  */

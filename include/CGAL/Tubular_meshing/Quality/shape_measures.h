@@ -12,7 +12,8 @@
 namespace CGAL {
 namespace Tubular_meshing {
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \addtogroup PkgTubularMeshingRef
+ * @{
  * \name Shape measures of single elements
  *
  * The measures by which the paper judges its meshes, eq. (12)-(17). Points are of any type with `x()`, `y()`, `z()`
@@ -63,6 +64,7 @@ double metric_length(const Point& p, const Point& q, const std::array<double, 6>
 }
 
 ///@}
+/*! @} */
 
 } // namespace Tubular_meshing
 } // namespace CGAL

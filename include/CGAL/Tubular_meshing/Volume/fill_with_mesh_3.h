@@ -143,6 +143,7 @@ void run_mesh_3(const Surface& labelled_surface, const SizingField& size, double
  *   each other.
  * \param size a model of `MeshDomainField_3`: the wanted length of edges. Must outlive the call only.
  * \param mesh is replaced: tetrahedra of region labels::lumen, and all boundary triangles
+ * \param np an optional sequence of named parameters among the ones listed below
  *
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{facet_distance} \cgalParamDescription{how far the middle of a surface triangle may be from the

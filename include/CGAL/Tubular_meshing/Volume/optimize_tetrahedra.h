@@ -33,6 +33,7 @@ namespace Tubular_meshing {
  * \param mesh tetrahedra, positively oriented, and all their boundary triangles, labelled
  * \param surface the closed triangulated surface that the mesh approximates
  * \param patch the labels of its faces: those of the mesh's triangles
+ * \param np an optional sequence of named parameters among the ones listed below
  *
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{optimization_passes} \cgalParamDescription{number of rounds} \cgalParamDefault{3} \cgalParamNEnd

@@ -20,7 +20,9 @@ namespace CGAL {
 namespace Tubular_meshing {
 namespace IO {
 
-/*! A file that is written whole or not at all.
+/*! \ingroup PkgTubularMeshingRef
+ *
+ * A file that is written whole or not at all.
  *
  * What is written goes into a temporary file in the same directory; commit() gives it its name, over a file that was
  * there before. Without commit(), the destructor removes the temporary, and the file that was there is as it was. A
@@ -169,7 +171,8 @@ private:
   std::vector<std::unique_ptr<Output_file>> companions_;
 };
 
-/*! Throws Output_error if the file cannot be created or replaced: to learn it before hours of work, not after. Leaves
+/*! \ingroup PkgTubularMeshingRef
+ * Throws Output_error if the file cannot be created or replaced: to learn it before hours of work, not after. Leaves
  * no trace. Devices and pipes pass. */
 inline void check_writable(const std::string& file) {
   namespace fs = std::filesystem;

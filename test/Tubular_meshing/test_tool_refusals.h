@@ -1,0 +1,267 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef TUBULAR_MESHING_TEST_TOOL_REFUSALS_H
+#define TUBULAR_MESHING_TEST_TOOL_REFUSALS_H
+
+// What the command-line tool has to refuse: files that nobody can mesh, and command lines that nobody can obey.
+
+#include "test_tool_helpers.h"
+
+#include <CGAL/boost/graph/copy_face_graph.h>
+
+#include <cmath>
+#include <ostream>
+
+namespace tool_test {
+
+// --- the files, all in the test's directory for input ---
+
+inline std::string first_part(const std::string& bytes, double share) {
+  return bytes.substr(0, std::size_t(share * double(bytes.size())));
+}
+
+inline std::string replaced(std::string bytes, std::size_t at, const std::string& by) {
+  return bytes.replace(at, by.size(), by);
+}
+
+inline std::string one_facet(const std::string& x) {
+  return "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex " + x +
+         " 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid s\n";
+}
+
+inline std::string two_points(const std::string& z) {
+  return "# vtk DataFile Version 3.0\nc\nASCII\nDATASET POLYDATA\nPOINTS 2 double\n0 0 0 0 0 " + z +
+         "\nLINES 1 3\n2 0 1\n";
+}
+
+// A closed surface without a flat place.
+inline std::string sphere_off() {
+  const int rows = 24, columns = 32;
+  std::ostringstream points, faces;
+  const auto index = [&](int i, int j) { return 1 + (i - 1) * columns + j % columns; };
+  points << "0 0 1\n";
+  for (int i = 1; i < rows; ++i)
+    for (int j = 0; j < columns; ++j) {
+      const double a = CGAL_PI * i / rows, b = 2 * CGAL_PI * j / columns;
+      points << std::sin(a) * std::cos(b) << " " << std::sin(a) * std::sin(b) << " " << std::cos(a) << "\n";
+    }
+  points << "0 0 -1\n";
+  const int last = (rows - 1) * columns + 1;
+  for (int j = 0; j < columns; ++j) {
+    faces << "3 0 " << index(1, j) << " " << index(1, j + 1) << "\n";
+    for (int i = 1; i + 1 < rows; ++i)
+      faces << "3 " << index(i, j) << " " << index(i + 1, j) << " " << index(i + 1, j + 1) << "\n3 " << index(i, j)
+            << " " << index(i + 1, j + 1) << " " << index(i, j + 1) << "\n";
+    faces << "3 " << index(rows - 1, j) << " " << last << " " << index(rows - 1, j + 1) << "\n";
+  }
+  return "OFF\n" + std::to_string(last + 1) + " " + std::to_string(2 * (rows - 1) * columns) + " 0\n" + points.str() +
+         faces.str();
+}
+
+// Two tubes side by side: apart, or each in the other's wall.
+inline Sample two_tubes(double distance) {
+  Sample s = tube();
+  const Kernel::Vector_3 by(distance, 0, 0);
+  const Sample other = transformed(s, [&](const Point& p) { return p + by; });
+  CGAL::copy_face_graph(other.surface, s.surface);
+  for (const auto& line : other.lines.lines) {
+    s.lines.lines.emplace_back();
+    for (std::size_t i : line) {
+      s.lines.lines.back().push_back(s.lines.points.size());
+      s.lines.points.push_back(other.lines.points[i]);
+    }
+  }
+  s.lines.radius.clear();
+  return s;
+}
+
+// A tube with a point of its wall pulled through the wall across.
+inline Surface spiked_tube() {
+  Surface surface = tube().surface;
+  for (auto v : surface.vertices())
+    if (std::abs(surface.point(v).z() - 3) < 0.5 && surface.point(v).x() > 0.9) {
+      surface.point(v) = Point(-2, 0, 3);
+      break;
+    }
+  return surface;
+}
+
+inline void make_bad_surfaces(const Tool& t, const Sample& good) {
+  const std::string stl = bytes_of(t.make("good.stl", good.surface)), off = bytes_of(t.in("tube.off"));
+  const std::string vtp = bytes_of(t.make("good.vtp", good.surface));
+  t.make("empty.stl", "");
+  t.make("letter.stl", "Dear reader,\nthis is a letter, not a surface.\n");
+  t.make("surface.docx", off);
+  t.make("cut.stl", first_part(stl, 0.6));
+  t.make("no_triangles.stl", replaced(stl, 80, std::string(4, '\0')).substr(0, 84));
+  t.make("half_a_header.stl", stl.substr(0, 40));
+  t.make("four_billion.stl", replaced(stl, 80, "\xff\xff\xff\xff"));
+  t.make("nan_in_binary.stl", replaced(stl, 84 + 50 * 7 + 12, std::string("\x00\x00\xc0\x7f", 4)));
+  t.make("cut_ascii.stl", one_facet("1").substr(0, 70));
+  t.make("nan.stl", one_facet("nan"));
+  t.make("infinity.stl", one_facet("-inf"));
+  t.make("one_triangle.stl", one_facet("1"));
+  t.make("cut.off", first_part(off, 0.8));
+  t.make("wrong_index.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n");
+  t.make("one_point.off", "OFF\n3 1 0\n1 1 1\n1 1 1\n1 1 1\n3 0 1 2\n");
+  t.make("cut.vtp", first_part(vtp, 0.7));
+  t.make("lines.vtp", good.lines);
+  t.make("sphere.off", sphere_off());
+  t.make("spiked.off", spiked_tube());
+  t.make("overlapping.off", two_tubes(1.2).surface);
+  t.make("overlapping.vtk", two_tubes(1.2).lines);
+  t.make("two.off", two_tubes(4).surface);
+  t.make("two.vtk", two_tubes(4).lines);
+  fs::create_directory(t.in("folder.stl"));
+}
+
+inline void make_bad_centerlines(const Tool& t, const Sample& good) {
+  const auto moved = [&](double scale, const Kernel::Vector_3& by) {
+    return transformed(good, [&](const Point& p) { return CGAL::ORIGIN + scale * (p - CGAL::ORIGIN) + by; }).lines;
+  };
+  t.make("empty.vtp", "");
+  t.make("letter.vtk", "Dear reader,\nthis is a letter.\n");
+  t.make("cut.vtk", first_part(bytes_of(t.in("lines.vtk")), 0.5));
+  t.make("nan.vtk", two_points("nan"));
+  t.make("one_place.vtk", two_points("0"));
+  t.make("far_away.vtk", moved(1, {1000, 0, 0}));
+  t.make("beside.vtk", moved(1, {4, 0, 0}));
+  t.make("larger.vtk", moved(1000, {0, 50, 0}));
+  t.make("smaller.vtk", moved(1e-3, {0, 0, -1}));
+}
+
+// --- the command lines ---
+
+enum Exit_status { usage = 2, input = 3, meshing = 4 };
+
+/* A run that has to be refused: with what status, what its sentence has to mention, and how the tool is called, where
+ * IN/ and OUT/ stand for the test's directories, and '' for an empty argument. */
+struct Refusal {
+  const char* name;
+  Exit_status status;
+  Arguments mentioned;
+  std::string command_line;
+};
+
+inline std::ostream& operator<<(std::ostream& out, const Refusal& r) {
+  return out << r.name; // ctest's name of the test
+}
+
+inline Arguments arguments_of(const Refusal& refusal, const Tool& t) {
+  Arguments arguments;
+  std::istringstream words(refusal.command_line);
+  for (std::string word; words >> word; arguments.push_back(word))
+    if (word == "''")
+      word.clear();
+    else if (word.compare(0, 3, "IN/") == 0)
+      word = t.in(word.substr(3));
+    else if (word.compare(0, 4, "OUT/") == 0)
+      word = t.out(word.substr(4));
+  return arguments;
+}
+
+inline std::string with(const std::string& options) {
+  return "IN/tube.off -c IN/lines.vtk -o OUT/mesh.vtu " + options;
+}
+inline std::string on(const std::string& surface) {
+  return "IN/" + surface + " -c IN/lines.vtk -o OUT/mesh.vtu";
+}
+inline std::string along(const std::string& centerlines) {
+  return "IN/tube.off -c IN/" + centerlines + " -o OUT/mesh.vtu";
+}
+inline std::string to(const std::string& mesh) {
+  return "IN/tube.off -c IN/lines.vtk -o " + mesh;
+}
+
+inline std::vector<Refusal> usage_errors() {
+  return {
+      {"No_arguments", usage, {"surface"}, ""},
+      {"No_centerlines", usage, {"--centerlines"}, "IN/tube.off -o OUT/mesh.vtu"},
+      {"No_output", usage, {"--output"}, "IN/tube.off -c IN/lines.vtk"},
+      {"Unknown_option", usage, {"--colour"}, with("--colour")},
+      {"Two_surfaces", usage, {"b.stl"}, with("b.stl")},
+      {"No_points", usage, {"-points"}, with("-n 0")},
+      {"Negative_points", usage, {"-points"}, with("-n -20")},
+      {"Points_in_letters", usage, {"-points", "abc"}, with("-n abc")},
+      {"Points_and_letters", usage, {"-points", "20mm"}, with("-n 20mm")},
+      {"Points_not_a_number", usage, {"points"}, with("-n nan")},
+      {"Number_missing", usage, {"-points"}, with("-n")},
+      {"Negative_size", usage, {"--min-size"}, with("--min-size -1")},
+      {"Size_zero", usage, {"--max-size"}, with("--max-size 0")},
+      {"Size_not_a_number", usage, {"size"}, with("--max-size nan")},
+      {"Sizes_reversed", usage, {"--min-size", "--max-size"}, with("--min-size 0.5 --max-size 0.4")},
+      {"Gradation_below_one", usage, {"--gradation"}, with("--gradation 0.9")},
+      {"Inlet_of_two_numbers", usage, {"--inlet"}, with("--inlet 1,2")},
+      {"Inlet_not_a_number", usage, {"inlet"}, with("--inlet nan,0,0")},
+      {"Negative_threads", usage, {"--threads"}, with("--threads -1")},
+      {"Quiet_and_verbose", usage, {"--quiet"}, with("-q -v")},
+      {"Type_anisotropic", usage, {"anisotropic", "isotropic ones"}, with("-t anisotropic")},
+      {"Type_mixed", usage, {"mixed", "isotropic ones"}, with("--type mixed")},
+      {"Type_unknown", usage, {"cubic", "isotropic"}, with("-t cubic")},
+      {"Output_of_unknown_format", usage, {"mesh.stl", ".vtu"}, to("OUT/mesh.stl")},
+      {"Output_without_format", usage, {"out/mesh", ".vtu"}, to("OUT/mesh")},
+      {"Output_without_name", usage, {".vtu"}, to("''")},
+      {"Output_in_missing_directory", usage, {"nowhere/mesh.vtu"}, to("OUT/nowhere/mesh.vtu")},
+      {"Output_is_a_directory", usage, {"folder.vtu"}, to("OUT/folder.vtu")},
+      {"Output_below_a_file", usage, {"file/mesh.vtu"}, to("OUT/file/mesh.vtu")},
+      {"Report_in_missing_directory", usage, {"nowhere/r.json"}, with("--report OUT/nowhere/r.json")},
+      {"Surface_in_missing_directory", usage, {"nowhere/s.vtp"}, with("--write-surface OUT/nowhere/s.vtp")},
+      {"Surface_of_unknown_format", usage, {"s.xyz", ".vtp"}, with("--write-surface OUT/s.xyz")},
+      {"Centerlines_of_unknown_format", usage, {"c.stl", ".vtp"}, with("--write-centerlines OUT/c.stl")},
+      {"Output_named_twice", usage, {"a.vtp"}, with("--write-surface OUT/a.vtp --write-centerlines OUT/a.vtp")},
+      {"Output_spelled_twice", usage, {"a.vtp"}, with("--write-surface OUT/a.vtp --write-centerlines OUT/./a.vtp")},
+      {"Output_over_the_surface", usage, {"tube.off"}, with("--write-surface IN/tube.off")},
+      {"Output_over_the_surface_respelled", usage, {"tube.off"}, with("--write-surface IN/./tube.off")},
+  };
+}
+
+inline std::vector<Refusal> file_errors() {
+  return {
+      {"Missing_surface", input, {"absent.stl"}, on("absent.stl")},
+      {"Empty_surface", input, {"empty.stl", "empty"}, on("empty.stl")},
+      {"Directory_as_surface", input, {"folder.stl"}, on("folder.stl")},
+      {"Text_as_surface", input, {"letter.stl"}, on("letter.stl")},
+      {"Surface_of_unknown_format", input, {"surface.docx", ".stl"}, on("surface.docx")},
+      {"Binary_STL_cut_off", input, {"cut.stl"}, on("cut.stl")},
+      {"Binary_STL_without_triangles", input, {"no_triangles.stl"}, on("no_triangles.stl")},
+      {"Binary_STL_cut_off_in_its_header", input, {"half_a_header.stl"}, on("half_a_header.stl")},
+      {"Binary_STL_of_four_billion_triangles", input, {"four_billion.stl"}, on("four_billion.stl")},
+      {"NaN_in_binary_STL", input, {"nan_in_binary.stl", "not a finite number"}, on("nan_in_binary.stl")},
+      {"ASCII_STL_cut_off", input, {"cut_ascii.stl"}, on("cut_ascii.stl")},
+      {"NaN_in_STL", input, {"nan.stl", "vertex 1", "not a finite number"}, on("nan.stl")},
+      {"Infinity_in_STL", input, {"infinity.stl", "vertex 1", "not a finite number"}, on("infinity.stl")},
+      {"OFF_cut_off", input, {"cut.off"}, on("cut.off")},
+      {"OFF_with_wrong_index", input, {"wrong_index.off"}, on("wrong_index.off")},
+      {"VTP_cut_off", input, {"cut.vtp"}, on("cut.vtp")},
+      {"Surface_of_one_triangle", input, {}, on("one_triangle.stl")},
+      {"Surface_of_one_point", input, {"one_point.off"}, on("one_point.off")},
+      {"Centerlines_as_surface", input, {"lines.vtp"}, on("lines.vtp")},
+      {"Missing_centerlines", input, {"absent.vtk"}, along("absent.vtk")},
+      {"Empty_centerlines", input, {"empty.vtp", "empty"}, along("empty.vtp")},
+      {"Directory_as_centerlines", input, {"folder.stl"}, along("folder.stl")},
+      {"Text_as_centerlines", input, {"letter.vtk"}, along("letter.vtk")},
+      {"Centerlines_cut_off", input, {"cut.vtk"}, along("cut.vtk")},
+      {"Surface_as_centerlines", input, {"good.vtp", "line"}, along("good.vtp")},
+      {"STL_as_centerlines", input, {"good.stl"}, along("good.stl")},
+      {"NaN_in_centerlines", input, {"nan.vtk", "not a finite number"}, along("nan.vtk")},
+  };
+}
+
+inline std::vector<Refusal> geometry_errors() {
+  return {
+      {"Surface_without_openings", input, {"closed", "flat"}, on("sphere.off")},
+      {"Surface_that_passes_through_itself", input, {"surface", "intersect"}, on("spiked.off")},
+      {"Surfaces_that_overlap", input, {"surface"}, "IN/overlapping.off -c IN/overlapping.vtk -o OUT/mesh.vtu"},
+      {"Surface_in_two_pieces", input, {"pieces"}, "IN/two.off -c IN/two.vtk -o OUT/mesh.vtu"},
+      {"Centerlines_far_away", input, {"centerlines", "surface"}, along("far_away.vtk")},
+      {"Centerlines_beside_the_surface", input, {"centerlines", "surface"}, along("beside.vtk")},
+      {"Centerlines_in_larger_units", input, {"centerlines", "unit"}, along("larger.vtk")},
+      {"Centerlines_in_smaller_units", input, {"centerlines", "unit"}, along("smaller.vtk")},
+      {"Centerlines_without_length", input, {"centerlines"}, along("one_place.vtk")},
+  };
+}
+
+} // namespace tool_test
+
+#endif // TUBULAR_MESHING_TEST_TOOL_REFUSALS_H
