@@ -16,13 +16,16 @@
 #include <CGAL/Tubular_meshing/IO/write_surface.h>
 #include <CGAL/tubular_meshing.h>
 
+#include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <memory>
 #include <new>
 #include <set>
 #include <string>
+#include <system_error>
 #include <vector>
 
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
@@ -43,14 +46,27 @@ void check(const Options& o) {
                                    " are not part of this version; it makes isotropic ones.");
   if (o.type != "isotropic")
     throw tubular::Parameter_error("There is no type of mesh named \"" + o.type + "\"; the types are: isotropic.");
+  for (double x : o.inlet)
+    if (!std::isfinite(x))
+      throw tubular::Parameter_error("The coordinates of --inlet have to be finite numbers.");
   if (o.min_size > o.max_size)
     throw tubular::Parameter_error("--min-size is larger than --max-size.");
   if (!tubular::IO::is_supported_mesh_format(o.output))
     throw tubular::Parameter_error("The mesh cannot be written to \"" + o.output +
                                    "\": give a .vtu, .msh or .mesh file.");
-  std::set<std::string> files = {o.surface, o.centerlines};
+  if (!o.surface_output.empty() && !tubular::IO::is_supported_surface_format(o.surface_output))
+    throw tubular::Parameter_error("The surface cannot be written to \"" + o.surface_output +
+                                   "\": give a .vtp, .stl, .off, .obj or .ply file.");
+  if (!o.centerlines_output.empty() && !tubular::IO::is_supported_centerlines_format(o.centerlines_output))
+    throw tubular::Parameter_error("The centerlines cannot be written to \"" + o.centerlines_output +
+                                   "\": give a .vtp or .vtk file.");
+  const auto same_file = [](const std::string& f) {
+    std::error_code ignored;
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(f), ignored).string();
+  };
+  std::set<std::string> files = {same_file(o.surface), same_file(o.centerlines)};
   for (const std::string& f : o.outputs())
-    if (!files.insert(f).second)
+    if (!files.insert(same_file(f)).second)
       throw tubular::Parameter_error("The file \"" + f + "\" is named twice; an output needs a name of its own.");
   try {
     for (const std::string& f : o.outputs())
@@ -114,8 +130,11 @@ void run(const Options& o) {
   run_report::Json report = run_report::make(o, version, model, mesh);
   clock.begin("write");
   write(o, model, mesh, report, clock);
-  if (!o.quiet)
+  if (!o.quiet) {
     run_report::print(report, o.verbose);
+    if (std::fflush(stdout) != 0)
+      throw tubular::Output_error("The summary cannot be printed; the files are written.");
+  }
 }
 
 int fail(const std::string& sentence, Exit_status status) {
@@ -126,7 +145,9 @@ int fail(const std::string& sentence, Exit_status status) {
 } // namespace
 
 int main(int argc, char* argv[]) {
-  std::signal(SIGXFSZ, SIG_IGN); // a file too large is an error to report, not a reason to be killed
+  // a file too large, a reader gone: errors to report, not reasons to be killed
+  std::signal(SIGXFSZ, SIG_IGN);
+  std::signal(SIGPIPE, SIG_IGN);
   CLI::App app;
   Options options;
   declare_options(app, options, std::string("tubular_mesh ") + version);

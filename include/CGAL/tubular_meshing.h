@@ -14,6 +14,9 @@
 #include <CGAL/Tubular_meshing/exceptions.h>
 #include <CGAL/Tubular_meshing/parameters.h>
 
+#include <unistd.h>
+
+#include <cstddef>
 #include <set>
 #include <string>
 
@@ -40,6 +43,15 @@ template <class Point> std::string differences(const Mixed_mesh<Point>& mesh, co
     if (patches.count(opening.patch) == 0)
       add("no facets on " + lumen_patch_names(int(model.openings.size())).at(opening.patch));
   return s;
+}
+
+// Mesh_3 takes about a kilobyte for each tetrahedron; the machine's memory is the limit, not what happens to be free.
+inline void check_memory(double tetrahedra) {
+  const double needed = 1000 * tetrahedra;
+  const double there = double(sysconf(_SC_PHYS_PAGES)) * double(sysconf(_SC_PAGE_SIZE));
+  if (needed > there)
+    throw Meshing_error("A mesh this fine would have about " + std::to_string((long long)(tetrahedra / 1e6)) +
+                        " million tetrahedra, more than the memory of this machine holds: make it coarser.");
 }
 
 } // namespace internal
@@ -70,7 +82,7 @@ template <class Point> std::string differences(const Mixed_mesh<Point>& mesh, co
  * O(n log n) in the size of the result.
  *
  * \throws Parameter_error if a parameter is out of its range
- * \throws Meshing_error if no valid mesh comes out
+ * \throws Meshing_error if no valid mesh comes out, or the mesh would not fit into memory
  */
 template <class Point_3, class NamedParameters = CGAL::parameters::Default_named_parameters>
 Mixed_mesh<Point_3> make_isotropic_mesh(const Tubular_model<Point_3>& model,
@@ -83,6 +95,7 @@ Mixed_mesh<Point_3> make_isotropic_mesh(const Tubular_model<Point_3>& model,
   observer("size field");
   const Sizing_field size(Centerline_field<Point_3>(model.centerlines),
                           Wall_distance<Point_3>(model.surface, model.patch, labels::wall), np);
+  internal::check_memory(size.estimated_number_of_tetrahedra());
   Mixed_mesh<Point_3> mesh;
   std::string differences;
   for (double factor : {1., 0.7, 0.5}) {

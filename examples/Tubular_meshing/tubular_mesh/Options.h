@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 
 #include <limits>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,23 @@ struct Options {
   }
 };
 
+// A number between bounds; unlike CLI::Range it refuses NaN, and says it in a few words.
+inline CLI::Validator in_range(double least, double most) {
+  const auto check = [=](std::string& text) {
+    double x = 0;
+    if (CLI::detail::lexical_cast(text, x) && x >= least && x <= most)
+      return std::string();
+    std::ostringstream error;
+    error << text << " is not ";
+    if (most >= (std::numeric_limits<double>::max)())
+      error << "a number " << (least > 0 ? "above 0" : "of 0 or more");
+    else
+      error << "a number from " << least << " to " << most;
+    return error.str();
+  };
+  return CLI::Validator(check, "");
+}
+
 inline void declare_options(CLI::App& app, Options& o, const std::string& version) {
   app.description("Makes a tetrahedral mesh of a vessel or airway tree from its triangulated surface and its "
                   "centerlines.\nLengths are in the unit of the surface.");
@@ -42,12 +60,14 @@ inline void declare_options(CLI::App& app, Options& o, const std::string& versio
   app.add_option("-n,--points-per-circumference", o.points_per_circumference,
                  "mesh size h = 2 pi r / N, r the local radius")
       ->capture_default_str()
-      ->check(CLI::Range(3., 1e4));
-  app.add_option("--min-size", o.min_size, "smallest mesh size")->check(CLI::NonNegativeNumber);
-  app.add_option("--max-size", o.max_size, "largest mesh size")->check(CLI::PositiveNumber);
+      ->check(in_range(3, 1e4));
+  app.add_option("--min-size", o.min_size, "smallest mesh size")
+      ->check(in_range(0, (std::numeric_limits<double>::max)()));
+  app.add_option("--max-size", o.max_size, "largest mesh size")
+      ->check(in_range((std::numeric_limits<double>::min)(), (std::numeric_limits<double>::max)()));
   app.add_option("--gradation", o.gradation, "largest ratio of the sizes of neighbours")
       ->capture_default_str()
-      ->check(CLI::Range(1., 1e4));
+      ->check(in_range(1, 1e4));
   app.add_option("--inlet", o.inlet,
                  "X,Y,Z: the opening nearest to this point is the inlet (default: the one at the "
                  "centerlines' common start, else the largest)")

@@ -37,7 +37,8 @@ template <class Point> Json vector_of(const Point& p) {
   return {p.x(), p.y(), p.z()};
 }
 
-template <class Point> Json openings(const tubular::Tubular_model<Point>& model, const tubular::Mixed_mesh<Point>& mesh) {
+template <class Point>
+Json openings(const tubular::Tubular_model<Point>& model, const tubular::Mixed_mesh<Point>& mesh) {
   std::map<int, std::size_t> triangles;
   for (int label : mesh.triangles.label)
     ++triangles[label];
@@ -51,14 +52,14 @@ template <class Point> Json openings(const tubular::Tubular_model<Point>& model,
                   {"perimeter", o.perimeter},
                   {"radius", o.radius},
                   {"triangles", triangles[o.patch]}};
-    if (o.branch != tubular::Opening<Point>::no_branch)
-      entry["branch"] = o.branch;
+    entry["branch"] = o.branch == tubular::Opening<Point>::no_branch ? Json() : Json(o.branch);
     list.push_back(entry);
   }
   return list;
 }
 
-template <class Point> Json branches(const tubular::Tubular_model<Point>& model, const tubular::Mixed_mesh<Point>& mesh) {
+template <class Point>
+Json branches(const tubular::Tubular_model<Point>& model, const tubular::Mixed_mesh<Point>& mesh) {
   const auto& graph = model.centerlines;
   const std::vector<double> points =
       tubular::points_per_circumference(mesh, tubular::Centerline_field<Point>(graph), graph.branches().size());
@@ -145,6 +146,10 @@ inline void print(const Json& r, bool verbose) {
   for (const auto& o : r["openings"])
     std::printf("%-12s %6d %10ld %12.5g %12.5g\n", o["name"].get<std::string>().c_str(), o["patch"].get<int>(),
                 o["triangles"].get<long>(), o["radius"].get<double>(), o["area"].get<double>());
+  for (const auto& o : r["openings"])
+    if (o["branch"].is_null())
+      std::printf("note: no centerline leads to %s; the mesh size there is that of the nearest branch\n",
+                  o["name"].get<std::string>().c_str());
   if (verbose) {
     print_branches(r["branches"]);
     print_histogram(r["quality"]["gamma_tau"], "tetrahedra, gamma_tau");

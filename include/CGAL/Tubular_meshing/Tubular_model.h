@@ -15,13 +15,18 @@
 #include <CGAL/Tubular_meshing/labels.h>
 #include <CGAL/Tubular_meshing/parameters.h>
 
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
+#include <CGAL/tags.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
+#include <iterator>
 #include <string>
-#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -49,6 +54,47 @@ template <class Point_3_> struct Tubular_model {
   Tubular_model& operator=(Tubular_model&&) = default;
 };
 
+namespace internal {
+
+/* What no mesher can do with: a surface in pieces, or one that intersects itself. Named here, with its place, rather
+ * than by a mesher that fails or never ends. */
+template <class Point_3> void check_volume_boundary(const CGAL::Surface_mesh<Point_3>& surface) {
+  namespace PMP = CGAL::Polygon_mesh_processing;
+  typedef typename CGAL::Surface_mesh<Point_3>::Face_index Face;
+  std::vector<std::pair<Face, Face>> crossings;
+  PMP::self_intersections<CGAL::Parallel_if_available_tag>(surface, std::back_inserter(crossings));
+  if (!crossings.empty()) {
+    const auto first = *std::min_element(crossings.begin(), crossings.end());
+    throw Input_error("The surface intersects itself: " + std::to_string(crossings.size()) +
+                      " pairs of its triangles cross, one of them at " +
+                      coordinates(surface.point(surface.target(surface.halfedge(first.first)))) +
+                      "; repair the surface there.");
+  }
+}
+
+template <class Point_3> void check_one_piece(CGAL::Surface_mesh<Point_3>& surface) {
+  typedef typename CGAL::Surface_mesh<Point_3>::Face_index Face;
+  auto piece = surface.template add_property_map<Face, std::size_t>("f:tubular_meshing_piece").first;
+  const std::size_t pieces = CGAL::Polygon_mesh_processing::connected_components(surface, piece);
+  std::vector<std::size_t> size(pieces, 0);
+  Face stray;
+  for (Face f : surface.faces())
+    ++size[piece[f]];
+  const auto largest = std::size_t(std::max_element(size.begin(), size.end()) - size.begin());
+  for (Face f : surface.faces())
+    if (piece[f] != largest) {
+      stray = f;
+      break;
+    }
+  surface.remove_property_map(piece);
+  if (pieces > 1)
+    throw Input_error("The surface is in " + std::to_string(pieces) + " pieces, one of them at " +
+                      coordinates(surface.point(surface.target(surface.halfedge(stray)))) +
+                      ": keep one connected wall.");
+}
+
+} // namespace internal
+
 /*! \ingroup PkgTubularMeshingRef
  *
  * prepares a surface and its centerlines for meshing: merges the lines into branches, finds the openings, closes them,
@@ -68,7 +114,8 @@ template <class Point_3_> struct Tubular_model {
  *
  * O(n log n) in the sizes of surface and lines.
  *
- * \throws Input_error if the surface or the lines cannot be used, or do not belong together
+ * \throws Input_error if the surface is in pieces or intersects itself, if the surface or the lines cannot be used, or
+ *   if they do not belong together
  */
 template <class Point_3, class TriangleMesh, class NamedParameters = CGAL::parameters::Default_named_parameters>
 Tubular_model<Point_3> make_tubular_model(const TriangleMesh& surface, const Centerline_polylines<Point_3>& lines,
@@ -79,10 +126,12 @@ Tubular_model<Point_3> make_tubular_model(const TriangleMesh& surface, const Cen
   Tubular_model<Point_3> model;
   copy_face_graph(surface, model.surface);
   internal::check_tubular_surface(model.surface);
+  internal::check_one_piece(model.surface);
   build_centerline_graph(lines, Wall_distance<Point_3>(model.surface), model.centerlines, np);
 
   model.openings = find_openings(model.surface, With_graph(std::cref(model.centerlines), np));
   close_openings(model.surface, model.openings, model.patch);
+  internal::check_volume_boundary(model.surface);
   const std::vector<std::size_t> nodes = clip_to_openings(model.centerlines, model.openings);
   check_centerlines_inside(model.centerlines, model.surface);
 

@@ -148,10 +148,8 @@ void run_mesh_3(const Surface& labelled_surface, const SizingField& size, double
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{facet_distance} \cgalParamDescription{how far the middle of a surface triangle may be from the
  *     surface, relative to the local mesh size} \cgalParamDefault{0.07, a third more than a triangle of edge h has on a
- *     tube of 20 h circumference} \cgalParamNEnd
- *   \cgalParamNBegin{number_of_threads} \cgalParamDescription{with 1 the result is reproducible; 0 takes all cores}
- *     \cgalParamDefault{0} \cgalParamNEnd
- * \cgalNamedParamsEnd
+ * tube of 20 h circumference} \cgalParamNEnd \cgalParamNBegin{number_of_threads} \cgalParamDescription{with 1 the
+ * result is reproducible; 0 takes all cores} \cgalParamDefault{0} \cgalParamNEnd \cgalNamedParamsEnd
  *
  * \throws Meshing_error if Mesh_3 fails
  */

@@ -10,6 +10,7 @@
 #include <CGAL/Tubular_meshing/Volume/internal/Tetrahedron_store.h>
 #include <CGAL/Tubular_meshing/Volume/internal/Topology_optimizer.h>
 #include <CGAL/Tubular_meshing/Volume/internal/Vertex_optimizer.h>
+#include <CGAL/Tubular_meshing/Volume/internal/reduce_deviation.h>
 #include <CGAL/Tubular_meshing/parameters.h>
 
 namespace CGAL {
@@ -22,7 +23,8 @@ namespace Tubular_meshing {
  * Rounds of flips, each raising the worst quality \f$ \gamma_\tau \f$ (13) of the few tetrahedra it changes, alternate
  * with sweeps that move each vertex down the sum of \f$ Q_\tau \f$ (16) around it. Vertices on the surface stay on the
  * given surface and in their patch, vertices on rims on their rim; no element is inverted, no facet changes its label,
- * and the sizes of elements stay what they are. The improvement of the first rounds is by far the largest.
+ * and the sizes of elements stay what they are. In the last round the mesh is brought to those vertices of the surface
+ * that it cuts off by more than a small part of its edges. The improvement of the first rounds is by far the largest.
  *
  * Linear in the size of the mesh for each round. Sweeps run in parallel; the result does not depend on the number of
  * threads.
@@ -36,7 +38,7 @@ namespace Tubular_meshing {
  * \param np an optional sequence of named parameters among the ones listed below
  *
  * \cgalNamedParamsBegin
- *   \cgalParamNBegin{optimization_passes} \cgalParamDescription{number of rounds} \cgalParamDefault{3} \cgalParamNEnd
+ *   \cgalParamNBegin{optimization_passes} \cgalParamDescription{number of rounds} \cgalParamDefault{2} \cgalParamNEnd
  *   \cgalParamNBegin{number_of_threads} \cgalParamDescription{0 takes all cores} \cgalParamDefault{0} \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
@@ -47,7 +49,7 @@ template <class Point, class SurfaceMesh, class FacePatchMap,
           class NamedParameters = CGAL::parameters::Default_named_parameters>
 void optimize_tetrahedra(Mixed_mesh<Point>& mesh, const SurfaceMesh& surface, FacePatchMap patch,
                          const NamedParameters& np = CGAL::parameters::default_values()) {
-  const int passes = internal::choose(np, internal_np::optimization_passes, 3);
+  const int passes = internal::choose(np, internal_np::optimization_passes, 2);
   const int threads = internal::choose(np, internal_np::number_of_threads, 0);
   const internal::Patch_projection projection(surface, patch);
   internal::Tetrahedron_store store(mesh);
@@ -60,6 +62,8 @@ void optimize_tetrahedra(Mixed_mesh<Point>& mesh, const SurfaceMesh& surface, Fa
     internal::Vertex_optimizer<internal::Patch_projection> vertices(store, projection, threads);
     vertices.sweep();
     vertices.sweep();
+    if (pass + 1 == passes)
+      internal::reduce_deviation(surface, patch, store, vertices, threads);
     Topology_optimizer(store, Guard(store, projection)).improve_below(0.6);
   }
   store.write_to(mesh);

@@ -18,6 +18,12 @@ namespace CGAL {
 namespace Tubular_meshing {
 namespace internal {
 
+// Half-way along the branch: at the very end of a closed surface the nearest wall is the cap.
+template <class Graph> double radius_of_end(const Graph& graph, std::size_t node) {
+  const auto& points = graph.branches()[graph.nodes()[node].branches.front()].points;
+  return graph.radii()[points[points.size() / 2]];
+}
+
 /* The end at which most of the lines start or end, two at least; among equals, and if there is none, the end of largest
  * radius; node 0 of a graph without ends. Lines count for an end within two radii of it. O(n log n). */
 template <class Graph> std::size_t choose_root(const Graph& graph, const std::vector<Sampled_line>& lines) {
@@ -46,7 +52,7 @@ template <class Graph> std::size_t choose_root(const Graph& graph, const std::ve
     if (!graph.nodes()[n].is_end())
       continue;
     votes[n] = (std::max)(votes[n], lines_at[n]);
-    const double r = graph.radii()[graph.nodes()[n].point], best_r = graph.radii()[graph.nodes()[best].point];
+    const double r = radius_of_end(graph, n), best_r = found ? radius_of_end(graph, best) : 0;
     if (!found || votes[n] > votes[best] || (votes[n] == votes[best] && r > best_r))
       best = n;
     found = true;

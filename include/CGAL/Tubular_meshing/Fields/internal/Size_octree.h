@@ -66,6 +66,18 @@ public:
     return y0 + t * (y1 - y0);
   }
 
+  /* The integral of 1 / size³ over the leaves whose center lies in the domain. */
+  double number_of_cubes() const {
+    double sum = 0;
+    for (const auto& leaf : leaves_in_domain_) {
+      double size = 0;
+      for (int c = 0; c < 8; ++c)
+        size += values_[leaf_corners_[8 * std::size_t(leaf.first) + c]] / 8;
+      sum += std::pow(leaf.second / size, 3);
+    }
+    return sum;
+  }
+
   std::size_t number_of_leaves() const { return leaf_corners_.size() / 8; }
   std::size_t number_of_samples() const { return values_.size(); }
 
@@ -128,6 +140,8 @@ private:
           split(n, width / 2, lower);
         else {
           nodes_[n].first = std::uint32_t(leaf_lower_.size());
+          if (s.distance_to_domain == 0)
+            leaves_in_domain_.emplace_back(nodes_[n].first, edge);
           leaf_lower_.push_back({lower[n], width});
         }
       }
@@ -210,8 +224,9 @@ private:
   Position origin_ = {0, 0, 0};
   double edge_ = 1;
   std::vector<Node> nodes_;
-  std::vector<std::uint32_t> leaf_corners_; // eight a leaf, x fastest
-  std::vector<double> values_;              // one a corner
+  std::vector<std::uint32_t> leaf_corners_;                        // eight a leaf, x fastest
+  std::vector<double> values_;                                     // one a corner
+  std::vector<std::pair<std::uint32_t, double>> leaves_in_domain_; // by their centers, and their edges
 
   // of use while building only
   std::vector<std::pair<Lattice_point, std::uint32_t>> leaf_lower_;

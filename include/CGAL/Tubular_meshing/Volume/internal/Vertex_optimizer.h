@@ -53,6 +53,25 @@ public:
     }
   }
 
+  // Whether v lies on the given patches and no others.
+  bool is_on(Index v, const std::vector<std::int32_t>& patches) const {
+    const Location& at = location_[v];
+    return at.dimension + patches.size() == 3 && std::equal(patches.begin(), patches.end(), at.patch);
+  }
+
+  // Moves v to p, if no element around it gets worse than `least`, or than the worst is now.
+  bool move_to(Index v, const Vector_3d& p, double least) {
+    const Vector_3d old = store_.point(v);
+    const Normals normals = surface_normals(v);
+    const double required = (std::min)(least, worst_quality(v));
+    store_.move(v, p);
+    Shape_energy there;
+    if (energy(v, p, normals, false, there) && worst_quality(v) >= required)
+      return true;
+    store_.move(v, old);
+    return false;
+  }
+
 private:
   // The patches that meet at a vertex: none inside the volume, one on a patch, two on a rim.
   struct Location {
@@ -184,6 +203,24 @@ private:
       }
     }
     return true;
+  }
+
+  // Of the tetrahedra around v, and of the triangles, which count for less as their range is higher.
+  double worst_quality(Index v) const {
+    double worst = 1;
+    for (Index s = star_begin_[v]; s < star_begin_[v + 1]; ++s) {
+      const auto& tet = store_[Store::tetrahedron_of(star_[s])];
+      const auto& w = tet.v;
+      worst = (std::min)(
+          worst, tetrahedron_gamma(store_.point(w[0]), store_.point(w[1]), store_.point(w[2]), store_.point(w[3])));
+      const int i = Store::opposite_of(star_[s]);
+      for (int j = 0; j < 4; ++j)
+        if (j != i && tet.label[j] != 0) {
+          const auto edge = facet_edge(tet, i, j);
+          worst = (std::min)(worst, 0.6 * triangle_gamma(store_.point(v), edge.first, edge.second));
+        }
+    }
+    return worst;
   }
 
   // The two other vertices of the facet opposite to corner j, in the facet's order after corner i.
