@@ -13,8 +13,9 @@
 #include <CGAL/Tubular_meshing/exceptions.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
-#include <memory>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -40,40 +41,29 @@ public:
       : surface_(std::move(surface))
       , ends_(std::move(ends)) {
     sample_caps();
-    diagram_.reset(new Diagram(surface_));
-    const std::size_t samples = surface_.points.size();
+    diagram_.insert_samples(surface_);
+    Sample_refiner refiner(surface_);
     const int most_rounds = 6; // each at least halves the edges that are too long
-    for (int round = 0; round < most_rounds && Sample_refiner(surface_, *diagram_).refine(samples); ++round)
-      diagram_.reset(new Diagram(surface_));
+    for (int round = 0; round < most_rounds && refiner.refine(diagram_); ++round)
+      diagram_.insert_samples(surface_);
     find_poles();
-    diagram_->make_faces();
+    diagram_.make_faces();
   }
 
-  /* One line to each end but the first; with `loops` of them, for each of these a line that begins and ends at the
-   * first end. */
+  /* One line to each end but the first; and, of up to `loops` loops, one line or two each. */
   std::vector<Sampled_line> lines(int loops) const {
-    const std::vector<Index> targets(poles_.begin() + 1, poles_.end());
-    const Voronoi_front front(*diagram_, poles_[0], loops > 0 ? std::vector<Index>() : targets);
+    const std::vector<Index> outlets(poles_.begin() + 1, poles_.end());
+    const Voronoi_front front(diagram_, poles_[0], loops > 0 ? std::vector<Index>() : outlets);
     std::vector<Sampled_line> result;
     for (std::size_t i = 1; i < ends_.size(); ++i) {
       if (!front.has_reached(poles_[i]))
         throw Input_error("The inside of the surface does not connect its inlet with " + name(i) +
                           ": the surface is in several pieces, or closed in between.");
-      Sampled_line line = front.path_from(poles_[i]);
-      std::reverse(line.begin(), line.end());
-      complete(line, 0, false);
-      complete(line, i, true);
-      result.push_back(smooth(line));
+      result.push_back(finished(reversed(front.path_from(poles_[i])), i));
     }
     if (loops > 0)
-      for (const auto& meeting : essential_meetings(*diagram_, front, std::size_t(loops))) {
-        Sampled_line line = front.path_from(meeting[0]), back = front.path_from(meeting[1]);
-        std::reverse(line.begin(), line.end());
-        line.insert(line.end(), back.begin(), back.end());
-        complete(line, 0, false);
-        complete(line, 0, true);
-        result.push_back(smooth(line));
-      }
+      for (const auto& meeting : essential_meetings(diagram_, front, std::size_t(loops)))
+        add_loop(front, meeting[0], meeting[1], result);
     return result;
   }
 
@@ -95,9 +85,8 @@ private:
 
   void find_poles() {
     for (std::size_t i = 0; i < ends_.size(); ++i) {
-      const std::size_t sample =
-          centers_[i] != std::size_t(-1) ? centers_[i] : diagram_->nearest_sample(ends_[i].point);
-      const Index pole = diagram_->poles.empty() ? Diagram::none : diagram_->poles[sample];
+      const std::size_t sample = centers_[i] != std::size_t(-1) ? centers_[i] : diagram_.nearest_sample(ends_[i].point);
+      const Index pole = diagram_.poles.empty() ? Diagram::none : diagram_.poles[sample];
       if (pole == Diagram::none)
         throw Input_error("No sphere inside the surface touches it at " + name(i) +
                           ": the surface is turned inside out, or not closed there; repair it.");
@@ -110,17 +99,68 @@ private:
            (ends_[i].patch != labels::wall ? "" : " (a point that was given)");
   }
 
-  // Lines begin and end at the centres of caps.
-  void complete(Sampled_line& line, std::size_t end, bool at_back) const {
-    if (centers_[end] == std::size_t(-1))
-      return;
-    const Line_point& next = at_back ? line.back() : line.front();
-    const Line_point center = {ends_[end].point, next.radius};
-    line.insert(at_back ? line.end() : line.begin(), center);
+  // By one side of a loop to the meeting at its far side, and on, as blood would flow, to the nearest outlet that lies
+  // beyond; and by the other side likewise. Where there is none on either side, to the meeting and no further.
+  void add_loop(const Voronoi_front& front, Index a, Index b, std::vector<Sampled_line>& lines) const {
+    const std::array<Index, 2> side = {{a, b}};
+    const std::array<Sampled_line, 2> back = {{front.path_from(a), front.path_from(b)}};
+    bool leads_to_outlet = false;
+    for (int i = 0; i < 2; ++i) {
+      const Voronoi_front onward(diagram_, side[1 - i], {});
+      const std::size_t outlet = nearest_outlet(onward, back[1 - i], back[i]);
+      if (outlet == 0)
+        continue;
+      leads_to_outlet = true;
+      Sampled_line line = reversed(back[i]);
+      const Sampled_line rest = reversed(onward.path_from(poles_[outlet]));
+      line.insert(line.end(), rest.begin(), rest.end());
+      lines.push_back(finished(std::move(line), outlet));
+    }
+    for (int i = 0; i < 2 && !leads_to_outlet; ++i) {
+      Sampled_line line = reversed(back[i]);
+      line.push_back(back[1 - i].front());
+      lines.push_back(finished(std::move(line), 0));
+    }
   }
 
-  static Sampled_line smooth(const Sampled_line& line) {
+  // Of the outlets that are reached by one way, and not by the other; 0 if there is none.
+  std::size_t nearest_outlet(const Voronoi_front& onward, const Sampled_line& way, const Sampled_line& other) const {
+    std::size_t nearest = 0;
+    for (std::size_t i = 1; i < ends_.size(); ++i)
+      if ((nearest == 0 || onward.time(poles_[i]) < onward.time(poles_[nearest])) &&
+          begins_along(reversed(onward.path_from(poles_[i])), way, other))
+        nearest = i;
+    return nearest;
+  }
+
+  // Whether a path, two radii from its beginning, is nearer to `one` than to `other`.
+  static bool begins_along(const Sampled_line& path, const Sampled_line& one, const Sampled_line& other) {
+    double walked = 0;
+    std::size_t i = 1;
+    for (; i + 1 < path.size() && walked < 2; ++i)
+      walked += distance(path[i - 1].point, path[i].point) / path[i].radius;
+    return distance_to(path[i].point, one) < distance_to(path[i].point, other);
+  }
+
+  static double distance_to(const Double_kernel::Point_3& p, const Sampled_line& line) {
+    double nearest = (std::numeric_limits<double>::infinity)();
+    for (const Line_point& q : line)
+      nearest = (std::min)(nearest, distance(p, q.point));
+    return nearest;
+  }
+
+  static Sampled_line reversed(Sampled_line line) {
+    std::reverse(line.begin(), line.end());
+    return line;
+  }
+
+  // A traced line begins at the centre of the inlet's cap, and ends at that of the outlet's (0: somewhere within).
+  Sampled_line finished(Sampled_line line, std::size_t outlet) const {
     const double window = 1, step = 0.25; // radii
+    if (centers_[0] != std::size_t(-1))
+      line.insert(line.begin(), Line_point{ends_[0].point, line.front().radius});
+    if (outlet != 0 && centers_[outlet] != std::size_t(-1))
+      line.push_back(Line_point{ends_[outlet].point, line.back().radius});
     return resampled(smoothed(line, window, 2), step);
   }
 
@@ -128,7 +168,7 @@ private:
   std::vector<Centerline_end> ends_;
   std::vector<std::size_t> centers_; // samples, or -1
   std::vector<Index> poles_;
-  std::unique_ptr<Diagram> diagram_;
+  Diagram diagram_;
 };
 
 } // namespace internal

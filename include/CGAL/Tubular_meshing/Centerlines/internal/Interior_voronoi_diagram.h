@@ -45,18 +45,21 @@ public:
   std::vector<Index> face_vertices;           // in order around the face
   std::vector<Index> poles;                   // of each sample: its largest sphere, or `none`
 
-  explicit Interior_voronoi_diagram(const Sampled_surface& surface) {
+  /* Takes in those of the surface's samples that are not in the diagram yet, and makes vertices and poles of all. */
+  void insert_samples(const Sampled_surface& surface) {
     std::vector<std::pair<typename Delaunay::Point, Index>> samples;
-    samples.reserve(surface.points.size());
-    for (std::size_t i = 0; i < surface.points.size(); ++i) {
+    for (std::size_t i = poles.size(); i < surface.points.size(); ++i) {
       const Point& p = surface.points[i];
       samples.emplace_back(typename Delaunay::Point(p.x(), p.y(), p.z()), Index(i));
     }
     delaunay_.insert(samples.begin(), samples.end());
+    poles.assign(surface.points.size(), none);
+    points.clear();
+    radii.clear();
     if (delaunay_.dimension() < 3)
       return;
     make_vertices(surface);
-    find_poles(surface.points.size());
+    find_poles();
   }
 
   std::size_t number_of_faces() const { return face_begin.empty() ? 0 : face_begin.size() - 1; }
@@ -123,8 +126,7 @@ private:
     return behind >= 3;
   }
 
-  void find_poles(std::size_t number_of_samples) {
-    poles.assign(number_of_samples, none);
+  void find_poles() {
     for (auto c = delaunay_.finite_cells_begin(); c != delaunay_.finite_cells_end(); ++c)
       if (c->info() != none)
         for (int k = 0; k < 4; ++k) {

@@ -19,31 +19,29 @@ namespace Tubular_meshing {
 namespace internal {
 
 /* Adds samples on the edges and in the triangles of the wall that are large against the spheres that touch them: the
- * spheres would bulge out between the vertices. Linear in the surface and the samples added. Returns whether there was
- * anything to add. */
+ * spheres would bulge out between the vertices. */
 class Sample_refiner {
 public:
   typedef Sampled_surface::Point Point;
   typedef Sampled_surface::Vector Vector;
 
-  Sample_refiner(Sampled_surface& surface, const Interior_voronoi_diagram& diagram)
+  explicit Sample_refiner(Sampled_surface& surface)
       : surface_(surface)
-      , diagram_(diagram) {}
+      , triangle_parts_(surface.wall.size(), 1) {}
 
-  /* `number_of_own_samples` is how many the surface had before the first round: the others are made anew. */
-  bool refine(std::size_t number_of_own_samples) {
+  /* Linear in the surface and the samples added. Returns whether there was anything to add; if so, call it again with
+   * the diagram of all samples. */
+  bool refine(const Interior_voronoi_diagram& diagram) {
     const std::size_t before = surface_.points.size();
-    surface_.points.resize(number_of_own_samples);
-    surface_.normals.resize(number_of_own_samples, Vector(0, 0, 0));
-    std::map<std::pair<std::size_t, std::size_t>, std::pair<int, Vector>> long_edges;
+    std::map<Edge, std::pair<int, Vector>> long_edges;
     for (std::size_t i = 0; i < surface_.wall.size(); ++i) {
       const Sampled_surface::Triangle& t = surface_.wall[i];
-      const Point &p = surface_.points[t[0]], &q = surface_.points[t[1]], &r = surface_.points[t[2]];
+      const Point p = surface_.points[t[0]], q = surface_.points[t[1]], r = surface_.points[t[2]];
       const Vector normal = Sampled_surface::unit(CGAL::cross_product(q - p, r - p));
-      int most = 1, least = 64;
+      int most = 1, least = most_parts;
       for (int k = 0; k < 3; ++k) {
-        const auto edge = std::minmax(t[k], t[(k + 1) % 3]);
-        const int parts = parts_of(edge.first, edge.second);
+        const Edge edge((std::min)(t[k], t[(k + 1) % 3]), (std::max)(t[k], t[(k + 1) % 3]));
+        const int parts = parts_of(edge, diagram);
         most = (std::max)(most, parts);
         least = (std::min)(least, parts);
         if (parts > 1) {
@@ -52,41 +50,54 @@ public:
         }
       }
       if (least > 1) // else it is narrow, and the samples on its edges will do
-        fill(p, q, r, normal, most);
+        fill(p, q, r, normal, triangle_parts_[i], most);
     }
-    for (const auto& e : long_edges) {
-      const Point &p = surface_.points[e.first.first], q = surface_.points[e.first.second];
-      for (int k = 1; k < e.second.first; ++k)
-        surface_.add(p + double(k) / e.second.first * (q - p), Sampled_surface::unit(e.second.second));
-    }
+    for (const auto& e : long_edges)
+      fill(e.first, Sampled_surface::unit(e.second.second), e.second.first);
     return surface_.points.size() > before;
   }
 
 private:
-  // Into how many parts an edge is to be cut, so that each is at most half the radius; edges up to that are left alone.
-  int parts_of(std::size_t a, std::size_t b) const {
-    const int most = 64;
+  typedef std::pair<std::size_t, std::size_t> Edge; // lower sample first
+  static constexpr int most_parts = 64;
+
+  // Into how many parts an edge is to be cut, a power of two, so that each is at most half the radius; edges up to the
+  // radius are left alone.
+  int parts_of(const Edge& e, const Interior_voronoi_diagram& diagram) const {
     double radius = 0;
-    for (std::size_t v : {a, b})
-      if (diagram_.poles[v] != Interior_voronoi_diagram::none)
-        radius = (std::max)(radius, diagram_.radii[diagram_.poles[v]]);
-    const double length = std::sqrt(CGAL::squared_distance(surface_.points[a], surface_.points[b]));
+    for (std::size_t v : {e.first, e.second})
+      if (diagram.poles[v] != Interior_voronoi_diagram::none)
+        radius = (std::max)(radius, diagram.radii[diagram.poles[v]]);
+    const double length = std::sqrt(CGAL::squared_distance(surface_.points[e.first], surface_.points[e.second]));
     if (!(radius > 0) || length <= radius)
       return 1;
-    int parts = 2; // a power of two, so that one round's samples are among the next one's
-    while (parts < most && parts * radius < 2 * length)
+    int parts = 2;
+    while (parts < most_parts && parts * radius < 2 * length)
       parts *= 2;
     return parts;
   }
 
-  void fill(const Point& p, const Point& q, const Point& r, const Vector& normal, int parts) {
+  // Only what is not there from earlier rounds, of fewer parts.
+  void fill(const Point& p, const Point& q, const Point& r, const Vector& normal, int& done, int parts) {
     for (int i = 1; i < parts; ++i)
       for (int j = 1; i + j < parts; ++j)
-        surface_.add(p + double(i) / parts * (q - p) + double(j) / parts * (r - p), normal);
+        if ((i * done) % parts != 0 || (j * done) % parts != 0)
+          surface_.add(p + double(i) / parts * (q - p) + double(j) / parts * (r - p), normal);
+    done = (std::max)(done, parts);
+  }
+
+  void fill(const Edge& e, const Vector& normal, int parts) {
+    int& done = edge_parts_.emplace(e, 1).first->second;
+    const Point p = surface_.points[e.first], q = surface_.points[e.second];
+    for (int i = 1; i < parts; ++i)
+      if ((i * done) % parts != 0)
+        surface_.add(p + double(i) / parts * (q - p), normal);
+    done = (std::max)(done, parts);
   }
 
   Sampled_surface& surface_;
-  const Interior_voronoi_diagram& diagram_;
+  std::vector<int> triangle_parts_; // so far
+  std::map<Edge, int> edge_parts_;
 };
 
 } // namespace internal

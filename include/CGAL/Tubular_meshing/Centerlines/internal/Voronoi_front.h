@@ -91,11 +91,8 @@ private:
   const Point& point(Index v) const { return diagram_.points[v]; }
   double radius(Index v) const { return diagram_.radii[v]; }
 
-  // The integral of 1/R over a segment between spheres of the two radii.
-  static double cost(double length, double r, double s) { return 2 * length / (r + s); }
-
   /* Where the segment ab is to be left for c, as a fraction of it: the minimum over x of T(x) + |x - c| / R, T being
-   * linear on ab. */
+   * linear on ab, and R that at c. */
   double best_departure(Index a, Index b, const Point& c, double radius_at_c) const {
     const Vector e = point(b) - point(a), d = c - point(a);
     const double length2 = e.squared_length();
@@ -103,8 +100,7 @@ private:
       return 0;
     const double length = std::sqrt(length2), along = (d * e) / length;
     const double across = std::sqrt((std::max)(0., d.squared_length() - along * along));
-    const double slowness = 2 / (0.5 * (radius(a) + radius(b)) + radius_at_c);
-    const double k = (time_[b] - time_[a]) / (length * slowness);
+    const double k = (time_[b] - time_[a]) * radius_at_c / length;
     if (k >= 1)
       return 0;
     if (k <= -1)
@@ -122,8 +118,8 @@ private:
 
   Place at_vertex(Index v) const { return Place{v, v, point(v), radius(v), time_[v]}; }
 
-  double time_from(const Place& x, const Point& c, double radius_at_c) const {
-    return x.time + cost(distance(x.point, c), x.radius, radius_at_c);
+  static double time_from(const Place& x, const Point& c, double radius_at_c) {
+    return x.time + distance(x.point, c) / radius_at_c;
   }
 
   void lower(Index v, double time) {
