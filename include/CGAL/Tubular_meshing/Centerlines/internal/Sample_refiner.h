@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -26,78 +27,92 @@ public:
   typedef Sampled_surface::Vector Vector;
 
   explicit Sample_refiner(Sampled_surface& surface)
-      : surface_(surface)
-      , triangle_parts_(surface.wall.size(), 1) {}
+      : surface_(surface) {}
 
-  /* Linear in the surface and the samples added. Returns whether there was anything to add; if so, call it again with
-   * the diagram of all samples. */
+  /* O(n log n) in the surface and the samples added. Returns whether there was anything to add; if so, call it again
+   * with the diagram of all samples. */
   bool refine(const Interior_voronoi_diagram& diagram) {
     const std::size_t before = surface_.points.size();
-    std::map<Edge, std::pair<int, Vector>> long_edges;
-    for (std::size_t i = 0; i < surface_.wall.size(); ++i) {
-      const Sampled_surface::Triangle& t = surface_.wall[i];
+    std::map<Edge, Vector> long_edges; // and their normals
+    for (const Sampled_surface::Triangle& t : surface_.wall) {
       const Point p = surface_.points[t[0]], q = surface_.points[t[1]], r = surface_.points[t[2]];
       const Vector normal = Sampled_surface::unit(CGAL::cross_product(q - p, r - p));
-      int most = 1, least = most_parts;
+      bool is_large = false;
       for (int k = 0; k < 3; ++k) {
         const Edge edge((std::min)(t[k], t[(k + 1) % 3]), (std::max)(t[k], t[(k + 1) % 3]));
-        const int parts = parts_of(edge, diagram);
-        most = (std::max)(most, parts);
-        least = (std::min)(least, parts);
-        if (parts > 1) {
-          auto& entry = long_edges.emplace(edge, std::make_pair(parts, Vector(0, 0, 0))).first->second;
-          entry.second = entry.second + normal;
+        if (parts(length(edge), radius(edge, diagram)) > 1) {
+          is_large = true;
+          Vector& sum = long_edges.emplace(edge, Vector(0, 0, 0)).first->second;
+          sum = sum + normal;
         }
       }
-      if (least > 1) // else it is narrow, and the samples on its edges will do
-        fill(p, q, r, normal, triangle_parts_[i], most);
+      if (is_large)
+        fill(t, normal, diagram);
     }
     for (const auto& e : long_edges)
-      fill(e.first, Sampled_surface::unit(e.second.second), e.second.first);
+      fill(surface_.points[e.first.first], surface_.points[e.first.second],
+           parts(length(e.first), radius(e.first, diagram)), Sampled_surface::unit(e.second));
     return surface_.points.size() > before;
   }
 
 private:
   typedef std::pair<std::size_t, std::size_t> Edge; // lower sample first
-  static constexpr int most_parts = 64;
 
-  // Into how many parts an edge is to be cut, a power of two, so that each is at most half the radius; edges up to the
-  // radius are left alone.
-  int parts_of(const Edge& e, const Interior_voronoi_diagram& diagram) const {
-    double radius = 0;
+  double length(const Edge& e) const {
+    return std::sqrt(CGAL::squared_distance(surface_.points[e.first], surface_.points[e.second]));
+  }
+
+  // Of the larger of the two spheres that touch at the ends of an edge; 0 if there are none.
+  static double radius(const Edge& e, const Interior_voronoi_diagram& diagram) {
+    double result = 0;
     for (std::size_t v : {e.first, e.second})
       if (diagram.poles[v] != Interior_voronoi_diagram::none)
-        radius = (std::max)(radius, diagram.radii[diagram.poles[v]]);
-    const double length = std::sqrt(CGAL::squared_distance(surface_.points[e.first], surface_.points[e.second]));
+        result = (std::max)(result, diagram.radii[diagram.poles[v]]);
+    return result;
+  }
+
+  // Into how many parts a length is to be cut, so that each is at most half the radius; lengths up to the radius are
+  // left alone. A power of two, so that one round's samples are among the next one's.
+  static int parts(double length, double radius) {
+    const int most = 64;
     if (!(radius > 0) || length <= radius)
       return 1;
-    int parts = 2;
-    while (parts < most_parts && parts * radius < 2 * length)
-      parts *= 2;
-    return parts;
+    int result = 2;
+    while (result < most && result * radius < 2 * length)
+      result *= 2;
+    return result;
   }
 
-  // Only what is not there from earlier rounds, of fewer parts.
-  void fill(const Point& p, const Point& q, const Point& r, const Vector& normal, int& done, int parts) {
-    for (int i = 1; i < parts; ++i)
-      for (int j = 1; i + j < parts; ++j)
-        if ((i * done) % parts != 0 || (j * done) % parts != 0)
-          surface_.add(p + double(i) / parts * (q - p) + double(j) / parts * (r - p), normal);
-    done = (std::max)(done, parts);
+  // In rows parallel to the shortest side, so that long thin triangles do not get more than they need.
+  void fill(const Sampled_surface::Triangle& t, const Vector& normal, const Interior_voronoi_diagram& diagram) {
+    int apex = 0;
+    for (int k = 1; k < 3; ++k)
+      if (opposite_length(t, k) < opposite_length(t, apex))
+        apex = k;
+    const std::size_t a = t[apex], b = t[(apex + 1) % 3], c = t[(apex + 2) % 3];
+    const Point p = surface_.points[a], q = surface_.points[b], r = surface_.points[c];
+    const double largest = (std::max)(radius(Edge(a, b), diagram), radius(Edge(a, c), diagram));
+    const int rows = (std::max)(parts(length(Edge(a, b)), largest), parts(length(Edge(a, c)), largest));
+    for (int k = 1; k < rows; ++k) {
+      const double s = double(k) / rows;
+      fill(p + s * (q - p), p + s * (r - p), parts(s * length(Edge(b, c)), largest), normal);
+    }
   }
 
-  void fill(const Edge& e, const Vector& normal, int parts) {
-    int& done = edge_parts_.emplace(e, 1).first->second;
-    const Point p = surface_.points[e.first], q = surface_.points[e.second];
-    for (int i = 1; i < parts; ++i)
-      if ((i * done) % parts != 0)
-        surface_.add(p + double(i) / parts * (q - p), normal);
-    done = (std::max)(done, parts);
+  double opposite_length(const Sampled_surface::Triangle& t, int k) const {
+    return length(Edge(t[(k + 1) % 3], t[(k + 2) % 3]));
+  }
+
+  void fill(Point p, Point q, int parts, const Vector& normal) { // copies: adding samples moves them
+    for (int i = 1; i < parts; ++i) {
+      const Point x = p + double(i) / parts * (q - p);
+      if (added_.insert(x).second)
+        surface_.add(x, normal);
+    }
   }
 
   Sampled_surface& surface_;
-  std::vector<int> triangle_parts_; // so far
-  std::map<Edge, int> edge_parts_;
+  std::set<Point> added_;
 };
 
 } // namespace internal
