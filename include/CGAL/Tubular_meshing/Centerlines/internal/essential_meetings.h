@@ -146,6 +146,32 @@ inline double separation(const Sampled_line& a, const Sampled_line& b) {
   return result;
 }
 
+struct Meeting {
+  double separation;
+  Interior_voronoi_diagram::Index other_side;
+};
+
+/* Where a front closes a cycle with its arrival at a vertex, the vertex was reached from one side, and one of its
+ * neighbours from the other: the one whose way parts furthest from the vertex's own. */
+inline Meeting widest_meeting(const Interior_voronoi_diagram& diagram, const Voronoi_front& front,
+                              Interior_voronoi_diagram::Index vertex) {
+  typedef Interior_voronoi_diagram::Index Index;
+  const Sampled_line way = front.path_from(vertex);
+  Meeting widest = {0, vertex};
+  for (Index f : diagram.faces_of[vertex])
+    for (Index i = f == diagram.none ? 0 : diagram.face_begin[f]; f != diagram.none && i < diagram.face_begin[f + 1];
+         ++i) {
+      const Index other = diagram.face_vertices[i];
+      if (other == vertex || !front.has_reached(other))
+        continue;
+      const Sampled_line other_way = front.path_from(other);
+      const double s = (std::max)(separation(other_way, way), separation(way, other_way));
+      if (s > widest.separation)
+        widest = Meeting{s, other};
+    }
+  return widest;
+}
+
 /* The meetings at which the two sides have come by different vessels, the widest loops first, `most` of them at most;
  * others go round a hole in the diagram, which the samples' irregularities tear. */
 inline std::vector<std::array<Interior_voronoi_diagram::Index, 2>>
@@ -154,9 +180,9 @@ essential_meetings(const Interior_voronoi_diagram& diagram, const Voronoi_front&
   const double least = 1.25; // radii: two vessels' axes are two radii apart, or their walls would touch
   std::vector<std::pair<double, Edge>> found;
   for (const Edge& e : Front_homology(diagram, front).essential_edges()) {
-    const double s = separation(front.path_from(e[0]), front.path_from(e[1]));
-    if (s > least)
-      found.emplace_back(-s, e);
+    const Meeting m = widest_meeting(diagram, front, e[0]);
+    if (m.separation > least)
+      found.emplace_back(-m.separation, Edge{{e[0], m.other_side}});
   }
   std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   if (found.size() > most)
