@@ -5,6 +5,7 @@
 #define CGAL_TUBULAR_MESHING_IO_WRITE_CENTERLINES_H
 
 #include <CGAL/Tubular_meshing/Centerlines/Centerline_graph.h>
+#include <CGAL/Tubular_meshing/Centerlines/branched_centerlines.h>
 #include <CGAL/Tubular_meshing/IO/internal/Output_file.h>
 #include <CGAL/Tubular_meshing/IO/internal/Text_cursor.h>
 #include <CGAL/Tubular_meshing/IO/internal/read_lines.h>
@@ -52,6 +53,18 @@ template <class Point_3> Polydata polydata_of(const Centerline_graph<Point_3>& g
       graph.points(), graph.radii(), graph.branches(), [](const Branch& b) -> const auto& { return b.points; });
 }
 
+template <class Point_3> Polydata polydata_of(const Branched_centerlines<Point_3>& c) {
+  Polydata data = polydata_of(c.lines);
+  const auto add = [&](const char* name, const std::vector<int>& values) {
+    data.cell_arrays.push_back({name, std::vector<std::int32_t>(values.begin(), values.end())});
+  };
+  add("CenterlineIds", c.centerline_ids);
+  add("TractIds", c.tract_ids);
+  add("GroupIds", c.group_ids);
+  add("Blanking", c.blanking);
+  return data;
+}
+
 } // namespace internal
 
 /*! \ingroup PkgTubularMeshingRef
@@ -78,10 +91,11 @@ template <class Centerlines> void write_centerlines(Output_file& file, const Cen
 /*! \ingroup PkgTubularMeshingRef
  *
  * writes centerlines, a polyline for each line or branch, with the radii as point array `MaximumInscribedSphereRadius`,
- * as VMTK does: .vtp (zlib) or legacy .vtk (ASCII). read_centerlines() reads the same numbers back. The file is written
+ * as VMTK does; Branched_centerlines also with the cell arrays of VMTK's branch extractor. .vtp (zlib) or legacy .vtk
+ * (ASCII). read_centerlines() reads the same numbers back. The file is written
  * whole or not at all. Linear in the number of points.
  *
- * \tparam Centerlines `Centerline_polylines` or `Centerline_graph`
+ * \tparam Centerlines `Centerline_polylines`, `Centerline_graph` or `Branched_centerlines`
  * \param file the name of the file
  * \param centerlines the centerlines
  *

@@ -24,8 +24,11 @@ struct Polydata {
   bool are_lines = false;
   std::string point_array_name; // empty: none
   std::vector<double> point_array;
-  std::string cell_array_name; // empty: none
-  std::vector<std::int32_t> cell_array;
+  struct Cell_array {
+    std::string name;
+    std::vector<std::int32_t> values;
+  };
+  std::vector<Cell_array> cell_arrays;
 };
 
 inline void write_vtp(Output_file& file, const Polydata& data) {
@@ -39,8 +42,8 @@ inline void write_vtp(Output_file& file, const Polydata& data) {
     out.array(data.point_array_name, 1, data.point_array);
   out.end("PointData");
   out.begin("CellData");
-  if (!data.cell_array_name.empty())
-    out.array(data.cell_array_name, 1, data.cell_array);
+  for (const Polydata::Cell_array& a : data.cell_arrays)
+    out.array(a.name, 1, a.values);
   out.end("CellData");
   out.begin("Points");
   out.array("Points", 3, coordinates_of(data.points));
@@ -76,9 +79,11 @@ inline void write_legacy_vtk(Output_file& file, const Polydata& data) {
     for (double x : data.point_array)
       out << x << '\n';
   }
-  if (!data.cell_array_name.empty()) {
-    out << "CELL_DATA " << data.ends.size() << "\nSCALARS " << data.cell_array_name << " int\nLOOKUP_TABLE default\n";
-    for (std::int32_t x : data.cell_array)
+  if (!data.cell_arrays.empty())
+    out << "CELL_DATA " << data.ends.size() << '\n';
+  for (const Polydata::Cell_array& a : data.cell_arrays) {
+    out << "SCALARS " << a.name << " int\nLOOKUP_TABLE default\n";
+    for (std::int32_t x : a.values)
       out << x << '\n';
   }
   out.flush();

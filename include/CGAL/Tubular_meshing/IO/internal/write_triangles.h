@@ -93,8 +93,8 @@ inline Polydata polydata_of(const Labelled_triangles& surface) {
       data.corners.push_back(static_cast<std::int64_t>(v));
     data.ends.push_back(static_cast<std::int64_t>(data.corners.size()));
   }
-  data.cell_array_name = surface.patch.empty() ? "" : "patch";
-  data.cell_array = surface.patch;
+  if (!surface.patch.empty())
+    data.cell_arrays.push_back({"patch", surface.patch});
   return data;
 }
 

@@ -1,0 +1,178 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_CENTERLINES_INTERNAL_CENTERLINE_TRACER_H
+#define CGAL_TUBULAR_MESHING_CENTERLINES_INTERNAL_CENTERLINE_TRACER_H
+
+#include <CGAL/Tubular_meshing/Centerlines/internal/Interior_voronoi_diagram.h>
+#include <CGAL/Tubular_meshing/Centerlines/internal/Sampled_surface.h>
+#include <CGAL/Tubular_meshing/Centerlines/internal/Voronoi_front.h>
+#include <CGAL/Tubular_meshing/Centerlines/internal/essential_meetings.h>
+#include <CGAL/Tubular_meshing/Centerlines/internal/Sample_refiner.h>
+#include <CGAL/Tubular_meshing/Centerlines/internal/smooth_line.h>
+#include <CGAL/Tubular_meshing/exceptions.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Tubular_meshing {
+namespace internal {
+
+/* A place where centerlines begin or end: the centre of a cap, or any point, which stands for the pole nearest to it.
+ */
+struct Centerline_end {
+  Double_kernel::Point_3 point;
+  int patch; // of the cap; labels::wall if there is none
+};
+
+/* Traces the centerlines of a sampled surface, in canonical coordinates: from the first end to each of the others. */
+class Centerline_tracer {
+public:
+  typedef Interior_voronoi_diagram Diagram;
+  typedef Diagram::Index Index;
+
+  Centerline_tracer(Sampled_surface surface, std::vector<Centerline_end> ends)
+      : surface_(std::move(surface))
+      , ends_(std::move(ends)) {
+    sample_caps();
+    diagram_.insert_samples(surface_);
+    Sample_refiner refiner(surface_);
+    const int most_rounds = 6; // each at least halves the edges that are too long
+    for (int round = 0; round < most_rounds && refiner.refine(diagram_); ++round)
+      diagram_.insert_samples(surface_);
+    find_poles();
+    diagram_.make_faces();
+  }
+
+  /* One line to each end but the first; and, of up to `loops` loops, one line or two each. */
+  std::vector<Sampled_line> lines(int loops) const {
+    const std::vector<Index> outlets(poles_.begin() + 1, poles_.end());
+    const Voronoi_front front(diagram_, poles_[0], loops > 0 ? std::vector<Index>() : outlets);
+    std::vector<Sampled_line> result;
+    for (std::size_t i = 1; i < ends_.size(); ++i) {
+      if (!front.has_reached(poles_[i]))
+        throw Input_error("The inside of the surface does not connect its inlet with " + name(i) +
+                          ": the surface is in several pieces, or closed in between.");
+      result.push_back(finished(reversed(front.path_from(poles_[i])), i));
+    }
+    if (loops > 0)
+      for (const auto& meeting : essential_meetings(diagram_, front, std::size_t(loops)))
+        add_loop(front, meeting[0], meeting[1], result);
+    return result;
+  }
+
+  /* The triangles of the wall. */
+  const std::vector<Double_kernel::Triangle_3>& wall_triangles() const { return surface_.wall_triangles; }
+
+private:
+  void sample_caps() {
+    const std::vector<Sampled_surface::Rim> rims = surface_.rims();
+    for (const Sampled_surface::Rim& rim : rims) {
+      for (std::size_t i = 0; i < ends_.size(); ++i)
+        if (ends_[i].patch == rim.patch) {
+          centers_.resize(ends_.size(), std::size_t(-1));
+          centers_[i] = surface_.add_cap(rim.samples, ends_[i].point);
+        }
+    }
+    centers_.resize(ends_.size(), std::size_t(-1));
+  }
+
+  void find_poles() {
+    for (std::size_t i = 0; i < ends_.size(); ++i) {
+      const std::size_t sample = centers_[i] != std::size_t(-1) ? centers_[i] : diagram_.nearest_sample(ends_[i].point);
+      const Index pole = diagram_.poles.empty() ? Diagram::none : diagram_.poles[sample];
+      if (pole == Diagram::none)
+        throw Input_error("No sphere inside the surface touches it at " + name(i) +
+                          ": the surface is turned inside out, or not closed there; repair it.");
+      poles_.push_back(pole);
+    }
+  }
+
+  std::string name(std::size_t i) const {
+    return (i == 0 ? std::string("its inlet") : "outlet " + std::to_string(i)) +
+           (ends_[i].patch != labels::wall ? "" : " (a point that was given)");
+  }
+
+  // By one side of a loop to the meeting at its far side, and on, as blood would flow, to the nearest outlet that lies
+  // beyond; and by the other side likewise. Where there is none on either side, to the meeting and no further.
+  void add_loop(const Voronoi_front& front, Index a, Index b, std::vector<Sampled_line>& lines) const {
+    const std::array<Index, 2> side = {{a, b}};
+    const std::array<Sampled_line, 2> back = {{front.path_from(a), front.path_from(b)}};
+    bool leads_to_outlet = false;
+    for (int i = 0; i < 2; ++i) {
+      const Voronoi_front onward(diagram_, side[1 - i], {});
+      const std::size_t outlet = nearest_outlet(onward, back[1 - i], back[i]);
+      if (outlet == 0)
+        continue;
+      leads_to_outlet = true;
+      Sampled_line line = reversed(back[i]);
+      const Sampled_line rest = reversed(onward.path_from(poles_[outlet]));
+      line.insert(line.end(), rest.begin(), rest.end());
+      lines.push_back(finished(std::move(line), outlet));
+    }
+    for (int i = 0; i < 2 && !leads_to_outlet; ++i) {
+      Sampled_line line = reversed(back[i]);
+      line.push_back(back[1 - i].front());
+      lines.push_back(finished(std::move(line), 0));
+    }
+  }
+
+  // Of the outlets that are reached by one way, and not by the other; 0 if there is none.
+  std::size_t nearest_outlet(const Voronoi_front& onward, const Sampled_line& way, const Sampled_line& other) const {
+    std::size_t nearest = 0;
+    for (std::size_t i = 1; i < ends_.size(); ++i)
+      if ((nearest == 0 || onward.time(poles_[i]) < onward.time(poles_[nearest])) &&
+          begins_along(reversed(onward.path_from(poles_[i])), way, other))
+        nearest = i;
+    return nearest;
+  }
+
+  // Whether a path, two radii from its beginning, is nearer to `one` than to `other`.
+  static bool begins_along(const Sampled_line& path, const Sampled_line& one, const Sampled_line& other) {
+    double walked = 0;
+    std::size_t i = 1;
+    for (; i + 1 < path.size() && walked < 2; ++i)
+      walked += distance(path[i - 1].point, path[i].point) / path[i].radius;
+    return distance_to(path[i].point, one) < distance_to(path[i].point, other);
+  }
+
+  static double distance_to(const Double_kernel::Point_3& p, const Sampled_line& line) {
+    double nearest = (std::numeric_limits<double>::infinity)();
+    for (const Line_point& q : line)
+      nearest = (std::min)(nearest, distance(p, q.point));
+    return nearest;
+  }
+
+  static Sampled_line reversed(Sampled_line line) {
+    std::reverse(line.begin(), line.end());
+    return line;
+  }
+
+  // A traced line begins at the centre of the inlet's cap, and ends at that of the outlet's (0: somewhere within).
+  Sampled_line finished(Sampled_line line, std::size_t outlet) const {
+    const double window = 1, step = 0.25; // radii
+    if (centers_[0] != std::size_t(-1))
+      line.insert(line.begin(), Line_point{ends_[0].point, line.front().radius});
+    if (outlet != 0 && centers_[outlet] != std::size_t(-1))
+      line.push_back(Line_point{ends_[outlet].point, line.back().radius});
+    return resampled(smoothed(line, window, 2), step);
+  }
+
+  Sampled_surface surface_;
+  std::vector<Centerline_end> ends_;
+  std::vector<std::size_t> centers_; // samples, or -1
+  std::vector<Index> poles_;
+  Diagram diagram_;
+};
+
+} // namespace internal
+} // namespace Tubular_meshing
+} // namespace CGAL
+
+#endif // CGAL_TUBULAR_MESHING_CENTERLINES_INTERNAL_CENTERLINE_TRACER_H

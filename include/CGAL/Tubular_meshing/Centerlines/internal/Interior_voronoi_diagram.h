@@ -1,0 +1,164 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_CENTERLINES_INTERNAL_INTERIOR_VORONOI_DIAGRAM_H
+#define CGAL_TUBULAR_MESHING_CENTERLINES_INTERNAL_INTERIOR_VORONOI_DIAGRAM_H
+
+#include <CGAL/Tubular_meshing/Centerlines/internal/Sampled_surface.h>
+
+#include <CGAL/Delaunay_triangulation_3.h>
+#include <CGAL/Delaunay_triangulation_cell_base_3.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Triangulation_cell_base_with_info_3.h>
+#include <CGAL/Triangulation_vertex_base_with_info_3.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Tubular_meshing {
+namespace internal {
+
+/* The part of the Voronoi diagram of a surface's samples that lies inside the surface: an approximation of its medial
+ * axis (N. Amenta, S. Choi and R. Kolluri, The power crust, unions of balls, and the medial axis transform, 2001).
+ *
+ * A vertex is the centre of the sphere through the four samples of a Delaunay tetrahedron; it is inside if it lies
+ * behind the tangent planes of at least three of them. This holds for no tetrahedron in a gap between two vessels, even
+ * where the gap is narrower than the triangles, and needs no search. A face is dual to a Delaunay edge, a convex
+ * polygon; those with a vertex outside are left out. */
+class Interior_voronoi_diagram {
+public:
+  typedef Double_kernel::Point_3 Point;
+  typedef Double_kernel::Vector_3 Vector;
+  typedef std::uint32_t Index;
+  static constexpr Index none = Index(-1);
+
+  std::vector<Point> points;                  // vertices
+  std::vector<double> radii;                  // of the spheres
+  std::vector<std::array<Index, 6>> faces_of; // of each vertex, filled up with `none`
+  std::vector<Index> face_begin;              // where the vertices of each face begin in face_vertices
+  std::vector<Index> face_vertices;           // in order around the face
+  std::vector<Index> poles;                   // of each sample: its largest sphere, or `none`
+
+  /* Takes in those of the surface's samples that are not in the diagram yet, and makes vertices and poles of all. */
+  void insert_samples(const Sampled_surface& surface) {
+    std::vector<std::pair<typename Delaunay::Point, Index>> samples;
+    for (std::size_t i = poles.size(); i < surface.points.size(); ++i) {
+      const Point& p = surface.points[i];
+      samples.emplace_back(typename Delaunay::Point(p.x(), p.y(), p.z()), Index(i));
+    }
+    delaunay_.insert(samples.begin(), samples.end());
+    poles.assign(surface.points.size(), none);
+    points.clear();
+    radii.clear();
+    if (delaunay_.dimension() < 3)
+      return;
+    make_vertices(surface);
+    find_poles();
+  }
+
+  std::size_t number_of_faces() const { return face_begin.empty() ? 0 : face_begin.size() - 1; }
+
+  /* The faces; apart, since the poles tell whether there are samples enough. */
+  void make_faces() {
+    faces_of.assign(points.size(), {{none, none, none, none, none, none}});
+    face_begin.assign(1, 0);
+    for (auto e = delaunay_.finite_edges_begin(); e != delaunay_.finite_edges_end(); ++e)
+      add_face(*e);
+    delaunay_.clear();
+  }
+
+  /* The sample nearest to a point; before make_faces(). */
+  Index nearest_sample(const Point& p) const {
+    return delaunay_.nearest_vertex(typename Delaunay::Point(p.x(), p.y(), p.z()))->info();
+  }
+
+private:
+  typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
+  typedef CGAL::Triangulation_data_structure_3<
+      CGAL::Triangulation_vertex_base_with_info_3<Index, Kernel>,
+      CGAL::Delaunay_triangulation_cell_base_3<Kernel, CGAL::Triangulation_cell_base_with_info_3<Index, Kernel>>>
+      Data_structure;
+  typedef CGAL::Delaunay_triangulation_3<Kernel, Data_structure> Delaunay;
+  typedef typename Delaunay::Cell_handle Cell;
+
+  void make_vertices(const Sampled_surface& surface) {
+    for (auto c = delaunay_.all_cells_begin(); c != delaunay_.all_cells_end(); ++c)
+      c->info() = none;
+    for (auto c = delaunay_.finite_cells_begin(); c != delaunay_.finite_cells_end(); ++c) {
+      Point center;
+      double radius;
+      if (!circumsphere(surface, c, center, radius) || !is_inside(surface, c, center))
+        continue;
+      c->info() = Index(points.size());
+      points.push_back(center);
+      radii.push_back(radius);
+    }
+  }
+
+  static bool circumsphere(const Sampled_surface& surface, Cell c, Point& center, double& radius) {
+    const Point& p = surface.points[c->vertex(0)->info()];
+    const Vector a = surface.points[c->vertex(1)->info()] - p;
+    const Vector b = surface.points[c->vertex(2)->info()] - p;
+    const Vector d = surface.points[c->vertex(3)->info()] - p;
+    const Vector bd = CGAL::cross_product(b, d);
+    const double volume = 2 * (a * bd);
+    const Vector r = (a * a) * bd + (b * b) * CGAL::cross_product(d, a) + (d * d) * CGAL::cross_product(a, b);
+    const double length = std::sqrt(r.squared_length());
+    if (!(std::abs(volume) > 0) || !(length < 64 * std::abs(volume))) // beyond the surface, whose extent is about 1
+      return false;
+    center = p + r / volume;
+    radius = length / std::abs(volume);
+    return true;
+  }
+
+  static bool is_inside(const Sampled_surface& surface, Cell c, const Point& center) {
+    int behind = 0;
+    for (int k = 0; k < 4; ++k) {
+      const Index i = c->vertex(k)->info();
+      behind += (center - surface.points[i]) * surface.normals[i] < 0;
+    }
+    return behind >= 3;
+  }
+
+  void find_poles() {
+    for (auto c = delaunay_.finite_cells_begin(); c != delaunay_.finite_cells_end(); ++c)
+      if (c->info() != none)
+        for (int k = 0; k < 4; ++k) {
+          Index& pole = poles[c->vertex(k)->info()];
+          if (pole == none || radii[c->info()] > radii[pole] ||
+              (radii[c->info()] == radii[pole] && points[c->info()] < points[pole]))
+            pole = c->info();
+        }
+  }
+
+  void add_face(const typename Delaunay::Edge& edge) {
+    const std::size_t begin = face_vertices.size();
+    auto c = delaunay_.incident_cells(edge);
+    const auto first = c;
+    do {
+      if (c->info() == none) {
+        face_vertices.resize(begin);
+        return;
+      }
+      face_vertices.push_back(c->info());
+    } while (++c != first);
+    const Index face = Index(face_begin.size() - 1);
+    for (std::size_t i = begin; i < face_vertices.size(); ++i)
+      *std::find(faces_of[face_vertices[i]].begin(), faces_of[face_vertices[i]].end(), none) = face;
+    face_begin.push_back(Index(face_vertices.size()));
+  }
+
+  Delaunay delaunay_;
+};
+
+} // namespace internal
+} // namespace Tubular_meshing
+} // namespace CGAL
+
+#endif // CGAL_TUBULAR_MESHING_CENTERLINES_INTERNAL_INTERIOR_VORONOI_DIAGRAM_H

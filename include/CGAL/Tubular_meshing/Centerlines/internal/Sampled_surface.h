@@ -1,0 +1,181 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_CENTERLINES_INTERNAL_SAMPLED_SURFACE_H
+#define CGAL_TUBULAR_MESHING_CENTERLINES_INTERNAL_SAMPLED_SURFACE_H
+
+#include <CGAL/Tubular_meshing/Centerlines/internal/Canonical_frame.h>
+#include <CGAL/Tubular_meshing/Centerlines/internal/Nearest_tree.h>
+#include <CGAL/Tubular_meshing/labels.h>
+
+#include <CGAL/Surface_mesh.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Tubular_meshing {
+namespace internal {
+
+/* Points on a closed surface with their outward normals, in canonical coordinates and canonical order: all that the
+ * Voronoi diagram is made from. Built in O(n log n).
+ *
+ * The vertices of the wall come first, sorted. A cap is sampled anew, whatever its triangles are: by its centre, and by
+ * copies of its rim shrunk towards it. */
+class Sampled_surface {
+public:
+  typedef Double_kernel::Point_3 Point;
+  typedef Double_kernel::Vector_3 Vector;
+  typedef std::array<std::size_t, 3> Triangle;
+
+  std::vector<Point> points;
+  std::vector<Vector> normals;
+  std::vector<Triangle> wall; // by samples
+  std::vector<Double_kernel::Triangle_3> wall_triangles;
+
+  /* `patch` tells the label of a face; those that are not labels::wall are caps. */
+  template <class Point_3, class FacePatchMap>
+  Sampled_surface(const CGAL::Surface_mesh<Point_3>& mesh, const FacePatchMap& patch, const Canonical_frame& frame) {
+    add_vertices(mesh, patch, frame);
+    for (auto f : mesh.faces())
+      if (get(patch, f) == labels::wall)
+        wall.push_back(corners(mesh, f));
+      else
+        caps_.emplace_back(corners(mesh, f), get(patch, f));
+    std::sort(wall.begin(), wall.end());
+    for (const Triangle& t : wall) {
+      add_normal(t);
+      wall_triangles.emplace_back(points[t[0]], points[t[1]], points[t[2]]);
+    }
+    for (Vector& n : normals)
+      n = unit(n);
+  }
+
+  /* Samples a cap: returns the sample at its centre. The rim runs counterclockwise, seen from outside. */
+  std::size_t add_cap(const std::vector<std::size_t>& rim, const Point& center) {
+    double perimeter = 0, radius = 0;
+    Vector area(0, 0, 0);
+    for (std::size_t i = 0; i < rim.size(); ++i) {
+      const Point &p = points[rim[i]], &q = points[rim[(i + 1) % rim.size()]];
+      perimeter += std::sqrt(CGAL::squared_distance(p, q));
+      radius += std::sqrt(CGAL::squared_distance(p, center)) / double(rim.size());
+      area = area + CGAL::cross_product(p - center, q - center);
+    }
+    // as fine as the rim, within reason: at least 3 circles, at most 12
+    const double step = (std::min)((std::max)(perimeter / double(rim.size()), radius / 12), radius / 3);
+    const int circles = (std::max)(3, int(std::lround(radius / step)));
+    const Vector normal = unit(area);
+    for (std::size_t v : rim)
+      normals[v] = unit(normals[v] + normal);
+    for (int k = 1; k < circles; ++k) {
+      const double t = double(k) / circles;
+      double walked = 0, next = 0;
+      for (std::size_t i = 0; i < rim.size(); ++i) {
+        const Point p = center + t * (points[rim[i]] - center);
+        if (walked >= next) {
+          add(p, normal);
+          next += step;
+        }
+        walked += t * std::sqrt(CGAL::squared_distance(points[rim[i]], points[rim[(i + 1) % rim.size()]]));
+      }
+    }
+    add(center, normal);
+    return points.size() - 1;
+  }
+
+  void add(const Point& p, const Vector& normal) {
+    points.push_back(p);
+    normals.push_back(normal);
+  }
+
+  struct Rim {
+    int patch;
+    std::vector<std::size_t> samples; // counterclockwise, seen from outside, from the lowest on
+  };
+
+  /* The loops in which the wall meets caps. */
+  std::vector<Rim> rims() const {
+    std::map<std::pair<std::size_t, std::size_t>, int> edges;
+    for (const auto& c : caps_)
+      for (int k = 0; k < 3; ++k)
+        edges[{c.first[k], c.first[(k + 1) % 3]}] = c.second;
+    std::map<std::size_t, std::pair<std::size_t, int>> next;
+    for (const auto& e : edges)
+      if (edges.find({e.first.second, e.first.first}) == edges.end())
+        next[e.first.first] = {e.first.second, e.second};
+    std::vector<Rim> result;
+    while (!next.empty()) {
+      Rim rim = {next.begin()->second.second, {}};
+      for (auto i = next.begin(); i != next.end();) {
+        rim.samples.push_back(i->first);
+        const std::size_t following = i->second.first;
+        next.erase(i);
+        i = next.find(following);
+      }
+      if (rim.samples.size() > 2)
+        result.push_back(std::move(rim));
+    }
+    return result;
+  }
+
+  static Vector unit(const Vector& v) {
+    const double l = std::sqrt(v.squared_length());
+    return l > 0 ? v / l : Vector(0, 0, 0);
+  }
+
+private:
+  static constexpr std::size_t none = std::size_t(-1);
+
+  template <class Point_3, class FacePatchMap>
+  void add_vertices(const CGAL::Surface_mesh<Point_3>& mesh, const FacePatchMap& patch, const Canonical_frame& frame) {
+    sample_of_.assign(mesh.num_vertices(), none);
+    for (auto f : mesh.faces())
+      if (get(patch, f) == labels::wall)
+        for (auto v : CGAL::vertices_around_face(mesh.halfedge(f), mesh))
+          sample_of_[v] = 0;
+    std::vector<std::pair<Point, std::size_t>> order;
+    for (auto v : mesh.vertices())
+      order.emplace_back(frame.to_canonical(to_double_point(mesh.point(v))), std::size_t(v));
+    std::sort(order.begin(), order.end());
+    for (const auto& p : order)
+      if (sample_of_[p.second] != none) {
+        sample_of_[p.second] = points.size();
+        points.push_back(p.first);
+      }
+    std::size_t name = points.size(); // of a vertex inside a cap, which is no sample
+    for (const auto& p : order)
+      if (sample_of_[p.second] == none)
+        sample_of_[p.second] = name++;
+    normals.assign(points.size(), Vector(0, 0, 0));
+  }
+
+  template <class Mesh> Triangle corners(const Mesh& mesh, typename Mesh::Face_index f) const {
+    const auto h = mesh.halfedge(f);
+    Triangle t = {{sample_of_[mesh.source(h)], sample_of_[mesh.target(h)], sample_of_[mesh.target(mesh.next(h))]}};
+    std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+    return t;
+  }
+
+  // Weighted by the angle, so that it does not depend on how the surface is triangulated.
+  void add_normal(const Triangle& t) {
+    const Vector n = unit(CGAL::cross_product(points[t[1]] - points[t[0]], points[t[2]] - points[t[0]]));
+    for (int k = 0; k < 3; ++k) {
+      const Vector u = points[t[(k + 1) % 3]] - points[t[k]], v = points[t[(k + 2) % 3]] - points[t[k]];
+      normals[t[k]] = normals[t[k]] + std::atan2(std::sqrt(CGAL::cross_product(u, v).squared_length()), u * v) * n;
+    }
+  }
+
+  std::vector<std::size_t> sample_of_;         // by vertex of the mesh
+  std::vector<std::pair<Triangle, int>> caps_; // faces and their labels
+};
+
+} // namespace internal
+} // namespace Tubular_meshing
+} // namespace CGAL
+
+#endif // CGAL_TUBULAR_MESHING_CENTERLINES_INTERNAL_SAMPLED_SURFACE_H

@@ -1,0 +1,208 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_CENTERLINES_INTERNAL_VORONOI_FRONT_H
+#define CGAL_TUBULAR_MESHING_CENTERLINES_INTERNAL_VORONOI_FRONT_H
+
+#include <CGAL/Tubular_meshing/Centerlines/internal/Interior_voronoi_diagram.h>
+#include <CGAL/Tubular_meshing/Centerlines/internal/Sampled_line.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <queue>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Tubular_meshing {
+namespace internal {
+
+/* The time at which a front that starts at one vertex and moves with speed R, the radius of the inscribed sphere,
+ * arrives at the vertices of the Voronoi diagram: the smallest integral of 1/R along a path (L. Antiga, B. Ene-Iordache
+ * and A. Remuzzi, Computational geometry for patient-specific reconstruction and meshing of blood vessels from MR and
+ * CT angiography, 2003).
+ *
+ * Fast marching over the faces: a vertex is reached across a face from the segment between two other of its vertices,
+ * at the point of the segment from which it is reached first; so paths cross faces in any direction, and do not run
+ * along their edges. O(n log n) for n vertices. */
+class Voronoi_front {
+public:
+  typedef Interior_voronoi_diagram Diagram;
+  typedef Diagram::Index Index;
+  typedef Diagram::Point Point;
+  typedef Diagram::Vector Vector;
+  static constexpr Index none = Diagram::none;
+
+  /* Lets the front run until it has reached all targets, or everything if there are none. */
+  Voronoi_front(const Diagram& diagram, Index source, const std::vector<Index>& targets)
+      : diagram_(diagram)
+      , time_(diagram.points.size(), (std::numeric_limits<double>::infinity)())
+      , rank_(diagram.points.size(), none) {
+    std::vector<bool> wanted(diagram.points.size(), false);
+    std::size_t missing = 0;
+    for (Index t : targets)
+      if (t != none && !wanted[t]) {
+        wanted[t] = true;
+        ++missing;
+      }
+    Index reached = 0;
+    lower(source, 0);
+    while (!queue_.empty()) {
+      const Index v = queue_.top().second;
+      queue_.pop();
+      if (rank_[v] != none)
+        continue;
+      rank_[v] = reached++;
+      if (wanted[v] && --missing == 0)
+        break;
+      spread_from(v);
+    }
+  }
+
+  bool has_reached(Index v) const { return rank_[v] != none; }
+  double time(Index v) const { return time_[v]; }
+  Index rank(Index v) const { return rank_[v]; }
+
+  /* The path of steepest descent from a vertex to the source. */
+  Sampled_line path_from(Index target) const {
+    Sampled_line path;
+    Place place = at_vertex(target);
+    const std::size_t longest = 4 * diagram_.points.size();
+    for (std::size_t i = 0; i < longest; ++i) {
+      path.push_back(Line_point{place.point, place.radius});
+      if (place.a == place.b && rank_[place.a] == 0)
+        break;
+      place = step_down(place);
+    }
+    return path;
+  }
+
+private:
+  // A point at a vertex (a == b) or on an edge of the diagram.
+  struct Place {
+    Index a, b;
+    Point point;
+    double radius, time;
+  };
+
+  const Point& point(Index v) const { return diagram_.points[v]; }
+  double radius(Index v) const { return diagram_.radii[v]; }
+
+  /* Where the segment ab is to be left for c, as a fraction of it: the minimum over x of T(x) + |x - c| / R, T being
+   * linear on ab, and R that at c. */
+  double best_departure(Index a, Index b, const Point& c, double radius_at_c) const {
+    const Vector e = point(b) - point(a), d = c - point(a);
+    const double length2 = e.squared_length();
+    if (!(length2 > 0))
+      return 0;
+    const double length = std::sqrt(length2), along = (d * e) / length;
+    const double across = std::sqrt((std::max)(0., d.squared_length() - along * along));
+    const double k = (time_[b] - time_[a]) * radius_at_c / length;
+    if (k >= 1)
+      return 0;
+    if (k <= -1)
+      return 1;
+    const double s = (along - k * across / std::sqrt(1 - k * k)) / length;
+    return (std::min)(1., (std::max)(0., s));
+  }
+
+  Place on_edge(Index a, Index b, double t) const {
+    if (t <= 0 || t >= 1)
+      return at_vertex(t <= 0 ? a : b);
+    return Place{a, b, point(a) + t * (point(b) - point(a)), (1 - t) * radius(a) + t * radius(b),
+                 (1 - t) * time_[a] + t * time_[b]};
+  }
+
+  Place at_vertex(Index v) const { return Place{v, v, point(v), radius(v), time_[v]}; }
+
+  static double time_from(const Place& x, const Point& c, double radius_at_c) {
+    return x.time + distance(x.point, c) / radius_at_c;
+  }
+
+  void lower(Index v, double time) {
+    if (time < time_[v]) {
+      time_[v] = time;
+      queue_.emplace(time, v);
+    }
+  }
+
+  void spread_from(Index v) {
+    for (Index f : diagram_.faces_of[v]) {
+      if (f == none)
+        break;
+      const Index* const begin = &diagram_.face_vertices[diagram_.face_begin[f]];
+      const Index* const end = &diagram_.face_vertices[0] + diagram_.face_begin[f + 1];
+      const Index* const here = std::find(begin, end, v);
+      const Index neighbors[2] = {here == begin ? end[-1] : here[-1], here + 1 == end ? *begin : here[1]};
+      Index earliest = v; // of the face
+      for (const Index* w = begin; w != end; ++w)
+        if (has_reached(*w) && rank_[*w] < rank_[earliest])
+          earliest = *w;
+      for (const Index* w = begin; w != end; ++w)
+        if (!has_reached(*w)) {
+          lower(*w, time_from(at_vertex(v), point(*w), radius(*w)));
+          for (Index u : {neighbors[0], neighbors[1], earliest})
+            if (u != v && has_reached(u))
+              lower(*w, time_from(on_edge(v, u, best_departure(v, u, point(*w), radius(*w))), point(*w), radius(*w)));
+        }
+    }
+  }
+
+  bool is_on(Index v, Index face) const {
+    const auto& faces = diagram_.faces_of[v];
+    return std::find(faces.begin(), faces.end(), face) != faces.end();
+  }
+
+  Place step_down(const Place& x) const {
+    Place best = x;
+    double best_time = (std::numeric_limits<double>::infinity)();
+    for (Index f : diagram_.faces_of[x.a])
+      if (f != none && is_on(x.b, f))
+        look_across(f, x, best, best_time);
+    if (best.time < x.time)
+      return best;
+    // where vertices coincide: along the order in which they were reached
+    Index lowest = rank_[x.a] < rank_[x.b] ? x.a : x.b;
+    if (x.a == x.b)
+      for (Index f : diagram_.faces_of[x.a])
+        for (Index i = f == none ? 0 : diagram_.face_begin[f]; f != none && i < diagram_.face_begin[f + 1]; ++i)
+          if (rank_[diagram_.face_vertices[i]] < rank_[lowest])
+            lowest = diagram_.face_vertices[i];
+    return at_vertex(lowest);
+  }
+
+  // The point of the face's outline from which x was reached first.
+  void look_across(Index f, const Place& x, Place& best, double& best_time) const {
+    const Index begin = diagram_.face_begin[f], end = diagram_.face_begin[f + 1];
+    for (Index i = begin; i < end; ++i) {
+      const Index u = diagram_.face_vertices[i], w = diagram_.face_vertices[i + 1 < end ? i + 1 : begin];
+      if (!has_reached(u) || !has_reached(w) || holds(x, u, w))
+        continue;
+      const Place y = on_edge(u, w, best_departure(u, w, x.point, x.radius));
+      const double t = time_from(y, x.point, x.radius);
+      if (y.time < x.time && t < best_time) {
+        best_time = t;
+        best = y;
+      }
+    }
+  }
+
+  static bool holds(const Place& x, Index u, Index w) {
+    return x.a == x.b ? x.a == u || x.a == w : (x.a == u && x.b == w) || (x.a == w && x.b == u);
+  }
+
+  const Diagram& diagram_;
+  std::vector<double> time_;
+  std::vector<Index> rank_; // in the order of arrival
+  typedef std::pair<double, Index> Event;
+  std::priority_queue<Event, std::vector<Event>, std::greater<Event>> queue_;
+};
+
+} // namespace internal
+} // namespace Tubular_meshing
+} // namespace CGAL
+
+#endif // CGAL_TUBULAR_MESHING_CENTERLINES_INTERNAL_VORONOI_FRONT_H

@@ -1,0 +1,339 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "test_surfaces.h"
+
+#include <CGAL/Tubular_meshing/Centerlines/Centerline_field.h>
+#include <CGAL/Tubular_meshing/Centerlines/branched_centerlines.h>
+#include <CGAL/Tubular_meshing/Centerlines/compute_centerlines.h>
+#include <CGAL/Tubular_meshing/Generators/bronchial_tree.h>
+#include <CGAL/Tubular_meshing/Generators/tubular_shapes.h>
+#include <CGAL/Tubular_meshing/Generators/tubular_surface.h>
+#include <CGAL/Tubular_meshing/IO/read_centerlines.h>
+#include <CGAL/Tubular_meshing/IO/read_surface.h>
+#include <CGAL/Tubular_meshing/IO/write_centerlines.h>
+#include <CGAL/Tubular_meshing/Operators/close_openings.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace test_surfaces;
+namespace tubular = CGAL::Tubular_meshing;
+typedef tubular::Centerline_graph<Point> Graph;
+typedef tubular::Tubular_skeleton<Point> Skeleton;
+typedef tubular::Opening<Point> Opening;
+
+double distance(const Point& p, const Point& q) {
+  return std::sqrt(CGAL::squared_distance(p, q));
+}
+
+struct Closed {
+  Mesh mesh;
+  Mesh::Property_map<Mesh::Face_index, int> patch;
+  std::vector<Opening> openings;
+
+  Closed(const Mesh& open, const Point* inlet)
+      : mesh(open) {
+    openings = inlet ? tubular::find_openings(mesh, tubular::parameters::inlet(*inlet)) : tubular::find_openings(mesh);
+    patch = mesh.add_property_map<Mesh::Face_index, int>("f:patch", 0).first;
+    tubular::close_openings(mesh, openings, patch);
+  }
+  Closed(const Closed&) = delete;
+};
+
+Graph centerlines_of(const Mesh& open, const Point* inlet = nullptr, bool loops = false) {
+  Closed closed(open, inlet);
+  Graph graph;
+  tubular::compute_centerlines(closed.mesh, closed.patch, closed.openings, graph, tubular::parameters::loops(loops));
+  EXPECT_TRUE(graph.is_consistent());
+  return graph;
+}
+
+Mesh surface_of(const Skeleton& skeleton, double points = 24, double noise = 0) {
+  Mesh mesh;
+  tubular::generate_tubular_surface(skeleton, mesh, tubular::parameters::points_per_circumference(points).noise(noise));
+  return mesh;
+}
+
+// How far graph and skeleton are apart, in radii, away from the skeleton's nodes; both ways.
+struct Error {
+  double mean = 0, largest = 0, radius = 0;
+};
+
+void add_samples(const std::vector<Point>& line, double step, std::vector<Point>& samples) {
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    const int n = std::max(1, int(distance(line[i - 1], line[i]) / step));
+    for (int k = 0; k < n; ++k)
+      samples.push_back(line[i - 1] + (k + 0.5) / n * (line[i] - line[i - 1]));
+  }
+}
+
+Error error_of(const Graph& graph, const Skeleton& skeleton) {
+  std::vector<std::vector<std::size_t>> branches;
+  std::vector<Point> points, ours, truth;
+  std::vector<double> radii;
+  double smallest = 1e300;
+  for (const auto& b : skeleton.branches) {
+    branches.emplace_back();
+    for (std::size_t i = 0; i < b.points.size(); ++i) {
+      branches.back().push_back(points.size());
+      points.push_back(b.points[i]);
+      radii.push_back(b.radius[i]);
+      smallest = std::min(smallest, b.radius[i]);
+    }
+    add_samples(b.points, smallest / 5, truth);
+  }
+  for (const auto& b : graph.branches()) {
+    std::vector<Point> line;
+    for (std::size_t p : b.points)
+      line.push_back(graph.points()[p]);
+    add_samples(line, smallest / 5, ours);
+  }
+  const tubular::Centerline_field<Point> there(Graph(points, radii, branches)), here(graph);
+  Error e;
+  double sum = 0, radius_sum = 0;
+  std::size_t number = 0, number_of_truth = 0;
+  const auto measure = [&](const Point& p, const tubular::Centerline_field<Point>& other, bool is_ours) {
+    const double r = there.radius(p);
+    for (const Point& node : skeleton.nodes)
+      if (distance(p, node) < 1.5 * r || distance(p, node) < 1.5 * there.radius(node))
+        return;
+    const auto d = other.descriptors(p);
+    sum += d.distance / r;
+    e.largest = std::max(e.largest, d.distance / r);
+    ++number;
+    if (!is_ours) {
+      ++number_of_truth;
+      radius_sum += std::abs(d.radius - r) / r;
+    }
+  };
+  for (const Point& p : ours)
+    measure(p, there, true);
+  for (const Point& p : truth)
+    measure(p, here, false);
+  e.mean = sum / double(number);
+  e.radius = radius_sum / double(number_of_truth);
+  return e;
+}
+
+// The radius is that of the facets, which are nearer than the skeleton's radius: by their sagitta, and by the noise.
+void expect_close_to_truth(const Skeleton& skeleton, const Mesh& surface, bool loops = false,
+                           double radius_tolerance = 0.02) {
+  const Graph graph = centerlines_of(surface, &skeleton.nodes[skeleton.inlet], loops);
+  EXPECT_EQ(graph.branches().size(), skeleton.number_of_branches());
+  EXPECT_EQ(graph.number_of_ends(), skeleton.number_of_openings());
+  const Error e = error_of(graph, skeleton);
+  ::testing::Test::RecordProperty("errors", ::testing::PrintToString(std::vector<double>{e.mean, e.largest, e.radius}));
+  EXPECT_LT(e.mean, 0.02);
+  EXPECT_LT(e.largest, 0.1);
+  EXPECT_LT(e.radius, radius_tolerance);
+}
+
+// --- against the truth ---
+
+TEST(Compute_centerlines, straight_tube) {
+  const auto s = tubular::straight_tube<Point>();
+  expect_close_to_truth(s, surface_of(s));
+}
+
+TEST(Compute_centerlines, bend) {
+  const auto s = tubular::curved_tube<Point>();
+  expect_close_to_truth(s, surface_of(s));
+}
+
+TEST(Compute_centerlines, tight_bend) {
+  const auto s = tubular::curved_tube<Point>(2.5, CGAL_PI);
+  expect_close_to_truth(s, surface_of(s));
+}
+
+TEST(Compute_centerlines, bifurcation) {
+  const auto s = tubular::y_bifurcation<Point>();
+  expect_close_to_truth(s, surface_of(s));
+}
+
+TEST(Compute_centerlines, arch) {
+  const auto s = tubular::aortic_arch<Point>();
+  expect_close_to_truth(s, surface_of(s));
+}
+
+TEST(Compute_centerlines, noisy_surface) {
+  const auto s = tubular::y_bifurcation<Point>();
+  expect_close_to_truth(s, surface_of(s, 24, 0.03), false, 0.02 + 0.03);
+}
+
+TEST(Compute_centerlines, loop_keeps_all_branches_if_asked_to) {
+  const auto s = tubular::willis_loop<Point>();
+  const Mesh surface = surface_of(s);
+  expect_close_to_truth(s, surface, true);
+  EXPECT_EQ(centerlines_of(surface, &s.nodes[s.inlet]).branches().size(), 2 * s.number_of_openings() - 3);
+}
+
+TEST(Compute_centerlines, tree_of_305_branches) {
+  const auto s = tubular::bronchial_tree<Point>(305);
+  expect_close_to_truth(s, surface_of(s, 16), false, 0.03);
+}
+
+// --- ends ---
+
+TEST(Compute_centerlines, ends_are_the_centres_of_the_caps_and_the_root_is_the_inlet) {
+  const auto s = tubular::y_bifurcation<Point>();
+  Closed closed(surface_of(s), &s.nodes[2]);
+  Graph graph;
+  tubular::compute_centerlines(closed.mesh, closed.patch, closed.openings, graph);
+  ASSERT_EQ(graph.number_of_ends(), 3u);
+  EXPECT_LT(distance(graph.points()[graph.nodes()[graph.root()].point], closed.openings[0].center), 1e-6);
+  for (const Opening& o : closed.openings) {
+    double nearest = 1e300;
+    for (const auto& n : graph.nodes())
+      nearest = std::min(nearest, distance(graph.points()[n.point], o.center));
+    EXPECT_LT(nearest, 1e-6);
+  }
+}
+
+TEST(Compute_centerlines, points_stand_for_the_spheres_that_touch_next_to_them) {
+  const Mesh torus = make_torus(60, 24);
+  Graph graph;
+  tubular::compute_centerlines(torus, std::vector<Point>{Point(4, 0, 0), Point(0, 4, 0)}, graph);
+  ASSERT_EQ(graph.branches().size(), 1u);
+  for (const Point& p : graph.points())
+    EXPECT_NEAR(std::hypot(std::hypot(p.x(), p.y()) - 3, p.z()), 0, 0.05);
+  EXPECT_NEAR(graph.length(), 3 * CGAL_PI / 2, 0.4); // the torus' rings are 0.3 apart
+}
+
+// --- invariance ---
+
+void expect_same(const Graph& a, const Graph& b, const Transformation& t, double size) {
+  ASSERT_EQ(a.points().size(), b.points().size());
+  ASSERT_EQ(a.branches().size(), b.branches().size());
+  double largest = 0;
+  for (std::size_t i = 0; i < a.points().size(); ++i)
+    largest = std::max(largest, distance(t(a.points()[i]), b.points()[i]));
+  EXPECT_LT(largest, 1e-6 * size);
+}
+
+TEST(Compute_centerlines, do_not_depend_on_position_direction_unit_and_order) {
+  const auto s = tubular::aortic_arch<Point>();
+  const Mesh surface = surface_of(s);
+  const Graph graph = centerlines_of(surface);
+  const Transformation none(CGAL::IDENTITY), turn = rotation(0.7), metres(CGAL::SCALING, 1, 1000),
+                                             move(CGAL::TRANSLATION, Vector(300, -1000, 20));
+  expect_same(graph, centerlines_of(shuffled(surface, 3)), none, 200);
+  expect_same(graph, centerlines_of(transformed(surface, turn)), turn, 200);
+  expect_same(graph, centerlines_of(transformed(surface, metres)), metres, 0.2);
+  expect_same(graph, centerlines_of(transformed(surface, move)), move, 200);
+}
+
+// --- what cannot be used ---
+
+TEST(Compute_centerlines, refuses_open_surfaces_and_single_openings) {
+  Graph graph;
+  const Mesh open = make_tube(Tube());
+  EXPECT_THROW(tubular::compute_centerlines(open, std::vector<Point>{Point(0, 0, 0), Point(0, 0, 8)}, graph),
+               tubular::Input_error);
+  const Mesh sphere = make_sphere(12, 24);
+  EXPECT_THROW(tubular::compute_centerlines(sphere, std::vector<Point>{Point(0, 0, 1)}, graph), tubular::Input_error);
+  EXPECT_THROW(tubular::compute_centerlines(Mesh(), std::vector<Point>{Point(0, 0, 1), Point(1, 0, 0)}, graph),
+               tubular::Input_error);
+}
+
+TEST(Compute_centerlines, refuses_separate_pieces) {
+  Tube tube;
+  tube.bottom = tube.top = End::fine;
+  Mesh two = make_tube(tube);
+  append(two, make_tube(tube), Transformation(CGAL::TRANSLATION, Vector(20, 0, 0)));
+  Graph graph;
+  EXPECT_THROW(tubular::compute_centerlines(two, std::vector<Point>{Point(0, 0, 0), Point(20, 0, 8)}, graph),
+               tubular::Input_error);
+}
+
+TEST(Compute_centerlines, coarse_prism_is_sampled_finely_enough) {
+  Tube tube;
+  tube.sides = 12;
+  tube.rings = 1;
+  tube.length = 20;
+  const Graph graph = centerlines_of(make_tube(tube));
+  ASSERT_EQ(graph.branches().size(), 1u);
+  for (const Point& p : graph.points())
+    EXPECT_LT(std::hypot(p.x(), p.y()), 0.05);
+}
+
+// --- VMTK's arrays ---
+
+TEST(Branched_centerlines, cut_each_line_into_branches_and_bifurcations_by_turns) {
+  const auto s = tubular::y_bifurcation<Point>();
+  const auto c = tubular::branched_centerlines(centerlines_of(surface_of(s), &s.nodes[0]));
+  EXPECT_EQ(c.centerline_ids, (std::vector<int>{0, 0, 0, 1, 1, 1}));
+  EXPECT_EQ(c.tract_ids, (std::vector<int>{0, 1, 2, 0, 1, 2}));
+  EXPECT_EQ(c.blanking, (std::vector<int>{0, 1, 0, 0, 1, 0}));
+  EXPECT_EQ(c.group_ids[0], c.group_ids[3]);
+  EXPECT_EQ(c.group_ids[1], c.group_ids[4]);
+  EXPECT_EQ(std::set<int>(c.group_ids.begin(), c.group_ids.end()).size(), 4u);
+  for (std::size_t i = 1; i < 3; ++i) // without gaps
+    EXPECT_EQ(c.lines.points[c.lines.lines[i - 1].back()], c.lines.points[c.lines.lines[i].front()]);
+}
+
+TEST(Branched_centerlines, are_written_and_read_back) {
+  const auto s = tubular::y_bifurcation<Point>();
+  const auto c = tubular::branched_centerlines(centerlines_of(surface_of(s), &s.nodes[0]));
+  for (const std::string extension : {"vtp", "vtk"}) {
+    const std::string file = TUBULAR_MESHING_SCRATCH "/branched." + extension;
+    tubular::IO::write_centerlines(file, c);
+    tubular::Centerline_polylines<Point> lines;
+    tubular::IO::read_centerlines(file, lines);
+    EXPECT_EQ(lines.lines, c.lines.lines);
+    EXPECT_EQ(lines.points, c.lines.points);
+    std::ifstream in(file, std::ios::binary);
+    const std::string text((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
+    for (const char* name : {"CenterlineIds", "TractIds", "GroupIds", "Blanking", "MaximumInscribedSphereRadius"})
+      EXPECT_NE(text.find(name), std::string::npos) << name;
+  }
+}
+
+// --- real vessels ---
+
+Graph shared_centerlines(const std::string& file, bool loops) {
+#ifdef TUBULAR_MESHING_SHARED_DATA
+  const std::string path = std::string(TUBULAR_MESHING_SHARED_DATA) + "/" + file;
+  if (std::ifstream(path)) {
+    Mesh mesh;
+    tubular::IO::read_surface(path, mesh);
+    return centerlines_of(mesh, nullptr, loops);
+  }
+#endif
+  (void)loops;
+  return Graph();
+}
+
+void expect_shape(const std::string& file, bool loops, std::size_t branches, std::size_t ends) {
+  const Graph graph = shared_centerlines(file, loops);
+  if (graph.empty())
+    GTEST_SKIP() << "needs shared/data/" << file;
+  EXPECT_EQ(graph.branches().size(), branches);
+  EXPECT_EQ(graph.number_of_ends(), ends);
+}
+
+TEST(Compute_centerlines, aorta) {
+  expect_shape("paper/aorta.stl", false, 7, 5);
+}
+TEST(Compute_centerlines, cerebral) {
+  expect_shape("paper/cerebral.stl", false, 15, 9);
+}
+TEST(Compute_centerlines, bypass_with_its_loop) {
+  expect_shape("paper/bypass.stl", true, 4, 2);
+}
+TEST(Compute_centerlines, coarse_coronary_tree) {
+  expect_shape("trees/sofa_LCA.stl", false, 11, 7);
+}
+TEST(Compute_centerlines, vessels_that_split_and_rejoin) {
+  expect_shape("trees/sofa_phantom_network.obj", true, 16, 8);
+}
+
+} // namespace
