@@ -77,7 +77,9 @@ public:
     const double smallest = smallest_radius(ends);
     const std::size_t number_of_ends = ends.size();
     std::vector<Point> points(mesh_.points().begin(), mesh_.points().end());
-    Surface_wrapper<Point> wrapper(std::move(points), triangles_and_fans(points), std::move(ends));
+    std::vector<Soup_triangle> triangles = triangles_and_fans(points);
+    Surface_wrapper<Point> wrapper(std::move(points), std::move(triangles), std::move(ends),
+                                   reason_.empty() ? "The surface is to be wrapped" : reason_);
     wrapper.wrap(mesh_, smallest);
     drop_islands(mesh_);
     const std::string what = reason_.empty() ? "As asked for, the surface was " : reason_ + "; the surface was therefore ";

@@ -12,7 +12,10 @@
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/iterator.h>
 
+#include <CGAL/utility.h>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
@@ -75,7 +78,7 @@ template <class Point> Bad_faces<Point> find_bad_faces(const CGAL::Surface_mesh<
 /* Mends crossing and folded faces in place: first by smoothing them and the faces around, which is taken back where it
  * does not help, then by replacing them with a patch that is bent like the wall around it, then ever larger patches,
  * without bending: walls that pierce each other retreat from each other. Where bad faces reach a rim, they are removed,
- * and the rim stays ragged there. O(n log n) for each of at most nine rounds. */
+ * and the notch is filled up to a chord. O(n log n) for each of at most nine rounds. */
 template <class Point> class Crossing_mender {
   typedef CGAL::Surface_mesh<Point> Mesh;
   typedef typename Mesh::Vertex_index Vertex;
@@ -197,7 +200,7 @@ private:
     for (Face f : patch)
       if (mesh_.is_removed(f))
         return;
-    const std::vector<Halfedge> sides = boundary(patch);
+    std::vector<Halfedge> sides = boundary(patch);
     const bool at_rim = std::any_of(sides.begin(), sides.end(), [&](Halfedge h) {
       return mesh_.is_border(mesh_.opposite(h));
     });
@@ -209,8 +212,43 @@ private:
       return;
     for (Face f : order)
       CGAL::Euler::remove_face(mesh_.halfedge(f), mesh_);
-    if (!at_rim)
+    if (at_rim)
+      straighten_rim(sides);
+    else
       fill_wall(mesh_, sides.front(), bent);
+  }
+
+  // Fills the notch that removed faces have left in a rim, up to the chord of its ends. The sides are those of the
+  // removed faces, by now on the border or gone.
+  void straighten_rim(const std::vector<Halfedge>& sides) {
+    const std::unordered_set<Halfedge> all(sides.begin(), sides.end());
+    const auto in_notch = [&](Halfedge h) { return all.count(h) > 0 && !mesh_.is_removed(h) && mesh_.is_border(h); };
+    auto first = std::find_if(sides.begin(), sides.end(), [&](Halfedge h) {
+      return in_notch(h) && !in_notch(mesh_.prev(h));
+    });
+    if (first == sides.end())
+      return;
+    std::vector<Vertex> notch = {mesh_.source(*first)};
+    std::vector<Point> polyline = {mesh_.point(notch.front())};
+    for (Halfedge h = *first; in_notch(h); h = mesh_.next(h)) {
+      notch.push_back(mesh_.target(h));
+      polyline.push_back(mesh_.point(notch.back()));
+    }
+    if (notch.size() < 3 || mesh_.halfedge(notch.front(), notch.back()) != Mesh::null_halfedge())
+      return;
+    std::vector<CGAL::Triple<int, int, int>> triangles;
+    Polygon_mesh_processing::triangulate_hole_polyline(polyline, std::back_inserter(triangles));
+    std::vector<std::array<int, 3>> ordered;
+    for (const auto& t : triangles) {
+      ordered.push_back({t.first, t.second, t.third});
+      std::sort(ordered.back().begin(), ordered.back().end()); // along the border
+    }
+    for (const auto& t : ordered)
+      for (int k = 0; k < 3; ++k)
+        if (t[(k + 1) % 3] - t[k] != 1 && mesh_.halfedge(notch[t[k]], notch[t[(k + 1) % 3]]) != Mesh::null_halfedge())
+          return; // an edge that the wall has already
+    for (const auto& t : ordered)
+      mesh_.add_face(notch[t[0]], notch[t[1]], notch[t[2]]);
   }
 
   bool is_disk(const Faces& patch, const std::vector<Halfedge>& sides) const {

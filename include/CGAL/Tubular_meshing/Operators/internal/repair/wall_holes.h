@@ -47,7 +47,11 @@ enum class Loop_kind { opening, pinhole, torn_wall };
  *
  * A rim is an opening's if it lies across the tube: if the wall stands upright on it. A loop that lies in the wall is a
  * pinhole if it is small against the lumen behind it: its radius is less than half the local one, which is half the
- * way to the opposite wall. A larger one is a torn wall: what is missing there, only the user knows.
+ * way to the opposite wall; or if it has at most six edges, so that it is small against the triangles of the wall. A
+ * larger one is a torn wall: what is missing there, only the user knows; so is a loop that reaches along the vessel.
+ * Loops of at most four edges, one or two triangles, may lie among faces that are out of place: for them it is enough
+ * that they do not stand upright. The bounds are far from what is found at the openings of real surfaces, where the
+ * alignment is from -0.13 to 0.22.
  *
  * The mesh has to be turned outward. The tree of its faces is built at the first loop that lies in the wall: a clean surface does not pay for it. */
 template <class Point> class Loop_classifier {
@@ -63,11 +67,15 @@ public:
   Loop_kind classify(const Opening_site<Point>& loop) {
     if (!(loop.shape.radius > 0))
       return Loop_kind::pinhole; // a slit
+    const std::size_t edges = loop.rim.size();
     const double alignment = alignment_with_wall(loop, mesh_);
+    if (edges <= 4 && alignment > 0.25)
+      return Loop_kind::pinhole;
+    if (loop.shape.sag > 3 * loop.shape.radius)
+      return Loop_kind::torn_wall;
     if (alignment < 0.5)
-      return Loop_kind::opening;
-    const double ratio = size_ratio(loop);
-    if (ratio < 0.5)
+      return edges <= 6 && size_ratio(loop) < 0.25 ? Loop_kind::pinhole : Loop_kind::opening;
+    if (size_ratio(loop) < 0.5 || (edges <= 6 && alignment > 0.7))
       return Loop_kind::pinhole;
     // a tube that narrows towards its end, or of few sides, leans on its rim too
     return alignment < 0.7 ? Loop_kind::opening : Loop_kind::torn_wall;

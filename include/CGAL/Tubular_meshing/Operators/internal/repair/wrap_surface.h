@@ -18,6 +18,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -42,11 +43,13 @@ template <class Point> class Surface_wrapper {
   typedef Vector_of<Point> Vector;
 
 public:
-  /* Takes the soup, with the fans in the ends. */
-  Surface_wrapper(std::vector<Point> points, std::vector<Soup_triangle> triangles, std::vector<Tube_end<Point>> ends)
+  /* Takes the soup, with the fans in the ends; `reason` begins the sentence of an error. */
+  Surface_wrapper(std::vector<Point> points, std::vector<Soup_triangle> triangles, std::vector<Tube_end<Point>> ends,
+                  const std::string& reason)
       : points_(std::move(points))
       , triangles_(std::move(triangles))
-      , ends_(std::move(ends)) {}
+      , ends_(std::move(ends))
+      , reason_(reason) {}
 
   double alpha() const { return alpha_; }
 
@@ -68,9 +71,9 @@ private:
     double area = 0;
     for (const Soup_triangle& t : triangles_)
       area += std::sqrt(CGAL::cross_product(points_[t[1]] - points_[t[0]], points_[t[2]] - points_[t[0]]).squared_length()) / 2;
-    const double most = 3e6;
+    const double most = 2e6; // minutes
     if (!(8 * area / (alpha_ * alpha_) < most))
-      throw Input_error("The surface cannot be mended locally, and is too large to be wrapped at the size of its smallest "
+      throw Input_error(reason_ + ", and the surface is too large to be wrapped at the size of its smallest "
                         "opening, of radius " +
                         std::to_string(3 * alpha_) + ": repair it in another program, or cut it into parts.");
   }
@@ -128,7 +131,7 @@ private:
     const Nearest_tree<Double_kernel::Triangle_3> tree(std::move(shapes));
     for (const auto& end : ends_)
       if (!open(mesh, end, faces[tree.nearest(to_double_point(end.center)).index]))
-        throw Input_error("The surface cannot be mended locally, and the opening at " + coordinates(end.center) +
+        throw Input_error(reason_ + ", and the opening at " + coordinates(end.center) +
                           " is not found again on the wrap around it: cut the surface straight there, or clean it in "
                           "another program.");
   }
@@ -152,6 +155,7 @@ private:
   std::vector<Point> points_;
   std::vector<Soup_triangle> triangles_;
   std::vector<Tube_end<Point>> ends_;
+  std::string reason_;
   double alpha_ = 0, offset_ = 0;
 };
 
