@@ -57,18 +57,19 @@ struct Clean_surface {
   std::vector<Vector> normal; ///< by vertex: outward
   std::size_t openings = 0;
   long handles = 0;
-  double radius = 1; ///< of the smallest vessel
 
-  Clean_surface(const std::string& name, const tubular::Tubular_skeleton<Point>& skeleton, double radius)
+  Clean_surface(const std::string& name, const tubular::Tubular_skeleton<Point>& skeleton)
       : name(name)
       , openings(skeleton.number_of_openings())
-      , handles(long(skeleton.number_of_loops()))
-      , radius(radius) {
-    tubular::generate_tubular_surface(skeleton, mesh, tubular::parameters::points_per_circumference(16.));
+      , handles(long(skeleton.number_of_loops())) {
+    tubular::generate_tubular_surface(skeleton, mesh, tubular::parameters::points_per_circumference(points));
     mesh.collect_garbage();
     soup = soup_of(mesh);
     measure();
   }
+
+  /* The radius of the vessel at a vertex: the length of the edges there tells. */
+  double radius(std::size_t v) const { return edge[v] * points / (2 * CGAL_PI); }
 
   /* A vertex of the wall, far from the rims, that only depends on the number. */
   std::size_t vertex(unsigned number) const {
@@ -103,6 +104,8 @@ struct Clean_surface {
   }
 
 private:
+  static constexpr double points = 16; // per circumference
+
   std::vector<std::size_t> triangles_at_or_rim(std::size_t v) const {
     std::vector<std::size_t> around;
     for (auto f : CGAL::faces_around_target(mesh.halfedge(Mesh::Vertex_index(unsigned(v))), mesh))
@@ -130,7 +133,8 @@ private:
       near_rim.swap(wider);
     }
     for (const Triangle& t : soup.triangles) {
-      const Vector n = CGAL::cross_product(soup.points[t[1]] - soup.points[t[0]], soup.points[t[2]] - soup.points[t[0]]);
+      const Vector n =
+          CGAL::cross_product(soup.points[t[1]] - soup.points[t[0]], soup.points[t[2]] - soup.points[t[0]]);
       for (std::size_t v : t)
         normal[v] = normal[v] + n;
     }
@@ -141,10 +145,8 @@ private:
 
 inline const std::vector<Clean_surface>& clean_surfaces() {
   static const std::vector<Clean_surface> all = {
-      Clean_surface("tube", tubular::straight_tube<Point>(10, 1), 1),
-      Clean_surface("y", tubular::y_bifurcation<Point>(), 0.7),
-      Clean_surface("arch", tubular::aortic_arch<Point>(), 3.15),
-      Clean_surface("loop", tubular::willis_loop<Point>(), 1)};
+      Clean_surface("tube", tubular::straight_tube<Point>(10, 1)), Clean_surface("y", tubular::y_bifurcation<Point>()),
+      Clean_surface("arch", tubular::aortic_arch<Point>()), Clean_surface("loop", tubular::willis_loop<Point>())};
   return all;
 }
 
@@ -183,8 +185,8 @@ inline void append_ball(Soup& soup, const Point& center, double radius, int para
   }
 }
 
-// Gives the triangles on one side of a plane through a vertex, within a reach, points of their own, and returns for each
-// new point the old one.
+// Gives the triangles on one side of a plane through a vertex, within a reach, points of their own, and returns for
+// each new point the old one.
 inline std::map<std::size_t, std::size_t> cut_along_plane(Soup& soup, const Point& origin, const Vector& normal,
                                                           double reach) {
   std::map<std::size_t, bool> above, below; // the points used on each side
@@ -315,8 +317,8 @@ inline Soup nonmanifold_points(const Clean_surface& s, int severity) {
     soup.points.push_back(p + d * up + d * side);
     soup.points.push_back(p + d * up - d * side);
     soup.points.push_back(p + d * up + d * CGAL::cross_product(up, side));
-    for (const Triangle& t : {Triangle{v, n, n + 1}, Triangle{v, n + 1, n + 2}, Triangle{v, n + 2, n},
-                              Triangle{n, n + 2, n + 1}})
+    for (const Triangle& t :
+         {Triangle{v, n, n + 1}, Triangle{v, n + 1, n + 2}, Triangle{v, n + 2, n}, Triangle{n, n + 2, n + 1}})
       soup.triangles.push_back(t);
   }
   if (severity == 2)
@@ -352,12 +354,14 @@ inline Soup islands(const Clean_surface& s, int severity) {
   Soup soup = s.soup;
   for (unsigned i = 0; i < (severity == 0 ? 1u : 9u); ++i) {
     const std::size_t v = s.vertex(i);
-    append_ball(soup, s.soup.points[v] + (i % 2 == 0 ? -0.5 : 0.6) * s.radius * s.normal[v], 0.15 * s.radius, 5, 7);
+    append_ball(soup, s.soup.points[v] + (i % 2 == 0 ? -0.5 : 0.6) * s.radius(v) * s.normal[v], 0.15 * s.radius(v), 5,
+                7);
   }
   if (severity == 2) {
     const std::size_t n = soup.points.size();
+    const double beside = 100 * s.radius(s.vertex(0));
     for (const Point& p : s.soup.points)
-      soup.points.push_back(Point(0.5 * p.x() + 40 * s.radius, 0.5 * p.y(), 0.5 * p.z()));
+      soup.points.push_back(Point(0.5 * p.x() + beside, 0.5 * p.y(), 0.5 * p.z()));
     for (const Triangle& t : s.soup.triangles)
       soup.triangles.push_back({t[0] + n, t[1] + n, t[2] + n});
   }
@@ -386,7 +390,7 @@ inline Soup seam_gaps(const Clean_surface& s, int severity) {
   Soup soup = s.soup;
   const std::size_t v = s.vertex(3);
   const Vector across = CGAL::cross_product(s.normal[v], Vector(0.6, 0.5, 0.63));
-  const auto old = cut_along_plane(soup, s.soup.points[v], across, 1.3 * s.radius);
+  const auto old = cut_along_plane(soup, s.soup.points[v], across, 1.3 * s.radius(v));
   std::mt19937 random(9);
   std::uniform_real_distribution<double> noise(-1, 1);
   const double width = severity == 0 ? 1e-3 : severity == 1 ? 0.05 : 0.1;
@@ -419,9 +423,9 @@ inline Soup self_intersections(const Clean_surface& s, int severity) {
     const std::size_t v = s.vertex(i);
     const Triangle t = s.soup.triangles[s.triangles_at(v)[0]];
     const std::size_t w = t[0] == v ? t[1] : t[0];
-    soup.points[v] = severity < 2 ? s.soup.points[v] + 2.6 * (s.soup.points[w] - s.soup.points[v]) -
-                                        0.1 * s.edge[v] * s.normal[v]
-                                  : s.soup.points[v] - 2.7 * s.radius * s.normal[v];
+    soup.points[v] =
+        severity < 2 ? s.soup.points[v] + 2.6 * (s.soup.points[w] - s.soup.points[v]) - 0.1 * s.edge[v] * s.normal[v]
+                     : s.soup.points[v] - 2.7 * s.radius(v) * s.normal[v];
   }
   return soup;
 }
@@ -455,9 +459,9 @@ inline Soup folds(const Clean_surface& s, int severity) {
 inline Soup touching_vessels(const Clean_surface& s, int severity) {
   Soup soup = s.soup;
   const std::size_t v = s.vertex(1);
-  const double depth = (severity == 0 ? 1.8 : severity == 1 ? 2.0 : 2.2) * s.radius;
+  const double depth = (severity == 0 ? 1.8 : severity == 1 ? 2.0 : 2.2) * s.radius(v);
   for (std::size_t w = 0; w < soup.points.size(); ++w) {
-    const double d2 = CGAL::squared_distance(s.soup.points[v], s.soup.points[w]) / (s.radius * s.radius);
+    const double d2 = CGAL::squared_distance(s.soup.points[v], s.soup.points[w]) / CGAL::square(s.radius(v));
     if (s.normal[w] * s.normal[v] > 0.3 && d2 < 4)
       soup.points[w] = soup.points[w] - depth * std::exp(-4 * d2) * s.normal[v];
   }

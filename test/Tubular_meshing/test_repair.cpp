@@ -17,7 +17,7 @@
 #include <cstdio>
 #include <fstream>
 #include <limits>
-#include <random>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -86,12 +86,22 @@ double volume_tolerance(const std::string& defect) {
   return defect == "touching walls" ? 0.3 : defect == "noise" ? 0.03 : 0.015;
 }
 
+// Relative to the local radius.
 double farthest_from(const Clean_surface& clean, const Mesh& mesh) {
-  const tubular::Wall_distance<Point> wall(clean.mesh);
+  typedef tubular::internal::Double_kernel::Triangle_3 Triangle_3;
+  std::vector<Triangle_3> triangles;
+  for (const Triangle& t : clean.soup.triangles)
+    triangles.emplace_back(tubular::internal::to_double_point(clean.soup.points[t[0]]),
+                           tubular::internal::to_double_point(clean.soup.points[t[1]]),
+                           tubular::internal::to_double_point(clean.soup.points[t[2]]));
+  const tubular::internal::Nearest_tree<Triangle_3> wall(std::move(triangles));
   double farthest = 0;
-  for (auto v : mesh.vertices())
-    farthest = std::max(farthest, wall(mesh.point(v)));
-  return farthest / clean.radius;
+  for (auto v : mesh.vertices()) {
+    const auto nearest = wall.nearest(tubular::internal::to_double_point(mesh.point(v)));
+    const double radius = clean.radius(clean.soup.triangles[nearest.index][0]);
+    farthest = std::max(farthest, std::sqrt(nearest.squared_distance) / radius);
+  }
+  return farthest;
 }
 
 void expect_like_clean(const Clean_surface& clean, const std::string& defect, const Mesh& repaired,
@@ -331,8 +341,9 @@ TEST(Real_surfaces, Are_clean_or_come_out_clean_with_their_openings) {
     const Report report = repair(soup, mesh);
     std::printf("%s\n%s", real.file.c_str(), report.text().c_str());
     EXPECT_EQ(tubular::find_openings(mesh).size(), real.openings);
-    if (real.clean)
+    if (real.clean) {
       EXPECT_TRUE(std::equal(mesh.points().begin(), mesh.points().end(), as_read.points().begin()));
+    }
     EXPECT_FALSE(pmp::does_self_intersect(mesh));
   }
 }

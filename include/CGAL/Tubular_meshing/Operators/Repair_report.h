@@ -37,11 +37,21 @@ enum class Surface_defect {
 
 /*! The name of a defect, as in JSON: `"pinholes"`. */
 inline std::string name_of(Surface_defect defect) {
-  static const char* const names[] = {"duplicate_points", "duplicate_triangles", "collapsed_triangles",
-                                      "nonmanifold_edges", "nonmanifold_points", "seam_gaps",
-                                      "turned_triangles", "inside_out", "islands",
-                                      "needle_triangles", "pinholes", "self_intersections",
-                                      "folds", "handles", "noise",
+  static const char* const names[] = {"duplicate_points",
+                                      "duplicate_triangles",
+                                      "collapsed_triangles",
+                                      "nonmanifold_edges",
+                                      "nonmanifold_points",
+                                      "seam_gaps",
+                                      "turned_triangles",
+                                      "inside_out",
+                                      "islands",
+                                      "needle_triangles",
+                                      "pinholes",
+                                      "self_intersections",
+                                      "folds",
+                                      "handles",
+                                      "noise",
                                       "wrapped"};
   return names[static_cast<std::size_t>(defect)];
 }
@@ -52,8 +62,8 @@ template <class Point_3> struct Repair {
   std::size_t count = 0; ///< of the points, triangles, edges, gaps, holes, islands or handles concerned
   double size = 0;       ///< the largest extent concerned, in the unit of the surface; 0 if it has none
   bool has_place = false;
-  Point_3 place;         ///< of the first or largest one, if `has_place`
-  std::string sentence;  ///< what was done, for the person at the keyboard
+  Point_3 place;        ///< of the first or largest one, if `has_place`
+  std::string sentence; ///< what was done, for the person at the keyboard
 };
 
 /*! \ingroup PkgTubularMeshingRef

@@ -37,8 +37,8 @@ enum class Repair_mode {
  *
  * In this order:
  * - points of equal coordinates are merged; triangles with two equal corners, and repeated ones, are removed;
- * - free edges that nearly coincide over a length (within a fifth of the local edge length) are sewn together, splitting
- *   edges where the two sides have different points;
+ * - free edges that nearly coincide over a length (within a fifth of the local edge length) are sewn together,
+ * splitting edges where the two sides have different points;
  * - fins and membranes are removed where they make an edge have more than two triangles, and the sides of the surface
  *   are separated where they touch in a point;
  * - the triangles are oriented consistently, and the whole outward;
@@ -46,11 +46,12 @@ enum class Repair_mode {
  *   part that is kept is a piece of the vessel: then the gap is refused;
  * - triangles less high than a thousandth of their longest side are collapsed or flipped away;
  * - pinholes are filled. A border loop is an opening if the wall stands upright on it: if the mean cosine between the
- *   normals of the loop and of the faces behind it is below 0.5 (near 0 at any end of a tube, however oblique). Of those
- *   that lie in the wall, a pinhole has less than half the local radius (half the way to the opposite wall). A larger
- *   hole in the wall is refused;
- * - triangles that cross, or fold back on their neighbours by more than 154 degrees, are smoothed or replaced by a patch
- *   that continues the wall; at a rim they are removed;
+ *   normals of the loop and of the faces behind it is near 0, as it is at any end of a tube, however oblique. Of those
+ *   that lie in the wall, a pinhole has less than half the local radius (half the way to the opposite wall), or few
+ *   edges; thin slits are filled as well. A larger hole in the wall, and one that cannot be told from the end of a
+ * coarse tube, is refused;
+ * - triangles that cross, or fold back on their neighbours by more than 154 degrees, are smoothed or replaced by a
+ * patch that continues the wall; at a rim they are removed;
  * - where this fails, the surface, its ends closed, is replaced by an alpha wrap (CGAL's Alpha_wrap_3) with alpha a
  *   third of the smallest opening's radius, drawn back onto the surface and cut open at the ends;
  * - loops of vessels, which may be vessels that touch and are fused, are reported, not cut.
@@ -73,10 +74,9 @@ enum class Repair_mode {
  * self-intersections.
  */
 template <class Point_3, class NamedParameters = CGAL::parameters::Default_named_parameters>
-Repair_report<Point_3> repair_surface(const std::vector<Point_3>& points,
-                                      const std::vector<std::array<std::size_t, 3>>& triangles,
-                                      CGAL::Surface_mesh<Point_3>& mesh,
-                                      const NamedParameters& np = CGAL::parameters::default_values()) {
+Repair_report<Point_3>
+repair_surface(const std::vector<Point_3>& points, const std::vector<std::array<std::size_t, 3>>& triangles,
+               CGAL::Surface_mesh<Point_3>& mesh, const NamedParameters& np = CGAL::parameters::default_values()) {
   const Repair_mode mode = internal::choose(np, internal_np::repair_mode, Repair_mode::automatic);
   internal::Triangle_soup soup;
   soup.points.reserve(points.size());
@@ -123,8 +123,8 @@ Repair_report<Point_3> repair_surface(CGAL::Surface_mesh<Point_3>& mesh,
   triangles.reserve(mesh.number_of_faces());
   for (auto f : mesh.faces()) {
     const auto h = mesh.halfedge(f);
-    triangles.push_back({std::size_t(mesh.source(h)), std::size_t(mesh.target(h)),
-                         std::size_t(mesh.target(mesh.next(h)))});
+    triangles.push_back(
+        {std::size_t(mesh.source(h)), std::size_t(mesh.target(h)), std::size_t(mesh.target(mesh.next(h)))});
   }
   CGAL::Surface_mesh<Point_3> repaired;
   Repair_report<Point_3> report = repair_surface(points, triangles, repaired, np);

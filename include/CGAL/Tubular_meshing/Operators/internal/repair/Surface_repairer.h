@@ -82,7 +82,8 @@ public:
                                    reason_.empty() ? "The surface is to be wrapped" : reason_);
     wrapper.wrap(mesh_, smallest);
     drop_islands(mesh_);
-    const std::string what = reason_.empty() ? "As asked for, the surface was " : reason_ + "; the surface was therefore ";
+    const std::string what =
+        reason_.empty() ? "As asked for, the surface was " : reason_ + "; the surface was therefore ";
     report_.add(Surface_defect::wrapped, 1, wrapper.alpha(),
                 what + "replaced by a wrap around it at a size of " + short_number(wrapper.alpha()) +
                     ", cut open at its ends.");
@@ -280,7 +281,8 @@ private:
     if (bad.empty())
       return true;
     const Mesh before = mesh_;
-    const bool mended = Crossing_mender<Point>(mesh_).mend(bad);
+    const std::size_t loops = border_cycles(mesh_).size();
+    const bool mended = Crossing_mender<Point>(mesh_).mend(bad) && border_cycles(mesh_).size() == loops;
     const std::string end = mended ? "; they were smoothed or replaced." : "; they could not be mended locally.";
     if (bad.crossings > 0) {
       const std::string what = counted(bad.crossings, "pair of triangles crosses", "pairs of triangles cross") +
@@ -377,8 +379,8 @@ private:
     std::vector<Soup_triangle> triangles;
     for (Face f : mesh_.faces()) {
       const Halfedge h = mesh_.halfedge(f);
-      triangles.push_back({std::size_t(mesh_.source(h)), std::size_t(mesh_.target(h)),
-                           std::size_t(mesh_.target(mesh_.next(h)))});
+      triangles.push_back(
+          {std::size_t(mesh_.source(h)), std::size_t(mesh_.target(h)), std::size_t(mesh_.target(mesh_.next(h)))});
     }
     for (const auto& loop : border_cycles(mesh_)) {
       const std::size_t center = points.size();

@@ -83,8 +83,8 @@ public:
           box += dropped.place.bbox();
         }
       }
-    dropped.extent = std::sqrt(square(box.xmax() - box.xmin()) + square(box.ymax() - box.ymin()) +
-                               square(box.zmax() - box.zmin()));
+    dropped.extent =
+        std::sqrt(square(box.xmax() - box.xmin()) + square(box.ymax() - box.ymin()) + square(box.zmax() - box.zmin()));
     dropped.triangles = faces.size();
     for (Face f : faces)
       CGAL::Euler::remove_face(mesh_.halfedge(f), mesh_);

@@ -35,8 +35,8 @@ Vector_of<Point> umbrella(typename CGAL::Surface_mesh<Point>::Vertex_index v, co
 
 /* Pulls vertices to the means of their neighbours, one after the other: towards a membrane. */
 template <class Point>
-void relax(CGAL::Surface_mesh<Point>& mesh, const std::vector<typename CGAL::Surface_mesh<Point>::Vertex_index>& vertices,
-           int sweeps) {
+void relax(CGAL::Surface_mesh<Point>& mesh,
+           const std::vector<typename CGAL::Surface_mesh<Point>::Vertex_index>& vertices, int sweeps) {
   for (int i = 0; i < sweeps; ++i)
     for (auto v : vertices)
       mesh.point(v) = mesh.point(v) + umbrella(v, mesh);
@@ -45,8 +45,8 @@ void relax(CGAL::Surface_mesh<Point>& mesh, const std::vector<typename CGAL::Sur
 /* Bends a patch so that it continues the surface around it: descent along the umbrella of the umbrella vectors (Kobbelt
  * et al., Interactive multi-resolution modeling on arbitrary meshes, 1998), in a fixed number of sweeps. */
 template <class Point>
-void bend(CGAL::Surface_mesh<Point>& mesh, const std::vector<typename CGAL::Surface_mesh<Point>::Vertex_index>& vertices,
-          int sweeps) {
+void bend(CGAL::Surface_mesh<Point>& mesh,
+          const std::vector<typename CGAL::Surface_mesh<Point>::Vertex_index>& vertices, int sweeps) {
   typedef typename CGAL::Surface_mesh<Point>::Vertex_index Vertex;
   std::unordered_map<Vertex, Vector_of<Point>> first;
   for (int i = 0; i < sweeps; ++i) {

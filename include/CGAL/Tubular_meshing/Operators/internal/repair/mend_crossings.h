@@ -43,7 +43,8 @@ bool is_folded(typename CGAL::Surface_mesh<Point>::Edge_index e, const CGAL::Sur
     return false;
   const Vector_of<Point> m = area_vector(mesh.halfedge(e, 0), mesh), n = area_vector(mesh.halfedge(e, 1), mesh);
   const double cosine = m * n; // times the areas
-  return cosine < 0 && cosine * cosine > 0.81 * m.squared_length() * n.squared_length(); // turns by more than 154 degrees
+  return cosine < 0 &&
+         cosine * cosine > 0.81 * m.squared_length() * n.squared_length(); // turns by more than 154 degrees
 }
 
 template <class Point> Bad_faces<Point> find_bad_faces(const CGAL::Surface_mesh<Point>& mesh) {
@@ -75,10 +76,10 @@ template <class Point> Bad_faces<Point> find_bad_faces(const CGAL::Surface_mesh<
   return bad;
 }
 
-/* Mends crossing and folded faces in place: first by smoothing them and the faces around, which is taken back where it
- * does not help, then by replacing them with a patch that is bent like the wall around it, then ever larger patches,
- * without bending: walls that pierce each other retreat from each other. Where bad faces reach a rim, they are removed,
- * and the notch is filled up to a chord. O(n log n) for each of at most nine rounds. */
+/* Mends crossing and folded faces in place: first by smoothing them and the faces around, bent like the wall or flat,
+ * which is taken back where it does not help, then by replacing them with a patch that is bent like the wall around it,
+ * then ever larger patches, without bending: walls that pierce each other retreat from each other. Where bad faces
+ * reach a rim, they are removed, and the notch is filled up to a chord. O(n log n) for each of at most ten rounds. */
 template <class Point> class Crossing_mender {
   typedef CGAL::Surface_mesh<Point> Mesh;
   typedef typename Mesh::Vertex_index Vertex;
@@ -92,8 +93,8 @@ public:
 
   /* Whether nothing bad is left. */
   bool mend(Bad_faces<Point> bad) {
-    for (int rings = 0; rings <= 2 && !bad.empty(); ++rings)
-      bad = smooth(bad, rings);
+    for (int round = 0; round < 4 && !bad.empty(); ++round)
+      bad = smooth(bad, (round + 1) / 2, round < 2);
     for (int round = 0; round < 6 && !bad.empty(); ++round) {
       for (const Faces& patch : patches_around(bad.faces, 1 + round / 2))
         replace(patch, round < 2);
@@ -104,7 +105,7 @@ public:
   }
 
 private:
-  Bad_faces<Point> smooth(const Bad_faces<Point>& bad, int rings) {
+  Bad_faces<Point> smooth(const Bad_faces<Point>& bad, int rings, bool bent) {
     std::vector<std::vector<std::pair<Vertex, Point>>> before;
     std::vector<Faces> patches = patches_around(bad.faces, rings);
     for (const Faces& patch : patches) {
@@ -112,7 +113,9 @@ private:
       before.emplace_back();
       for (Vertex v : vertices)
         before.back().emplace_back(v, mesh_.point(v));
-      relax(mesh_, vertices, 4);
+      relax(mesh_, vertices, bent ? 6 : 4);
+      if (bent)
+        bend(mesh_, vertices, 40);
     }
     const Bad_faces<Point> left = find_bad_faces(mesh_);
     for (std::size_t i = 0; i < patches.size(); ++i)
@@ -201,9 +204,8 @@ private:
       if (mesh_.is_removed(f))
         return;
     std::vector<Halfedge> sides = boundary(patch);
-    const bool at_rim = std::any_of(sides.begin(), sides.end(), [&](Halfedge h) {
-      return mesh_.is_border(mesh_.opposite(h));
-    });
+    const bool at_rim =
+        std::any_of(sides.begin(), sides.end(), [&](Halfedge h) { return mesh_.is_border(mesh_.opposite(h)); });
     if (!at_rim && !is_disk(patch, sides))
       return;
     std::vector<Face> order(patch.begin(), patch.end());
@@ -223,9 +225,8 @@ private:
   void straighten_rim(const std::vector<Halfedge>& sides) {
     const std::unordered_set<Halfedge> all(sides.begin(), sides.end());
     const auto in_notch = [&](Halfedge h) { return all.count(h) > 0 && !mesh_.is_removed(h) && mesh_.is_border(h); };
-    auto first = std::find_if(sides.begin(), sides.end(), [&](Halfedge h) {
-      return in_notch(h) && !in_notch(mesh_.prev(h));
-    });
+    auto first =
+        std::find_if(sides.begin(), sides.end(), [&](Halfedge h) { return in_notch(h) && !in_notch(mesh_.prev(h)); });
     if (first == sides.end())
       return;
     std::vector<Vertex> notch = {mesh_.source(*first)};

@@ -63,14 +63,15 @@ private:
   double side(Halfedge h) const { return point_distance(mesh_.point(mesh_.source(h)), mesh_.point(mesh_.target(h))); }
 
   static double flatness(const Point& a, const Point& b, const Point& c) {
-    const double longest = (std::max)((b - a).squared_length(), (std::max)((c - b).squared_length(), (a - c).squared_length()));
+    const double longest =
+        (std::max)((b - a).squared_length(), (std::max)((c - b).squared_length(), (a - c).squared_length()));
     return longest > 0 ? std::sqrt(CGAL::cross_product(b - a, c - a).squared_length()) / longest : 0;
   }
 
   bool is_needle(Face f) const {
     const Halfedge h = mesh_.halfedge(f);
-    return flatness(mesh_.point(mesh_.source(h)), mesh_.point(mesh_.target(h)), mesh_.point(mesh_.target(mesh_.next(h)))) <
-           least_flatness;
+    return flatness(mesh_.point(mesh_.source(h)), mesh_.point(mesh_.target(h)),
+                    mesh_.point(mesh_.target(mesh_.next(h)))) < least_flatness;
   }
 
   bool remove(Face f) {

@@ -84,14 +84,12 @@ private:
     }
     for (std::size_t i = 0; i < free_.size(); ++i) {
       const Coordinates &p = soup_.points[free_[i].a], &q = soup_.points[free_[i].b];
-      edges.emplace_back(CGAL::Bbox_3(p[0], p[1], p[2], p[0], p[1], p[2]) +
-                             CGAL::Bbox_3(q[0], q[1], q[2], q[0], q[1], q[2]),
-                         i);
+      edges.emplace_back(
+          CGAL::Bbox_3(p[0], p[1], p[2], p[0], p[1], p[2]) + CGAL::Bbox_3(q[0], q[1], q[2], q[0], q[1], q[2]), i);
     }
     std::vector<std::pair<std::size_t, std::size_t>> pairs;
-    CGAL::box_intersection_d(points.begin(), points.end(), edges.begin(), edges.end(), [&](const Box& p, const Box& e) {
-      pairs.emplace_back(p.info(), e.info());
-    });
+    CGAL::box_intersection_d(points.begin(), points.end(), edges.begin(), edges.end(),
+                             [&](const Box& p, const Box& e) { pairs.emplace_back(p.info(), e.info()); });
     std::sort(pairs.begin(), pairs.end()); // the boxes come in no certain order
     for (const auto& pair : pairs) {
       const Free_edge& e = free_[pair.second];
@@ -122,8 +120,7 @@ private:
       const auto p = project(v, free_[i]);
       if (!(p.second <= tolerance))
         return;
-      const Candidate c{p.second, p.first, i,
-                        (std::min)(p.first, 1 - p.first) * free_[i].length <= tolerance};
+      const Candidate c{p.second, p.first, i, (std::min)(p.first, 1 - p.first) * free_[i].length <= tolerance};
       const auto inserted = near.emplace(v, c);
       if (!inserted.second && std::make_pair(!c.at_end, c.distance) <
                                   std::make_pair(!inserted.first->second.at_end, inserted.first->second.distance))

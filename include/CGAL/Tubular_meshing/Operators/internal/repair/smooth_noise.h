@@ -6,9 +6,11 @@
 
 #include <CGAL/Tubular_meshing/Operators/internal/Opening_site.h>
 #include <CGAL/Tubular_meshing/Operators/internal/flat_ends.h>
+#include <CGAL/Tubular_meshing/Operators/internal/repair/drop_islands.h>
 
 #include <CGAL/Surface_mesh.h>
 
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -17,8 +19,9 @@ namespace Tubular_meshing {
 namespace internal {
 
 /* Takes staircase noise off a surface and keeps its volume: Taubin's alternation of a smoothing and an inflating step
- * (A signal processing approach to fair surface design, 1995), pass band 0.1, ten rounds. A vertex on a rim moves along
- * the rim only, as a vertex of that curve; flat caps stay as they are. O(n) a round. */
+ * (A signal processing approach to fair surface design, 1995), pass band 0.1, ten rounds; what volume that gains or
+ * loses is then made up for by moving the wall along its normals, all over by the same length. A vertex on a rim moves
+ * along the rim only, as a vertex of that curve; flat caps stay as they are. O(n) a round. */
 template <class Point> class Noise_smoother {
   typedef CGAL::Surface_mesh<Point> Mesh;
   typedef typename Mesh::Vertex_index Vertex;
@@ -38,10 +41,12 @@ public:
 
   void smooth(int rounds = 10) {
     const double lambda = 0.5, pass_band = 0.1, mu = 1 / (pass_band - 1 / lambda);
+    const double volume = closed_volume();
     for (int i = 0; i < rounds; ++i) {
       step(lambda);
       step(mu);
     }
+    offset(volume);
   }
 
 private:
@@ -52,6 +57,40 @@ private:
         moves_[std::size_t(v)] = factor * mean_of_neighbours(v);
     for (Vertex v : mesh_.vertices())
       mesh_.point(v) = mesh_.point(v) + moves_[std::size_t(v)];
+  }
+
+  // Of the surface with its border loops closed by fans.
+  double closed_volume() const {
+    double volume = 0;
+    const Point o = mesh_.point(*mesh_.vertices().begin());
+    const auto add = [&](const Point& a, const Point& b, const Point& c) {
+      volume += (a - o) * CGAL::cross_product(b - o, c - o) / 6;
+    };
+    for (auto f : mesh_.faces()) {
+      const Halfedge h = mesh_.halfedge(f);
+      add(mesh_.point(mesh_.source(h)), mesh_.point(mesh_.target(h)), mesh_.point(mesh_.target(mesh_.next(h))));
+    }
+    for (const auto& loop : border_cycles(mesh_))
+      for (Halfedge h : loop.rim)
+        add(mesh_.point(mesh_.source(h)), mesh_.point(mesh_.target(h)), loop.shape.center);
+    return volume;
+  }
+
+  void offset(double volume) {
+    std::vector<Vector> normals(mesh_.num_vertices(), Vector(0, 0, 0));
+    double area = 0;
+    for (auto f : mesh_.faces()) {
+      const Vector n = area_vector(mesh_.halfedge(f), mesh_);
+      area += std::sqrt(n.squared_length());
+      for (Vertex v : CGAL::vertices_around_face(mesh_.halfedge(f), mesh_))
+        normals[std::size_t(v)] = normals[std::size_t(v)] + n;
+    }
+    const double distance = (volume - closed_volume()) / area;
+    for (Vertex v : mesh_.vertices()) {
+      const double length = std::sqrt(normals[std::size_t(v)].squared_length());
+      if (!fixed_[std::size_t(v)] && length > 0)
+        mesh_.point(v) = mesh_.point(v) + (distance / length) * normals[std::size_t(v)];
+    }
   }
 
   Vector mean_of_neighbours(Vertex v) const {

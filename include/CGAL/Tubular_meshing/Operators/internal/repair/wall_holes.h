@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_OPERATORS_INTERNAL_REPAIR_WALL_HOLES_H
 #define CGAL_TUBULAR_MESHING_OPERATORS_INTERNAL_REPAIR_WALL_HOLES_H
 
+#include <CGAL/Tubular_meshing/Centerlines/internal/Nearest_tree.h>
 #include <CGAL/Tubular_meshing/Operators/internal/Opening_site.h>
 #include <CGAL/Tubular_meshing/internal/cgal_compatibility.h>
 
@@ -27,7 +28,8 @@ namespace internal {
  * rim and what leans out on one side leans in on the other; near 1 round a hole of the wall, since the loop continues
  * the faces. Does not depend on the orientation of the mesh. On real vessels and airways the rims of openings stay
  * below 0.22, holes of the wall above 0.8. */
-template <class Point> double alignment_with_wall(const Opening_site<Point>& loop, const CGAL::Surface_mesh<Point>& mesh) {
+template <class Point>
+double alignment_with_wall(const Opening_site<Point>& loop, const CGAL::Surface_mesh<Point>& mesh) {
   double sum = 0, perimeter = 0;
   for (auto h : loop.rim) {
     const Vector_of<Point> n = area_vector(mesh.opposite(h), mesh);
@@ -49,11 +51,13 @@ enum class Loop_kind { opening, pinhole, torn_wall };
  * pinhole if it is small against the lumen behind it: its radius is less than half the local one, which is half the
  * way to the opposite wall; or if it has at most six edges, so that it is small against the triangles of the wall. A
  * larger one is a torn wall: what is missing there, only the user knows; so is a loop that reaches along the vessel.
- * Loops of at most four edges, one or two triangles, may lie among faces that are out of place: for them it is enough
- * that they do not stand upright. The bounds are far from what is found at the openings of real surfaces, where the
- * alignment is from -0.13 to 0.22.
+ * So is a thin slit that a gap has left. A loop that is much smaller than the edges behind it, or has few edges, and is
+ * tiny against the lumen, is a pinhole however its faces lie; where it is not tiny, or nothing is behind it, it is not
+ * guessed what it is. The bounds are far from what is found at the openings of real surfaces, where the alignment is
+ * from -0.13 to 0.24.
  *
- * The mesh has to be turned outward. The tree of its faces is built at the first loop that lies in the wall: a clean surface does not pay for it. */
+ * The mesh has to be turned outward. The tree of its faces is built at the first loop that lies in the wall: a clean
+ * surface does not pay for it. */
 template <class Point> class Loop_classifier {
   typedef CGAL::Surface_mesh<Point> Mesh;
   typedef typename Kernel_traits<Point>::Kernel Kernel;
@@ -66,17 +70,23 @@ public:
 
   Loop_kind classify(const Opening_site<Point>& loop) {
     if (!(loop.shape.radius > 0))
-      return Loop_kind::pinhole; // a slit
+      return Loop_kind::pinhole; // it encloses nothing
     const std::size_t edges = loop.rim.size();
     const double alignment = alignment_with_wall(loop, mesh_);
-    if (edges <= 4 && alignment > 0.25)
+    const bool is_tiny = loop.shape.radius < 0.35 * edge_length_behind(loop);
+    if ((is_tiny && (is_thin(loop) || std::abs(alignment) > 0.5)) || (edges > 8 && is_slit(loop)))
       return Loop_kind::pinhole;
     if (loop.shape.sag > 3 * loop.shape.radius)
       return Loop_kind::torn_wall;
-    if (alignment < 0.5)
-      return edges <= 6 && size_ratio(loop) < 0.25 ? Loop_kind::pinhole : Loop_kind::opening;
-    if (size_ratio(loop) < 0.5 || (edges <= 6 && alignment > 0.7))
-      return Loop_kind::pinhole;
+    if (alignment < 0.25 && edges > 6 && !is_tiny)
+      return Loop_kind::opening;
+    const double ratio = size_ratio(loop);
+    if (ratio < 0.25 || (alignment > 0.5 && ratio < 0.5) || (alignment > 0.7 && edges <= 6))
+      return edges <= 6 || is_tiny || alignment > 0.5 ? Loop_kind::pinhole : Loop_kind::opening;
+    if (is_tiny && !(ratio < 10))
+      return Loop_kind::torn_wall; // nothing is behind it: faces are out of place
+    if (edges <= 4 && alignment > 0.25)
+      return Loop_kind::torn_wall; // one or two triangles missing, or the end of a coarse tube
     // a tube that narrows towards its end, or of few sides, leans on its rim too
     return alignment < 0.7 ? Loop_kind::opening : Loop_kind::torn_wall;
   }
@@ -97,6 +107,45 @@ public:
   }
 
 private:
+  /* What is left of a gap along a seam: a loop so thin that its own normal means nothing, with an edge of another part
+   * of it within about an edge's length from each of its vertices. */
+  bool is_slit(const Opening_site<Point>& loop) const {
+    if (!is_thin(loop))
+      return false;
+    const double perimeter = loop.shape.perimeter;
+    const std::vector<Point> rim = rim_points(loop.rim, mesh_);
+    const std::size_t n = rim.size();
+    const double reach = 1.5 * perimeter / double(n);
+    for (std::size_t i = 0; i < n; ++i) {
+      bool is_near = false;
+      for (std::size_t k = 1; k + 2 <= n && !is_near; ++k) { // the edges that do not end at vertex i
+        const Double_kernel::Segment_3 edge(to_double_point(rim[(i + k) % n]), to_double_point(rim[(i + k + 1) % n]));
+        const Double_kernel::Point_3 p = to_double_point(rim[i]);
+        is_near = (i + k + 1) % n != i && CGAL::squared_distance(projection(edge, p), p) < reach * reach;
+      }
+      if (!is_near)
+        return false;
+    }
+    return true;
+  }
+
+  // An ellipse of 15:1 is not as thin.
+  static bool is_thin(const Opening_site<Point>& loop) {
+    return 4 * CGAL_PI * loop.shape.area < 0.15 * loop.shape.perimeter * loop.shape.perimeter;
+  }
+
+  // The mean length of the edges that lead from the loop into the wall.
+  double edge_length_behind(const Opening_site<Point>& loop) const {
+    double sum = 0, n = 0;
+    for (auto rim : loop.rim)
+      for (auto h : CGAL::halfedges_around_target(rim, mesh_))
+        if (!mesh_.is_border(mesh_.edge(h))) {
+          sum += point_distance(mesh_.point(mesh_.source(h)), mesh_.point(mesh_.target(h)));
+          ++n;
+        }
+    return n > 0 ? sum / n : 0;
+  }
+
   void add_way(const Opening_site<Point>& loop, const Vector_of<Point>& axis, int i, double radius,
                std::vector<double>& ways) const {
     Vector_of<Point> direction = axis;

@@ -70,10 +70,13 @@ private:
   void check_size() const {
     double area = 0;
     for (const Soup_triangle& t : triangles_)
-      area += std::sqrt(CGAL::cross_product(points_[t[1]] - points_[t[0]], points_[t[2]] - points_[t[0]]).squared_length()) / 2;
-    const double most = 2e6; // minutes
+      area += std::sqrt(
+                  CGAL::cross_product(points_[t[1]] - points_[t[0]], points_[t[2]] - points_[t[0]]).squared_length()) /
+              2;
+    const double most = 1e6; // a minute's work
     if (!(8 * area / (alpha_ * alpha_) < most))
-      throw Input_error(reason_ + ", and the surface is too large to be wrapped at the size of its smallest "
+      throw Input_error(reason_ +
+                        ", and the surface is too large to be wrapped at the size of its smallest "
                         "opening, of radius " +
                         std::to_string(3 * alpha_) + ": repair it in another program, or cut it into parts.");
   }
