@@ -4,7 +4,6 @@
 #ifndef CGAL_TUBULAR_MESHING_OPERATORS_INTERNAL_REPAIR_WALL_HOLES_H
 #define CGAL_TUBULAR_MESHING_OPERATORS_INTERNAL_REPAIR_WALL_HOLES_H
 
-#include <CGAL/Tubular_meshing/Centerlines/internal/Nearest_tree.h>
 #include <CGAL/Tubular_meshing/Operators/internal/Opening_site.h>
 #include <CGAL/Tubular_meshing/internal/cgal_compatibility.h>
 
@@ -74,8 +73,10 @@ public:
     const std::size_t edges = loop.rim.size();
     const double alignment = alignment_with_wall(loop, mesh_);
     const bool is_tiny = loop.shape.radius < 0.35 * edge_length_behind(loop);
-    if ((is_tiny && (is_thin(loop) || std::abs(alignment) > 0.5)) || (edges > 8 && is_slit(loop)))
+    if (is_tiny && (is_thin(loop) || std::abs(alignment) > 0.5))
       return Loop_kind::pinhole;
+    if (is_thin(loop) && edges > 6)
+      return Loop_kind::torn_wall; // a wide gap, or a rim with a tear
     if (loop.shape.sag > 3 * loop.shape.radius)
       return Loop_kind::torn_wall;
     if (alignment < 0.25 && edges > 6 && !is_tiny)
@@ -107,29 +108,7 @@ public:
   }
 
 private:
-  /* What is left of a gap along a seam: a loop so thin that its own normal means nothing, with an edge of another part
-   * of it within about an edge's length from each of its vertices. */
-  bool is_slit(const Opening_site<Point>& loop) const {
-    if (!is_thin(loop))
-      return false;
-    const double perimeter = loop.shape.perimeter;
-    const std::vector<Point> rim = rim_points(loop.rim, mesh_);
-    const std::size_t n = rim.size();
-    const double reach = 1.5 * perimeter / double(n);
-    for (std::size_t i = 0; i < n; ++i) {
-      bool is_near = false;
-      for (std::size_t k = 1; k + 2 <= n && !is_near; ++k) { // the edges that do not end at vertex i
-        const Double_kernel::Segment_3 edge(to_double_point(rim[(i + k) % n]), to_double_point(rim[(i + k + 1) % n]));
-        const Double_kernel::Point_3 p = to_double_point(rim[i]);
-        is_near = (i + k + 1) % n != i && CGAL::squared_distance(projection(edge, p), p) < reach * reach;
-      }
-      if (!is_near)
-        return false;
-    }
-    return true;
-  }
-
-  // An ellipse of 15:1 is not as thin.
+  // So thin that its own normal means nothing: an ellipse of 15:1 is not.
   static bool is_thin(const Opening_site<Point>& loop) {
     return 4 * CGAL_PI * loop.shape.area < 0.15 * loop.shape.perimeter * loop.shape.perimeter;
   }
