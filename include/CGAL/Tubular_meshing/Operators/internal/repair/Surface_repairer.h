@@ -1,0 +1,412 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_OPERATORS_INTERNAL_REPAIR_SURFACE_REPAIRER_H
+#define CGAL_TUBULAR_MESHING_OPERATORS_INTERNAL_REPAIR_SURFACE_REPAIRER_H
+
+#include <CGAL/Tubular_meshing/Operators/Repair_report.h>
+#include <CGAL/Tubular_meshing/Operators/internal/Opening_site.h>
+#include <CGAL/Tubular_meshing/Operators/internal/flat_ends.h>
+#include <CGAL/Tubular_meshing/Operators/internal/repair/Soup_edges.h>
+#include <CGAL/Tubular_meshing/Operators/internal/repair/drop_islands.h>
+#include <CGAL/Tubular_meshing/Operators/internal/repair/fill_wall.h>
+#include <CGAL/Tubular_meshing/Operators/internal/repair/mend_crossings.h>
+#include <CGAL/Tubular_meshing/Operators/internal/repair/remove_fins.h>
+#include <CGAL/Tubular_meshing/Operators/internal/repair/remove_needles.h>
+#include <CGAL/Tubular_meshing/Operators/internal/repair/sew_seams.h>
+#include <CGAL/Tubular_meshing/Operators/internal/repair/smooth_noise.h>
+#include <CGAL/Tubular_meshing/Operators/internal/repair/wall_holes.h>
+#include <CGAL/Tubular_meshing/Operators/internal/repair/wrap_surface.h>
+#include <CGAL/Tubular_meshing/exceptions.h>
+
+#include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
+#include <CGAL/Polygon_mesh_processing/orientation.h>
+#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Polygon_mesh_processing/stitch_borders.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <unordered_set>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Tubular_meshing {
+namespace internal {
+
+/* The repairs, one after the other: first those of the triangles as a soup, then those of the mesh that they make. */
+template <class Point> class Surface_repairer {
+  typedef CGAL::Surface_mesh<Point> Mesh;
+  typedef typename Mesh::Vertex_index Vertex;
+  typedef typename Mesh::Halfedge_index Halfedge;
+  typedef typename Mesh::Face_index Face;
+
+public:
+  Surface_repairer(Mesh& mesh, Repair_report<Point>& report)
+      : mesh_(mesh)
+      , report_(report) {}
+
+  /* Makes the mesh without mending anything but what keeps the triangles from being one. */
+  void assemble(Triangle_soup& soup) {
+    merge_and_drop(soup);
+    make_mesh(soup);
+  }
+
+  /* Makes the mesh and mends it. */
+  void repair(Triangle_soup& soup) {
+    merge_and_drop(soup);
+    sew(soup);
+    remove_fins(soup);
+    make_mesh(soup);
+    report_islands(drop_islands(mesh_));
+    turn_outward();
+    remove_needles();
+    close_pinholes();
+    if (!mend_crossings() || !is_sound())
+      wrap();
+    report_handles();
+  }
+
+  /* Replaces the mesh by a wrap around it. */
+  void wrap() {
+    std::vector<Tube_end<Point>> ends = tube_ends();
+    const double smallest = smallest_radius(ends);
+    const std::size_t number_of_ends = ends.size();
+    std::vector<Point> points(mesh_.points().begin(), mesh_.points().end());
+    std::vector<Soup_triangle> triangles = triangles_and_fans(points);
+    Surface_wrapper<Point> wrapper(std::move(points), std::move(triangles), std::move(ends),
+                                   reason_.empty() ? "The surface is to be wrapped" : reason_);
+    wrapper.wrap(mesh_, smallest);
+    drop_islands(mesh_);
+    const std::string what =
+        reason_.empty() ? "As asked for, the surface was " : reason_ + "; the surface was therefore ";
+    report_.add(Surface_defect::wrapped, 1, wrapper.alpha(),
+                what + "replaced by a wrap around it at a size of " + short_number(wrapper.alpha()) +
+                    ", cut open at its ends.");
+    if (border_cycles(mesh_).size() != number_of_ends || !find_bad_faces_in_wrap().empty())
+      throw Input_error((reason_.empty() ? "The surface cannot be wrapped" : reason_ + ", and wrapping it fails") +
+                        ": clean it in another program.");
+  }
+
+  void smooth() {
+    const std::vector<Point> before(mesh_.points().begin(), mesh_.points().end());
+    const bool was_bad = !find_bad_faces(mesh_).empty();
+    Noise_smoother<Point>(mesh_).smooth();
+    if (!was_bad && !find_bad_faces(mesh_).empty() && !Crossing_mender<Point>(mesh_).mend(find_bad_faces(mesh_)))
+      throw Meshing_error("Smoothing makes the surface intersect itself at " +
+                          coordinates(find_bad_faces(mesh_).crossing) + ": leave the smoothing out.");
+    double farthest = 0;
+    for (std::size_t i = 0; i < (std::min)(before.size(), std::size_t(mesh_.num_vertices())); ++i)
+      farthest = (std::max)(farthest, point_distance(before[i], mesh_.point(Vertex(typename Mesh::size_type(i)))));
+    report_.add(Surface_defect::noise, mesh_.number_of_vertices(), farthest,
+                "The surface was smoothed, by up to " + short_number(farthest) + ".");
+  }
+
+private:
+  static Point point(const Coordinates& c) { return Point(c[0], c[1], c[2]); }
+
+  // --- the soup ---
+
+  void merge_and_drop(Triangle_soup& soup) {
+    const std::size_t points = soup.points.size(), triangles = soup.triangles.size();
+    IO::internal::merge_points(soup.points, soup.triangles);
+    if (soup.points.size() < points)
+      report_.add(Surface_defect::duplicate_points, points - soup.points.size(), 0,
+                  counted(points - soup.points.size(), "point was", "points were") + " merged with equal ones.");
+    const std::size_t collapsed = static_cast<std::size_t>(
+        std::count_if(soup.triangles.begin(), soup.triangles.end(),
+                      [](const Soup_triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }));
+    IO::internal::drop_degenerate_and_duplicate(soup.triangles);
+    const std::size_t duplicates = triangles - collapsed - soup.triangles.size();
+    if (collapsed > 0)
+      report_.add(Surface_defect::collapsed_triangles, collapsed, 0,
+                  counted(collapsed, "triangle with two equal corners was", "triangles with two equal corners were") +
+                      " removed.");
+    if (duplicates > 0)
+      report_.add(Surface_defect::duplicate_triangles, duplicates, 0,
+                  counted(duplicates, "repeated triangle was", "repeated triangles were") + " removed.");
+    IO::internal::drop_unused_points(soup.points, soup.triangles);
+    if (soup.triangles.empty())
+      throw Input_error("The surface has no triangle with three different corners: check the unit and the precision it "
+                        "was exported with.");
+  }
+
+  void sew(Triangle_soup& soup) {
+    const Sewn_seams sewn = Seam_sewer(soup).sew();
+    if (sewn.edges > 0)
+      report_.add(Surface_defect::seam_gaps, sewn.edges, sewn.width,
+                  "Gaps of up to " + short_number(sewn.width) + " along seams were sewn up, " +
+                      counted(sewn.edges, "edge", "edges") + " in all.",
+                  point(sewn.place));
+  }
+
+  void remove_fins(Triangle_soup& soup) {
+    const Removed_fins removed = Fin_remover(soup).remove();
+    if (removed.edges == 0)
+      return;
+    IO::internal::drop_unused_points(soup.points, soup.triangles);
+    report_.add(Surface_defect::nonmanifold_edges, removed.edges, 0,
+                counted(removed.edges, "edge was", "edges were") + " shared by more than two triangles, the first at " +
+                    coordinates(point(removed.place)) + ": fins and membranes there, of " +
+                    counted(removed.triangles, "triangle", "triangles") + ", were removed.",
+                point(removed.place));
+  }
+
+  void make_mesh(Triangle_soup& soup) {
+    std::vector<Point> points;
+    points.reserve(soup.points.size());
+    for (const Coordinates& p : soup.points)
+      points.push_back(point(p));
+    const std::vector<Soup_triangle> before = soup.triangles;
+    Polygon_mesh_processing::orient_polygon_soup(points, soup.triangles);
+    report_orientation(points, before, soup.triangles);
+    mesh_.clear();
+    Polygon_mesh_processing::polygon_soup_to_polygon_mesh(points, soup.triangles, mesh_);
+    Polygon_mesh_processing::stitch_borders(mesh_);
+  }
+
+  void report_orientation(const std::vector<Point>& points, const std::vector<Soup_triangle>& before,
+                          const std::vector<Soup_triangle>& after) {
+    std::size_t turned = 0, first_turned = after.size(), first_kept = after.size();
+    std::size_t doubled = 0, first_doubled = points.size();
+    std::size_t old_points = 0;
+    for (const Soup_triangle& t : before)
+      old_points = (std::max)(old_points, *std::max_element(t.begin(), t.end()) + 1);
+    for (std::size_t f = 0; f < after.size(); ++f) {
+      const bool is_turned = is_reversed(points, before[f], after[f]);
+      turned += is_turned;
+      std::size_t& first = is_turned ? first_turned : first_kept;
+      first = (std::min)(first, f);
+    }
+    if (points.size() > old_points) {
+      doubled = points.size() - old_points;
+      first_doubled = old_points;
+    }
+    // which of the two ways is right is not known here
+    const bool most = 2 * turned > after.size();
+    const std::size_t n = most ? after.size() - turned : turned;
+    if (n > 0) {
+      const Point& place = points[after[most ? first_kept : first_turned][0]];
+      report_.add(Surface_defect::turned_triangles, n, 0,
+                  counted(n, "triangle was", "triangles were") +
+                      " oriented against the others and turned, the first at " + coordinates(place) + ".",
+                  place);
+    }
+    if (doubled > 0)
+      report_.add(Surface_defect::nonmanifold_points, doubled, 0,
+                  "The surface touches itself in " + counted(doubled, "point", "points") + ", the first at " +
+                      coordinates(points[first_doubled]) + ": its sides were separated there.",
+                  points[first_doubled]);
+  }
+
+  // Points may have been doubled meanwhile: corners are compared as points.
+  static bool is_reversed(const std::vector<Point>& points, const Soup_triangle& before, const Soup_triangle& after) {
+    for (int k = 0; k < 3; ++k)
+      if (points[before[0]] == points[after[k]])
+        return points[before[1]] != points[after[(k + 1) % 3]];
+    return false;
+  }
+
+  // --- the mesh ---
+
+  void report_islands(const Dropped_islands<Point>& dropped) {
+    if (dropped.count == 0)
+      return;
+    report_.add(Surface_defect::islands, dropped.count, dropped.extent,
+                counted(dropped.count, "island", "islands") + " of " +
+                    counted(dropped.triangles, "triangle", "triangles") + " in all, " +
+                    short_number(100 * dropped.share) + " % of the area, the largest at " + coordinates(dropped.place) +
+                    ", " + (dropped.count == 1 ? "was" : "were") + " removed.",
+                dropped.place);
+  }
+
+  void turn_outward() {
+    if (!is_inside_out(mesh_, border_cycles(mesh_)))
+      return;
+    Polygon_mesh_processing::reverse_face_orientations(mesh_);
+    report_.add(Surface_defect::inside_out, mesh_.number_of_faces(), 0,
+                "The surface was inside out and was turned: its normals now point out of the lumen.");
+  }
+
+  void remove_needles() {
+    Needle_remover<Point> remover(mesh_);
+    const std::vector<Face> needles = remover.find();
+    if (needles.empty())
+      return;
+    const Point place = mesh_.point(mesh_.target(mesh_.halfedge(needles.front())));
+    const std::size_t left = remover.remove(needles);
+    if (left < needles.size())
+      report_.add(Surface_defect::needle_triangles, needles.size() - left, 0,
+                  counted(needles.size() - left, "triangle", "triangles") + " of almost no area, the first at " +
+                      coordinates(place) + ", " + (needles.size() - left == 1 ? "was" : "were") + " removed.",
+                  place);
+  }
+
+  void close_pinholes() {
+    Loop_classifier<Point> classifier(mesh_);
+    std::vector<Opening_site<Point>> pinholes;
+    for (auto& loop : border_cycles(mesh_)) {
+      const Loop_kind kind = classifier.classify(loop);
+      if (kind == Loop_kind::torn_wall)
+        throw Input_error("The wall has a hole at " + coordinates(loop.shape.center) + ", of radius " +
+                          short_number(loop.shape.radius) +
+                          ", too large to be closed by guessing, and it does not lie across a vessel as an opening "
+                          "does: fill it, or cut the vessel open there.");
+      if (kind == Loop_kind::pinhole)
+        pinholes.push_back(std::move(loop));
+    }
+    if (pinholes.empty())
+      return;
+    const Opening_site<Point>* largest = &pinholes.front();
+    for (const auto& hole : pinholes) {
+      if (!fill_wall(mesh_, hole.rim.front(), true))
+        throw Input_error("The hole of the wall at " + coordinates(hole.shape.center) +
+                          " cannot be filled: remove the triangles around it.");
+      largest = hole.shape.radius > largest->shape.radius ? &hole : largest;
+    }
+    report_.add(Surface_defect::pinholes, pinholes.size(), largest->shape.radius,
+                counted(pinholes.size(), "pinhole", "pinholes") + " of the wall, the largest of radius " +
+                    short_number(largest->shape.radius) + " at " + coordinates(largest->shape.center) + ", " +
+                    (pinholes.size() == 1 ? "was" : "were") + " filled.",
+                largest->shape.center);
+  }
+
+  // False if something is left; then the mesh is as it was.
+  bool mend_crossings() {
+    const Bad_faces<Point> bad = find_bad_faces(mesh_);
+    if (bad.empty())
+      return true;
+    const Mesh before = mesh_;
+    const std::size_t loops = border_cycles(mesh_).size();
+    const bool mended = Crossing_mender<Point>(mesh_).mend(bad) && border_cycles(mesh_).size() == loops;
+    const std::string end = mended ? "; they were smoothed or replaced." : "; they could not be mended locally.";
+    if (bad.crossings > 0) {
+      const std::string what = counted(bad.crossings, "pair of triangles crosses", "pairs of triangles cross") +
+                               " each other, the first at " + coordinates(bad.crossing);
+      report_.add(Surface_defect::self_intersections, bad.crossings, 0, what + end, bad.crossing);
+      reason_ = what;
+    }
+    if (bad.folds > 0) {
+      const std::string what = "At " + counted(bad.folds, "edge", "edges") +
+                               " the surface turns back on itself, the first at " + coordinates(bad.fold);
+      report_.add(Surface_defect::folds, bad.folds, 0, what + end, bad.fold);
+      reason_ = reason_.empty() ? what : reason_;
+    }
+    if (!mended)
+      mesh_ = before;
+    return mended;
+  }
+
+  // Whether all that is left of the border are openings, which do not touch.
+  bool is_sound() {
+    Loop_classifier<Point> classifier(mesh_);
+    std::unordered_set<Vertex> seen;
+    for (const auto& loop : border_cycles(mesh_)) {
+      if (classifier.classify(loop) != Loop_kind::opening) {
+        reason_ = "The hole of the wall at " + coordinates(loop.shape.center) + " cannot be closed locally";
+        return false;
+      }
+      for (Halfedge h : loop.rim)
+        if (!seen.insert(mesh_.target(h)).second) {
+          reason_ = "The border touches itself at " + coordinates(mesh_.point(mesh_.target(h)));
+          return false;
+        }
+    }
+    const std::vector<Face> needles = Needle_remover<Point>(mesh_).find();
+    if (needles.empty())
+      return true;
+    reason_ = "Triangles of almost no area at " +
+              coordinates(mesh_.point(mesh_.target(mesh_.halfedge(needles.front())))) + " cannot be removed";
+    return false;
+  }
+
+  void report_handles() {
+    const long characteristic = long(mesh_.number_of_vertices()) - long(mesh_.number_of_edges()) +
+                                long(mesh_.number_of_faces()) + long(border_cycles(mesh_).size());
+    const long handles = (2 - characteristic) / 2;
+    if (handles > 0)
+      report_.add(Surface_defect::handles, static_cast<std::size_t>(handles), 0,
+                  "The lumen has " + counted(static_cast<std::size_t>(handles), "loop", "loops") +
+                      ": vessels split and rejoin there, or touch and are fused.");
+  }
+
+  // --- wrapping ---
+
+  std::vector<Tube_end<Point>> tube_ends() const {
+    std::vector<Tube_end<Point>> ends;
+    Loop_classifier<Point> classifier(mesh_);
+    for (const auto& loop : border_cycles(mesh_))
+      if (loop.shape.radius > 0 && classifier.classify(loop) == Loop_kind::opening)
+        ends.push_back(tube_end(loop));
+    for (const auto& end : Flat_end_finder<Point>(mesh_, false).find(certain_flat_end()))
+      ends.push_back(tube_end(end));
+    return ends;
+  }
+
+  static Tube_end<Point> tube_end(const Opening_site<Point>& site) {
+    Tube_end<Point> end;
+    end.center = site.shape.center;
+    end.normal = site.shape.plane.normal();
+    end.radius = site.shape.radius;
+    end.reach = site.shape.reach;
+    end.sag = site.shape.sag;
+    return end;
+  }
+
+  // Of the ends; without one, twice the volume over the area, as of a tube.
+  double smallest_radius(const std::vector<Tube_end<Point>>& ends) const {
+    double smallest = (std::numeric_limits<double>::infinity)();
+    for (const auto& end : ends)
+      smallest = (std::min)(smallest, end.radius);
+    if (!ends.empty())
+      return smallest;
+    double volume = 0, area = 0;
+    const Point& o = mesh_.point(*mesh_.vertices().begin());
+    for (Face f : mesh_.faces()) {
+      const Vector_of<Point> n = area_vector(mesh_.halfedge(f), mesh_);
+      volume += (mesh_.point(mesh_.target(mesh_.halfedge(f))) - o) * n / 3;
+      area += std::sqrt(n.squared_length());
+    }
+    return 2 * std::abs(volume) / area;
+  }
+
+  // Appends the centres of the fans to the points.
+  std::vector<Soup_triangle> triangles_and_fans(std::vector<Point>& points) const {
+    std::vector<Soup_triangle> triangles;
+    for (Face f : mesh_.faces()) {
+      const Halfedge h = mesh_.halfedge(f);
+      triangles.push_back(
+          {std::size_t(mesh_.source(h)), std::size_t(mesh_.target(h)), std::size_t(mesh_.target(mesh_.next(h)))});
+    }
+    for (const auto& loop : border_cycles(mesh_)) {
+      const std::size_t center = points.size();
+      points.push_back(loop.shape.center);
+      for (Halfedge h : loop.rim)
+        triangles.push_back({std::size_t(mesh_.source(h)), std::size_t(mesh_.target(h)), center});
+    }
+    return triangles;
+  }
+
+  std::vector<Face> find_bad_faces_in_wrap() {
+    std::vector<std::pair<Face, Face>> pairs;
+    Polygon_mesh_processing::self_intersections(mesh_, std::back_inserter(pairs));
+    std::vector<Face> faces;
+    for (const auto& pair : pairs)
+      faces.push_back(pair.first);
+    return faces;
+  }
+
+  Mesh& mesh_;
+  Repair_report<Point>& report_;
+  std::string reason_; ///< why the surface is wrapped
+};
+
+} // namespace internal
+} // namespace Tubular_meshing
+} // namespace CGAL
+
+#endif // CGAL_TUBULAR_MESHING_OPERATORS_INTERNAL_REPAIR_SURFACE_REPAIRER_H

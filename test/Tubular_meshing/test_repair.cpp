@@ -1,0 +1,349 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "defects.h"
+
+#include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
+#include <CGAL/Tubular_meshing/Centerlines/Wall_distance.h>
+#include <CGAL/Tubular_meshing/IO/read_surface.h>
+#include <CGAL/Tubular_meshing/Operators/close_openings.h>
+#include <CGAL/Tubular_meshing/Operators/repair_surface.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <limits>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace pmp = CGAL::Polygon_mesh_processing;
+namespace tubular = CGAL::Tubular_meshing;
+using defects::Clean_surface;
+using defects::Mesh;
+using defects::Point;
+using defects::Soup;
+using defects::Triangle;
+using tubular::Repair_mode;
+using tubular::Surface_defect;
+typedef tubular::Repair_report<Point> Report;
+
+long euler_characteristic(const Mesh& m) {
+  return long(m.number_of_vertices()) - long(m.number_of_edges()) + long(m.number_of_faces());
+}
+
+template <class... NamedParameters> Report repair(const Soup& soup, Mesh& mesh, const NamedParameters&... np) {
+  return tubular::repair_surface(soup.points, soup.triangles, mesh, np...);
+}
+
+/* The surface closed, as all that follows will see it. */
+struct Closed_surface {
+  Mesh mesh;
+  std::size_t openings = 0;
+
+  explicit Closed_surface(const Mesh& open)
+      : mesh(open) {
+    auto found = tubular::find_openings(mesh);
+    openings = found.size();
+    auto patch = mesh.add_property_map<Mesh::Face_index, int>("f:patch", 0).first;
+    tubular::close_openings(mesh, found, patch);
+  }
+};
+
+bool is_same(const Mesh& a, const Mesh& b) {
+  if (a.number_of_vertices() != b.number_of_vertices() || a.number_of_faces() != b.number_of_faces())
+    return false;
+  for (auto v : a.vertices())
+    if (a.point(v) != b.point(v))
+      return false;
+  for (auto h : a.halfedges())
+    if (a.target(h) != b.target(h) || a.next(h) != b.next(h))
+      return false;
+  return true;
+}
+
+// What an error about a defect has to name; "" where none is allowed.
+std::string word_for(const std::string& defect, int severity) {
+  if (severity < 2)
+    return defect == "touching walls" ? "cross" : "";
+  if (defect == "pinholes")
+    return "hole";
+  if (defect == "self-intersections" || defect == "touching walls")
+    return "cross";
+  if (defect == "folds")
+    return "turns back";
+  return "";
+}
+
+// How far the volume may be from the clean one's, relatively.
+double volume_tolerance(const std::string& defect) {
+  return defect == "touching walls" ? 0.3 : defect == "noise" ? 0.03 : 0.015;
+}
+
+// Relative to the local radius.
+double farthest_from(const Clean_surface& clean, const Mesh& mesh) {
+  typedef tubular::internal::Double_kernel::Triangle_3 Triangle_3;
+  std::vector<Triangle_3> triangles;
+  for (const Triangle& t : clean.soup.triangles)
+    triangles.emplace_back(tubular::internal::to_double_point(clean.soup.points[t[0]]),
+                           tubular::internal::to_double_point(clean.soup.points[t[1]]),
+                           tubular::internal::to_double_point(clean.soup.points[t[2]]));
+  const tubular::internal::Nearest_tree<Triangle_3> wall(std::move(triangles));
+  double farthest = 0;
+  for (auto v : mesh.vertices()) {
+    const auto nearest = wall.nearest(tubular::internal::to_double_point(mesh.point(v)));
+    const double radius = clean.radius(clean.soup.triangles[nearest.index][0]);
+    farthest = std::max(farthest, std::sqrt(nearest.squared_distance) / radius);
+  }
+  return farthest;
+}
+
+void expect_like_clean(const Clean_surface& clean, const std::string& defect, const Mesh& repaired,
+                       const Report& report) {
+  const Closed_surface closed(repaired);
+  EXPECT_TRUE(CGAL::is_closed(closed.mesh));
+  EXPECT_TRUE(CGAL::is_valid_polygon_mesh(closed.mesh));
+  EXPECT_FALSE(pmp::does_self_intersect(closed.mesh));
+  EXPECT_EQ(closed.openings, clean.openings);
+  const long handles = (2 - euler_characteristic(closed.mesh)) / 2;
+  EXPECT_EQ(long(report.count(Surface_defect::handles)), handles); // no handle is left unreported
+  if (defect != "touching walls") {
+    EXPECT_EQ(handles, clean.handles);
+    EXPECT_LT(farthest_from(clean, repaired), 0.3);
+  }
+  const double volume = pmp::volume(closed.mesh), expected = pmp::volume(Closed_surface(clean.mesh).mesh);
+  EXPECT_NEAR(volume / expected, 1, volume_tolerance(defect));
+}
+
+std::string first_line(const std::string& text) {
+  return text.substr(0, text.find('\n'));
+}
+
+void check_cell(const defects::Defect& defect, const Clean_surface& clean, int severity) {
+  SCOPED_TRACE(defect.name + " " + std::to_string(severity) + " on " + clean.name);
+  const Soup damaged = defect.make(clean, severity);
+  const std::string word = word_for(defect.name, severity);
+  Mesh mesh;
+  Report report;
+  try {
+    report = repair(damaged, mesh);
+  } catch (const tubular::Input_error& e) {
+    std::printf("%-20s %d %-5s error: %s\n", defect.name.c_str(), severity, clean.name.c_str(), e.what());
+    EXPECT_NE(word, "") << e.what();
+    EXPECT_NE(std::string(e.what()).find(word), std::string::npos) << e.what();
+    EXPECT_NE(std::string(e.what()).find("("), std::string::npos) << "no place in: " << e.what();
+    return;
+  }
+  std::printf("%-20s %d %-5s %s\n", defect.name.c_str(), severity, clean.name.c_str(),
+              first_line(report.text()).c_str());
+  SCOPED_TRACE(report.text());
+  expect_like_clean(clean, defect.name, mesh, report);
+}
+
+} // namespace
+
+class Defect_matrix : public testing::TestWithParam<std::size_t> {};
+
+TEST_P(Defect_matrix, Is_mended_or_refused_by_name) {
+  const defects::Defect& defect = defects::all_defects()[GetParam()];
+  for (const Clean_surface& clean : defects::clean_surfaces())
+    for (int severity = 0; severity < 3; ++severity)
+      ASSERT_NO_FATAL_FAILURE(check_cell(defect, clean, severity));
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Defect_matrix, testing::Range(std::size_t(0), defects::all_defects().size()),
+                         [](const auto& info) {
+                           std::string name = defects::all_defects()[info.param].name;
+                           std::replace_if(
+                               name.begin(), name.end(), [](char c) { return c == ' ' || c == '-'; }, '_');
+                           return name;
+                         });
+
+TEST(Repair_surface, Leaves_clean_surfaces_as_they_are) {
+  for (const Clean_surface& clean : defects::clean_surfaces()) {
+    SCOPED_TRACE(clean.name);
+    Mesh as_read, repaired;
+    repair(clean.soup, as_read, tubular::parameters::repair_mode(Repair_mode::off));
+    const Report report = repair(clean.soup, repaired);
+    EXPECT_EQ(report.count(Surface_defect::handles), std::size_t(clean.handles));
+    EXPECT_EQ(report.repairs.size(), clean.handles > 0 ? 1u : 0u) << report.text();
+    EXPECT_TRUE(is_same(as_read, repaired));
+  }
+}
+
+TEST(Repair_surface, Does_not_touch_a_clean_mesh) {
+  Mesh mesh = defects::clean_surfaces()[0].mesh;
+  const auto map = mesh.add_property_map<Mesh::Face_index, int>("f:mine", 7).first;
+  EXPECT_TRUE(tubular::repair_surface(mesh).empty());
+  EXPECT_TRUE(is_same(mesh, defects::clean_surfaces()[0].mesh));
+  EXPECT_EQ(map[*mesh.faces().begin()], 7);
+}
+
+TEST(Repair_surface, Does_the_same_at_any_scale) {
+  const Clean_surface& clean = defects::clean_surfaces()[1];
+  Soup soup = defects::pinholes(clean, 1);
+  Mesh mesh, scaled;
+  const Report report = repair(soup, mesh);
+  for (Point& p : soup.points)
+    p = CGAL::ORIGIN + 1024. * (p - CGAL::ORIGIN);
+  EXPECT_EQ(repair(soup, scaled).repairs.size(), report.repairs.size());
+  ASSERT_EQ(scaled.number_of_vertices(), mesh.number_of_vertices());
+  for (auto v : mesh.vertices())
+    EXPECT_LT(std::sqrt(CGAL::squared_distance(scaled.point(v), CGAL::ORIGIN + 1024. * (mesh.point(v) - CGAL::ORIGIN))),
+              1e-6);
+}
+
+TEST(Repair_surface, Never_closes_an_opening) {
+  // an oblique end, one that widens and one that narrows, a stub as short as two edges, ends of four and six sides
+  for (int sides : {4, 6, 12, 40})
+    for (double tilt : {0., 0.6, 1.5})
+      for (double flare : {-0.5, 0., 0.5}) {
+        SCOPED_TRACE(std::to_string(sides) + " sides, tilt " + std::to_string(tilt) + ", flare " +
+                     std::to_string(flare));
+        Soup soup;
+        const int rings = 20;
+        for (int k = 0; k <= rings; ++k)
+          for (int i = 0; i < sides; ++i) {
+            const double a = 2 * CGAL_PI * i / sides, t = double(k) / rings, end = std::max(0., t - 0.7) / 0.3;
+            const double r = 1 + flare * end;
+            soup.points.push_back(Point(r * std::cos(a), r * std::sin(a), 8 * t + end * tilt * r * std::cos(a)));
+          }
+        for (int k = 0; k < rings; ++k)
+          for (int i = 0; i < sides; ++i) {
+            const std::size_t a = k * sides + i, b = k * sides + (i + 1) % sides;
+            soup.triangles.push_back({a, b, b + sides});
+            soup.triangles.push_back({a, b + sides, a + sides});
+          }
+        Mesh mesh;
+        const Report report = repair(soup, mesh);
+        EXPECT_TRUE(report.empty()) << report.text();
+        EXPECT_EQ(mesh.number_of_faces(), soup.triangles.size());
+      }
+}
+
+TEST(Repair_surface, Smoothing_takes_noise_and_keeps_volume_and_rims) {
+  const Clean_surface& clean = defects::clean_surfaces()[1];
+  const Soup noisy = defects::noise(clean, 1);
+  Mesh rough, smooth;
+  repair(noisy, rough);
+  const Report report = repair(noisy, smooth, tubular::parameters::smooth(true));
+  EXPECT_EQ(report.repairs.back().defect, Surface_defect::noise);
+  const tubular::Wall_distance<Point> wall(clean.mesh);
+  double before = 0, after = 0;
+  for (auto v : rough.vertices())
+    before += CGAL::square(wall(rough.point(v)));
+  for (auto v : smooth.vertices())
+    after += CGAL::square(wall(smooth.point(v)));
+  EXPECT_LT(after, 0.3 * before);
+  const double expected = pmp::volume(Closed_surface(clean.mesh).mesh);
+  EXPECT_NEAR(pmp::volume(Closed_surface(smooth).mesh) / expected, 1, 0.01);
+  EXPECT_FALSE(pmp::does_self_intersect(smooth));
+}
+
+TEST(Repair_surface, A_wrap_has_the_shape_and_the_openings_of_the_surface) {
+  for (const Clean_surface& clean : defects::clean_surfaces()) {
+    if (clean.name == "arch" || clean.name == "loop")
+      continue; // too long for a test, not different
+    SCOPED_TRACE(clean.name);
+    Mesh mesh;
+    const Report report = repair(clean.soup, mesh, tubular::parameters::repair_mode(Repair_mode::wrap));
+    EXPECT_EQ(report.count(Surface_defect::wrapped), 1u);
+    const Closed_surface closed(mesh);
+    EXPECT_EQ(closed.openings, clean.openings);
+    EXPECT_FALSE(pmp::does_self_intersect(closed.mesh));
+    EXPECT_EQ(euler_characteristic(closed.mesh), 2);
+    EXPECT_NEAR(pmp::volume(closed.mesh) / pmp::volume(Closed_surface(clean.mesh).mesh), 1, 0.03);
+    EXPECT_LT(farthest_from(clean, mesh), 0.1);
+  }
+}
+
+TEST(Repair_surface, Refuses_what_is_no_surface) {
+  Mesh mesh;
+  Soup soup;
+  EXPECT_THROW(repair(soup, mesh), tubular::Input_error);
+  soup.points = {Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0)};
+  soup.triangles = {{0, 1, 3}};
+  EXPECT_THROW(repair(soup, mesh), tubular::Input_error);
+  soup.triangles = {{0, 1, 1}};
+  EXPECT_THROW(repair(soup, mesh), tubular::Input_error);
+  soup.triangles = {{0, 1, 2}};
+  soup.points[1] = Point(std::numeric_limits<double>::quiet_NaN(), 0, 0);
+  EXPECT_THROW(repair(soup, mesh), tubular::Input_error);
+}
+
+TEST(Repair_surface, Refuses_a_vessel_in_two_parts) {
+  const Clean_surface& clean = defects::clean_surfaces()[0];
+  Soup soup = clean.soup;
+  std::set<std::size_t> gone;
+  for (std::size_t f = 0; f < soup.triangles.size(); ++f) {
+    const double z = soup.points[soup.triangles[f][0]].z();
+    if (z > 4.6 && z < 5.2)
+      gone.insert(f);
+  }
+  defects::remove_triangles(soup, gone);
+  Mesh mesh;
+  try {
+    repair(soup, mesh);
+    FAIL() << "half of the vessel was dropped as an island";
+  } catch (const tubular::Input_error& e) {
+    EXPECT_NE(std::string(e.what()).find("gap"), std::string::npos) << e.what();
+  }
+}
+
+// --- real surfaces ---
+
+namespace {
+
+struct Real_surface {
+  std::string file;
+  std::size_t openings;
+  bool clean;
+};
+
+std::vector<Real_surface> real_surfaces() {
+  return {{"paper/aorta.stl", 5, true},           {"paper/bypass.stl", 2, true},
+          {"paper/carotid.stl", 3, true},         {"paper/cerebral.stl", 9, true},
+          {"paper/cylemi.stl", 2, true},          {"trees/sofa_LCA.stl", 7, true},
+          {"trees/sofa_carotids.stl", 3, false},  {"trees/sofa_phantom_network.obj", 8, true},
+          {"trees/airway_lf_open.vtp", 117, true}};
+}
+
+bool read_real(const std::string& file, Soup& soup) {
+#ifdef TUBULAR_MESHING_SHARED_DATA
+  const std::string path = std::string(TUBULAR_MESHING_SHARED_DATA) + "/" + file;
+  if (!std::ifstream(path))
+    return false;
+  tubular::IO::read_triangle_soup(path, soup.points, soup.triangles);
+  return true;
+#else
+  (void)file;
+  (void)soup;
+  return false;
+#endif
+}
+
+} // namespace
+
+TEST(Real_surfaces, Are_clean_or_come_out_clean_with_their_openings) {
+  for (const Real_surface& real : real_surfaces()) {
+    SCOPED_TRACE(real.file);
+    Soup soup;
+    if (!read_real(real.file, soup))
+      GTEST_SKIP() << "needs shared/data/" << real.file;
+    Mesh as_read, mesh;
+    repair(soup, as_read, tubular::parameters::repair_mode(Repair_mode::off));
+    const Report report = repair(soup, mesh);
+    std::printf("%s\n%s", real.file.c_str(), report.text().c_str());
+    EXPECT_EQ(tubular::find_openings(mesh).size(), real.openings);
+    if (real.clean) {
+      EXPECT_TRUE(std::equal(mesh.points().begin(), mesh.points().end(), as_read.points().begin()));
+    }
+    EXPECT_FALSE(pmp::does_self_intersect(mesh));
+  }
+}
