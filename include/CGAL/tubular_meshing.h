@@ -9,6 +9,7 @@
 #include <CGAL/Tubular_meshing/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/Quality/validity_report.h>
 #include <CGAL/Tubular_meshing/Tubular_model.h>
+#include <CGAL/Tubular_meshing/internal/Model_in_its_frame.h>
 #include <CGAL/Tubular_meshing/Volume/fill_with_mesh_3.h>
 #include <CGAL/Tubular_meshing/Volume/optimize_tetrahedra.h>
 #include <CGAL/Tubular_meshing/exceptions.h>
@@ -93,16 +94,16 @@ Mixed_mesh<Point_3> make_isotropic_mesh(const Tubular_model<Point_3>& model,
   const auto observer = choose_parameter(get_parameter(np, internal_np::observer), internal::Ignore_stages());
 
   observer("size field");
-  const Sizing_field size(Centerline_field<Point_3>(model.centerlines),
-                          Wall_distance<Point_3>(model.surface, model.patch, labels::wall), np);
+  const internal::Model_in_its_frame<Point_3> framed(model);
+  const Sizing_field size = framed.sizing_field(np);
   internal::check_memory(size.estimated_number_of_tetrahedra());
   Mixed_mesh<Point_3> mesh;
   std::string differences;
   for (double factor : {1., 0.7, 0.5}) {
     observer("tetrahedra");
-    fill_with_mesh_3(model.surface, model.patch, internal::Scaled_field<Sizing_field>{&size, factor}, mesh, np);
+    fill_with_mesh_3(framed.surface(), framed.patch(), internal::Scaled_field<Sizing_field>{&size, factor}, mesh, np);
     observer("optimization");
-    optimize_tetrahedra(mesh, model.surface, model.patch, np);
+    optimize_tetrahedra(mesh, framed.surface(), framed.patch(), np);
     observer("check");
     differences = internal::differences(mesh, model);
     if (differences.empty())
@@ -111,6 +112,7 @@ Mixed_mesh<Point_3> make_isotropic_mesh(const Tubular_model<Point_3>& model,
   if (!differences.empty())
     throw Meshing_error("The mesh came out with " + differences +
                         ": the surface may intersect itself, or have parts much narrower than the mesh size there.");
+  framed.bring_back(mesh);
   mesh.patch_names = lumen_patch_names(int(model.openings.size()));
   return mesh;
 }

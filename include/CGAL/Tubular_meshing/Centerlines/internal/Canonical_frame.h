@@ -47,8 +47,14 @@ public:
   double scale() const { return scale_; }
 
   Point to_canonical(const Point& p) const {
+    const Point x = to_frame(p);
+    return Point(rounded(x.x()), rounded(x.y()), rounded(x.z()));
+  }
+
+  // The same, not rounded.
+  Point to_frame(const Point& p) const {
     const Eigen::Vector3d x = axes_ * ((vector(p) - origin_) / scale_);
-    return Point(rounded(x[0]), rounded(x[1]), rounded(x[2]));
+    return Point(x[0], x[1], x[2]);
   }
 
   Point from_canonical(const Point& p) const {

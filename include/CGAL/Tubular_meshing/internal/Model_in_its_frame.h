@@ -1,0 +1,95 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_INTERNAL_MODEL_IN_ITS_FRAME_H
+#define CGAL_TUBULAR_MESHING_INTERNAL_MODEL_IN_ITS_FRAME_H
+
+#include <CGAL/Tubular_meshing/Centerlines/Centerline_field.h>
+#include <CGAL/Tubular_meshing/Centerlines/Centerline_graph.h>
+#include <CGAL/Tubular_meshing/Centerlines/Wall_distance.h>
+#include <CGAL/Tubular_meshing/Centerlines/internal/Canonical_frame.h>
+#include <CGAL/Tubular_meshing/Fields/Centerline_sizing_field.h>
+#include <CGAL/Tubular_meshing/Mixed_mesh.h>
+#include <CGAL/Tubular_meshing/Tubular_model.h>
+#include <CGAL/Tubular_meshing/labels.h>
+#include <CGAL/Tubular_meshing/parameters.h>
+
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Tubular_meshing {
+namespace internal {
+
+/* A model's surface and centerlines in the model's own frame: around the origin, along its principal axes, of unit
+ * extent. Meshed there, it gives the same mesh in any unit, place and orientation, but for what rounding makes of it.
+ */
+template <class Point> class Model_in_its_frame {
+public:
+  typedef typename Tubular_model<Point>::Surface Surface;
+  typedef typename Tubular_model<Point>::Face_patch_map Face_patch_map;
+
+  explicit Model_in_its_frame(const Tubular_model<Point>& model)
+      : frame_(points_of(model.surface))
+      , surface_(model.surface)
+      , patch_(surface_.template add_property_map<typename Surface::Face_index, int>("f:patch", 0).first) {
+    for (auto v : surface_.vertices())
+      surface_.point(v) = to_frame(surface_.point(v));
+    std::vector<Point> points;
+    for (const Point& p : model.centerlines.points())
+      points.push_back(to_frame(p));
+    std::vector<double> radii;
+    for (double r : model.centerlines.radii())
+      radii.push_back(r / frame_.scale());
+    std::vector<std::vector<std::size_t>> branches;
+    for (const auto& b : model.centerlines.branches())
+      branches.push_back(b.points);
+    centerlines_ = Centerline_graph<Point>(std::move(points), std::move(radii), std::move(branches));
+  }
+
+  const Surface& surface() const { return surface_; }
+  Face_patch_map patch() const { return patch_; }
+
+  // With the limits of the size brought to the frame's unit.
+  template <class NamedParameters> Centerline_sizing_field<Point> sizing_field(const NamedParameters& np) const {
+    const double min_size = choose(np, internal_np::min_size, 0.);
+    const double max_size = choose(np, internal_np::max_size, (std::numeric_limits<double>::infinity)());
+    typedef Named_parameters<double, internal_np::min_size_t, NamedParameters> With_min;
+    typedef Named_parameters<double, internal_np::max_size_t, With_min> With_both;
+    return Centerline_sizing_field<Point>(
+        Centerline_field<Point>(centerlines_), Wall_distance<Point>(surface_, patch_, labels::wall),
+        With_both(max_size / frame_.scale(), With_min(min_size / frame_.scale(), np)));
+  }
+
+  void bring_back(Mixed_mesh<Point>& mesh) const {
+    for (Point& p : mesh.points) {
+      const auto q = frame_.from_canonical(to_double_point(p));
+      p = Point(q.x(), q.y(), q.z());
+    }
+  }
+
+private:
+  static std::vector<Double_kernel::Point_3> points_of(const Surface& surface) {
+    std::vector<Double_kernel::Point_3> points;
+    for (auto v : surface.vertices())
+      points.push_back(to_double_point(surface.point(v)));
+    return points;
+  }
+
+  Point to_frame(const Point& p) const {
+    const auto q = frame_.to_frame(to_double_point(p));
+    return Point(q.x(), q.y(), q.z());
+  }
+
+  Canonical_frame frame_;
+  Surface surface_;
+  Face_patch_map patch_;
+  Centerline_graph<Point> centerlines_;
+};
+
+} // namespace internal
+} // namespace Tubular_meshing
+} // namespace CGAL
+
+#endif // CGAL_TUBULAR_MESHING_INTERNAL_MODEL_IN_ITS_FRAME_H
