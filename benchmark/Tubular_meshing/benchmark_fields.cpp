@@ -4,9 +4,12 @@
 // How the centerline graph and its fields grow: all of them as n log n at most.
 
 #include <CGAL/Tubular_meshing/Centerlines/Centerline_field.h>
+#include <CGAL/Tubular_meshing/Centerlines/Wall_distance.h>
 #include <CGAL/Tubular_meshing/Centerlines/build_centerline_graph.h>
+#include <CGAL/Tubular_meshing/Fields/Centerline_sizing_field.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
 
 #include <benchmark/benchmark.h>
 
@@ -22,6 +25,7 @@ typedef Kernel::Vector_3 Vector;
 typedef CGAL::Tubular_meshing::Centerline_polylines<Point> Polylines;
 typedef CGAL::Tubular_meshing::Centerline_graph<Point> Graph;
 typedef CGAL::Tubular_meshing::Centerline_field<Point> Field;
+typedef CGAL::Tubular_meshing::Centerline_sizing_field<Point> Sizing_field;
 
 // A tree of branches that halve at each generation, 128 segments a branch, as the lines of single branches.
 Polylines tree_of(std::size_t number_of_segments) {
@@ -122,6 +126,69 @@ void query_at_random(benchmark::State& state) {
   state.SetComplexityN(state.range(0));
 }
 
+// A helix of 24 triangles round and as long as the number of triangles asks for, and its centerline.
+struct Long_tube {
+  CGAL::Surface_mesh<Point> surface;
+  Graph graph;
+
+  explicit Long_tube(std::size_t number_of_triangles) {
+    const std::size_t sides = 12, rings = number_of_triangles / (2 * sides) + 1;
+    const double pi = std::acos(-1.), step = 2 * pi / sides;
+    std::vector<Point> points;
+    std::vector<std::size_t> line;
+    for (std::size_t i = 0; i <= rings; ++i) {
+      const double a = step * i / 20; // a helix of radius 20 and pitch 6
+      const Vector out(std::cos(a), std::sin(a), 0), up(0, 0, 1);
+      points.push_back(Point(0, 0, 6 * a / (2 * pi)) + 20 * out);
+      line.push_back(i);
+      for (std::size_t k = 0; k < sides; ++k)
+        surface.add_vertex(points.back() + std::cos(step * k) * out + std::sin(step * k) * up);
+    }
+    const auto at = [&](std::size_t i, std::size_t k) {
+      return CGAL::SM_Vertex_index(unsigned(i * sides + k % sides));
+    };
+    for (std::size_t i = 0; i < rings; ++i)
+      for (std::size_t k = 0; k < sides; ++k) {
+        surface.add_face(at(i, k), at(i, k + 1), at(i + 1, k));
+        surface.add_face(at(i + 1, k), at(i, k + 1), at(i + 1, k + 1));
+      }
+    std::vector<double> radii(points.size(), 1);
+    graph = Graph(std::move(points), std::move(radii), {line});
+  }
+};
+
+void build_sizing_field(benchmark::State& state) {
+  const Long_tube tube(state.range(0));
+  for (auto _ : state) {
+    const Sizing_field size(Field(tube.graph), CGAL::Tubular_meshing::Wall_distance<Point>(tube.surface),
+                            CGAL::Tubular_meshing::parameters::number_of_threads(1));
+    benchmark::DoNotOptimize(size.estimated_number_of_tetrahedra());
+  }
+  state.SetComplexityN(state.range(0));
+}
+
+// n queries on a tube of 10^5 triangles.
+void query_size(benchmark::State& state) {
+  const Long_tube tube(100000);
+  const Sizing_field size(Field(tube.graph), CGAL::Tubular_meshing::Wall_distance<Point>(tube.surface));
+  const std::vector<Point> points = queries(tube.graph, state.range(0), true);
+  for (auto _ : state)
+    for (const Point& p : points)
+      benchmark::DoNotOptimize(size(p));
+  state.SetItemsProcessed(state.iterations() * state.range(0));
+  state.SetComplexityN(state.range(0));
+}
+
+BENCHMARK(build_sizing_field)
+    ->RangeMultiplier(10)
+    ->Range(1000, 1000000)
+    ->Unit(benchmark::kMillisecond)
+    ->Complexity(benchmark::oNLogN);
+BENCHMARK(query_size)
+    ->RangeMultiplier(10)
+    ->Range(1000, 1000000)
+    ->Unit(benchmark::kMillisecond)
+    ->Complexity(benchmark::oN);
 BENCHMARK(build_graph)
     ->RangeMultiplier(10)
     ->Range(1000, 1000000)
