@@ -39,25 +39,27 @@ public:
       for (int i = 0; i < 4; ++i)
         if (store.is_alive(t) && store[t].label[i] != 0) {
           facets_.push_back(Tetrahedron_store::facet(t, i));
-          const auto v = corners(facets_.back());
+          const auto v = corners_of(facets_.back());
           triangles.emplace_back(to_point(v[0]), to_point(v[1]), to_point(v[2]));
         }
     tree_ = Nearest_tree<Triangle>(std::move(triangles));
   }
 
   void run() {
-    std::vector<Vertex> vertices(std::begin(CGAL::vertices(surface_)), std::end(CGAL::vertices(surface_)));
-    std::vector<Index> facet(vertices.size(), Tetrahedron_store::none);
-    for_each_range(vertices.size(), threads_, [&](std::size_t first, std::size_t last) {
+    std::vector<Vertex> corners;
+    for (Vertex u : vertices(surface_))
+      corners.push_back(u);
+    std::vector<Index> facet(corners.size(), Tetrahedron_store::none);
+    for_each_range(corners.size(), threads_, [&](std::size_t first, std::size_t last) {
       for (std::size_t k = first; k < last; ++k) {
-        const auto found = tree_.nearest(point(vertices[k]));
+        const auto found = tree_.nearest(point(corners[k]));
         if (found.squared_distance > tolerance * tolerance * squared_size(facets_[found.index]))
           facet[k] = facets_[found.index];
       }
     });
-    for (std::size_t k = 0; k < vertices.size(); ++k)
+    for (std::size_t k = 0; k < corners.size(); ++k)
       if (facet[k] != Tetrahedron_store::none)
-        snap(vertices[k], facet[k]);
+        snap(corners[k], facet[k]);
   }
 
 private:
@@ -71,7 +73,7 @@ private:
   void snap(Vertex u, Index facet) {
     const Vector_3d p(point(u));
     const std::vector<std::int32_t> patches = patches_at(u);
-    Facet_vertices v = corners(facet);
+    Facet_vertices v = corners_of(facet);
     std::sort(v.begin(), v.end(),
               [&](Index a, Index b) { return squared_norm(store_.point(a) - p) < squared_norm(store_.point(b) - p); });
     for (Index w : v)
@@ -88,13 +90,13 @@ private:
     return patches;
   }
 
-  Facet_vertices corners(Index facet) const {
+  Facet_vertices corners_of(Index facet) const {
     const auto& v = store_[Tetrahedron_store::tetrahedron_of(facet)].v;
     const auto& c = Tetrahedron_store::facet_corners(Tetrahedron_store::opposite_of(facet));
     return {v[c[0]], v[c[1]], v[c[2]]};
   }
   double squared_size(Index facet) const {
-    const auto v = corners(facet);
+    const auto v = corners_of(facet);
     return (std::max)({squared_norm(store_.point(v[0]) - store_.point(v[1])),
                        squared_norm(store_.point(v[1]) - store_.point(v[2])),
                        squared_norm(store_.point(v[2]) - store_.point(v[0]))});
