@@ -76,7 +76,7 @@ available_memory() {
 number_of_jobs() {
   local jobs fitting
   jobs=$(nproc 2>/dev/null || say 1)
-  fitting=$(($(available_memory) / 2500))
+  fitting=$(($(available_memory) / 5000))
   [ "$fitting" -ge "$jobs" ] || jobs=$fitting
   [ "$jobs" -ge 1 ] || jobs=1
   say "$jobs"
