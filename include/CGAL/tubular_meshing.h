@@ -9,8 +9,8 @@
 #include <CGAL/Tubular_meshing/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/Quality/validity_report.h>
 #include <CGAL/Tubular_meshing/Tubular_model.h>
-#include <CGAL/Tubular_meshing/internal/Model_in_its_frame.h>
 #include <CGAL/Tubular_meshing/Volume/fill_with_mesh_3.h>
+#include <CGAL/Tubular_meshing/Volume/internal/Model_in_its_frame.h>
 #include <CGAL/Tubular_meshing/Volume/optimize_tetrahedra.h>
 #include <CGAL/Tubular_meshing/exceptions.h>
 #include <CGAL/Tubular_meshing/parameters.h>
