@@ -48,10 +48,10 @@ int main(int argc, char* argv[]) {
     Surface surface;
     Tubular::IO::read_surface(argv[1], surface);
     std::vector<Tubular::Opening<Point_3>> openings = Tubular::find_openings(surface);
-    const std::vector<double> lengths = Tubular::add_flow_extensions(
-        surface, openings,
-        Tubular::parameters::extension_length(length).extended_openings(
-            chosen(argv + 4, argv + argc, openings.size())));
+    const std::vector<double> lengths =
+        Tubular::add_flow_extensions(surface, openings,
+                                     Tubular::parameters::extension_length(length).extended_openings(
+                                         chosen(argv + 4, argv + argc, openings.size())));
     Tubular::IO::write_surface(argv[2], surface);
 
     const Tubular::Label_names names = Tubular::lumen_patch_names(int(openings.size()));

@@ -20,6 +20,7 @@
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/tags.h>
 
 #include <algorithm>
 #include <cmath>
@@ -71,7 +72,7 @@ private:
 
   std::string name(std::size_t i) const {
     return "opening " + std::to_string(i) + (i == 0 ? " (inlet)" : " (outlet_" + std::to_string(i) + ")") + " at " +
-           coordinates(openings_[i].center);
+           coordinates(sites_[i].shape.center); // openings_ may have moved on
   }
 
   // Turns the surface outward, and opens the caps that are in the way.
@@ -81,9 +82,8 @@ private:
       CGAL::Polygon_mesh_processing::reverse_face_orientations(mesh_);
       loops = border_loops(mesh_);
     }
-    loops.erase(
-        std::remove_if(loops.begin(), loops.end(), [&](const auto& loop) { return is_pinhole(loop, mesh_); }),
-        loops.end());
+    loops.erase(std::remove_if(loops.begin(), loops.end(), [&](const auto& loop) { return is_pinhole(loop, mesh_); }),
+                loops.end());
     sites_ = sites_of(openings_, loops, mesh_);
     for (std::size_t i = 0; i < sites_.size(); ++i)
       if (wanted_[i]) {
@@ -104,19 +104,20 @@ private:
       throw Meshing_error("The rim of " + name(i) +
                           " crosses itself as seen along the vessel, so that no straight extension can begin there: "
                           "smooth the surface there or cut it straight.");
-    profile.set_end((std::max)({length, profile.highest() + least_over_rim, Extension_band<Point>::least_height(profile)}));
+    profile.set_end(
+        (std::max)({length, profile.highest() + least_over_rim, Extension_band<Point>::least_height(profile)}));
   }
 
   void limit(const Tree& wall, double length, double min_length) {
     for (std::size_t i = 0; i < profiles_.size(); ++i)
       if (wanted_[i])
-        limits_[i] = free_of_wall(profiles_[i], wall);
+        limits_[i] = free_of_wall(profiles_[i], mesh_, wall);
     Extension_growth<Point>(profiles_, wanted_, limits_);
     for (std::size_t i = 0; i < profiles_.size(); ++i) {
       if (!wanted_[i] || limits_[i].obstacle == Extension_limit::none)
         continue;
-      const double least = (std::max)({min_length, profiles_[i].highest() + least_over_rim,
-                                       Extension_band<Point>::least_height(profiles_[i])});
+      const double least = (std::max)(
+          {min_length, profiles_[i].highest() + least_over_rim, Extension_band<Point>::least_height(profiles_[i])});
       if (limits_[i].height < least)
         refuse(i, limits_[i], length);
       profiles_[i].set_end(limits_[i].height);
@@ -167,7 +168,8 @@ private:
     near.erase(std::unique(near.begin(), near.end()), near.end());
     faces.insert(faces.end(), near.begin(), near.end());
     std::vector<std::pair<Face, Face>> crossings;
-    CGAL::Polygon_mesh_processing::self_intersections(faces, mesh_, std::back_inserter(crossings));
+    CGAL::Polygon_mesh_processing::self_intersections<CGAL::Parallel_if_available_tag>(faces, mesh_,
+                                                                                       std::back_inserter(crossings));
     std::size_t first = Extension_limit::none;
     for (const auto& c : crossings)
       for (Face f : {c.first, c.second}) {
@@ -200,9 +202,10 @@ inline void check_extension_lengths(double length, double min_length) {
                           "radii, not " +
                           std::to_string(length) + ".");
   if (!(min_length >= 0) || !(min_length <= length))
-    throw Parameter_error("The least length of flow extensions (min_extension_length) has to be from 0 to their length, "
-                          "not " +
-                          std::to_string(min_length) + ".");
+    throw Parameter_error(
+        "The least length of flow extensions (min_extension_length) has to be from 0 to their length, "
+        "not " +
+        std::to_string(min_length) + ".");
 }
 
 } // namespace internal

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Tubular_meshing authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What the targets for readers share: the bytes of libFuzzer as a file of the format that `--format=EXT` names.
+// The bytes of libFuzzer as a file, since readers read files.
 
 #ifndef CGAL_TUBULAR_MESHING_FUZZED_FILE_H
 #define CGAL_TUBULAR_MESHING_FUZZED_FILE_H
@@ -60,28 +60,6 @@ private:
   std::string directory_, name_;
 };
 
-inline std::string& format() {
-  static std::string extension;
-  return extension;
-}
-
-inline const Scratch_file& scratch_file() {
-  static const Scratch_file file(format());
-  return file;
-}
-
 } // namespace fuzz
-
-extern "C" int LLVMFuzzerInitialize(int* argc, char*** argv) {
-  const std::string option = "--format=";
-  for (int i = 1; i < *argc; ++i)
-    if (std::string((*argv)[i]).compare(0, option.size(), option) == 0)
-      fuzz::format() = (*argv)[i] + option.size();
-  if (fuzz::format().empty()) {
-    std::fprintf(stderr, "give %sEXTENSION, the format that the bytes are read as\n", option.c_str());
-    std::exit(2);
-  }
-  return 0;
-}
 
 #endif // CGAL_TUBULAR_MESHING_FUZZED_FILE_H

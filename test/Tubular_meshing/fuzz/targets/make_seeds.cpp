@@ -84,12 +84,15 @@ void surfaces() {
   write_text("surface_stl", "ascii.stl",
              "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1e-1 0\nendloop\nendfacet\n"
              "endsolid s\n");
-  write_text("surface_off", "polygon.off", "COFF # a comment\n5 1 0\n0 0 0 255 0 0\n1 0 0\n1 1 0\n.5 .2 0\n0 1 0\n5 0 1 2 3 4 9\n");
-  write_text("surface_obj", "polygon.obj", "# a comment\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvn 0 0 1\nf 1//1 2/2/2 -2 4\n");
-  write_text("surface_ply", "ascii.ply",
-             "ply\nformat ascii 1.0\ncomment c\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
-             "property list uchar int extra\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
-             "0 0 0 0\n1 0 0 1 7\n0 1 0 0\n3 0 1 2\n");
+  write_text("surface_off", "polygon.off",
+             "COFF # a comment\n5 1 0\n0 0 0 255 0 0\n1 0 0\n1 1 0\n.5 .2 0\n0 1 0\n5 0 1 2 3 4 9\n");
+  write_text("surface_obj", "polygon.obj",
+             "# a comment\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvn 0 0 1\nf 1//1 2/2/2 -2 4\n");
+  write_text(
+      "surface_ply", "ascii.ply",
+      "ply\nformat ascii 1.0\ncomment c\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+      "property list uchar int extra\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
+      "0 0 0 0\n1 0 0 1 7\n0 1 0 0\n3 0 1 2\n");
   Bytes ply(true);
   ply.text("ply\nformat binary_big_endian 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
            "element face 1\nproperty list uchar int vertex_index\nproperty uchar red\nend_header\n");
@@ -117,7 +120,10 @@ void surfaces() {
   vtk.text(header + "3.0\nt\nBINARY\nDATASET POLYDATA\nPOINTS 4 float\n").numbers(square).text("\nPOLYGONS 1 5\n");
   vtk.numbers<std::int32_t>({4, 0, 1, 2, 3}).text("\nTRIANGLE_STRIPS 1 5\n").numbers<std::int32_t>({4, 0, 1, 2, 3});
   vtk.text("\nPOINT_DATA 4\nSCALARS s float 1\nLOOKUP_TABLE default\n").numbers<float>({1, 2, 3, 4}).text("\n");
-  vtk.text("FIELD f 2\nn 1 4 int\n").numbers<std::int32_t>({1, 2, 3, 4}).text("\nw 1 1 string\n\xC3""abc\n");
+  vtk.text("FIELD f 2\nn 1 4 int\n")
+      .numbers<std::int32_t>({1, 2, 3, 4})
+      .text("\nw 1 1 string\n\xC3"
+            "abc\n");
   write_text("surface_vtk", "binary.vtk", vtk.bytes);
   write_text("surface_vtk", "version_5.vtk",
              header + "5.1\nt\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 3 double\n0 0 0 1 0 0 0 1 0\nMETADATA\nx\n\n"
@@ -137,10 +143,11 @@ void centerlines() {
              "# vtk DataFile Version 2.0\nt\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 3 double\n0 0 0 0 0 1 0 0 2\n"
              "CELLS 2 6\n2 0 1\n2 1 2\nCELL_TYPES 2\n3\n4\nPOINT_DATA 3\nFIELD FieldData 1\n"
              "MaximumInscribedSphereRadius 1 3 double\n1 1 1\n");
-  write_text("centerlines_msh", "ascii_2.msh",
-             "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n3\n1 0 0 0\n2 0 0 1\n7 0 0 2\n$EndNodes\n$Elements\n2\n"
-             "1 1 2 0 1 1 2\n2 1 2 0 1 2 7\n$EndElements\n$NodeData\n1\n\"MaximumInscribedSphereRadius\"\n1\n0\n3\n0\n1\n"
-             "3\n1 1\n2 1\n7 .5\n$EndNodeData\n");
+  write_text(
+      "centerlines_msh", "ascii_2.msh",
+      "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n3\n1 0 0 0\n2 0 0 1\n7 0 0 2\n$EndNodes\n$Elements\n2\n"
+      "1 1 2 0 1 1 2\n2 1 2 0 1 2 7\n$EndElements\n$NodeData\n1\n\"MaximumInscribedSphereRadius\"\n1\n0\n3\n0\n1\n"
+      "3\n1 1\n2 1\n7 .5\n$EndNodeData\n");
 }
 
 // --- meshes ---
@@ -168,6 +175,11 @@ void meshes() {
   std::ifstream in(sol);
   std::ofstream(seed("mesh_mesh", "written.mesh"), std::ios::app) << '\0' << in.rdbuf();
   std::filesystem::remove(sol);
+
+  // what fuzzing has found
+  const std::string start = "MeshVersionFormatted 2\nDimension 3\nVertices 4\n0 0 0 0\n1 0 0 0\n0 1 0 0\n0 0 1 0\n";
+  write_text("mesh_mesh", "vertices_twice.mesh", start + "Tetrahedra 1\n1 2 3 4 1\nVertices 1\n0 0 0 0\nEnd\n");
+  write_text("mesh_mesh", "least_integer.mesh", start + "Tetrahedra 1\n-9223372036854775808 2 3 4 1\nEnd\n");
 }
 
 // --- soups: see fuzz_repair.cpp ---

@@ -99,9 +99,7 @@ private:
   // Calls f(i, dx) for the rim's vertices within an angle, dx being the angle from there to i.
   template <class F> void for_rim_near(double angle, double within, F f) const {
     const std::size_t here = profile_.rim_at(angle).first;
-    auto offset = [&](std::size_t i) {
-      return std::remainder(profile_.rim(i).angle - angle, 2 * CGAL_PI);
-    };
+    auto offset = [&](std::size_t i) { return std::remainder(profile_.rim(i).angle - angle, 2 * CGAL_PI); };
     for (std::size_t k = 0; k < rim_size_; ++k) {
       const std::size_t i = (here + rim_size_ - k) % rim_size_;
       f(i, offset(i));
@@ -191,7 +189,8 @@ private:
     typedef CGAL::Constrained_triangulation_face_base_2<Plane_kernel> Constrained_face_base;
     typedef CGAL::Triangulation_face_base_with_info_2<int, Plane_kernel, Constrained_face_base> Face_base;
     typedef CGAL::Triangulation_data_structure_2<Vertex_base, Face_base> Data_structure;
-    typedef CGAL::Constrained_Delaunay_triangulation_2<Plane_kernel, Data_structure, CGAL::No_constraint_intersection_tag>
+    typedef CGAL::Constrained_Delaunay_triangulation_2<Plane_kernel, Data_structure,
+                                                       CGAL::No_constraint_intersection_tag>
         Triangulation;
     Triangulation triangulation;
     std::vector<typename Triangulation::Vertex_handle> vertices;

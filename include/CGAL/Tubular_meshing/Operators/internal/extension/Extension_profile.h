@@ -56,7 +56,7 @@ public:
     const Vector shift = heights_mean(rim, across) * direction;
     axis_ = Rim_plane<Point>(across.center + shift, direction, farthest - rim[0]);
     unroll(rim);
-    choose_corners(rim);
+    choose_corners();
     end_ = highest_;
   }
 
@@ -153,7 +153,7 @@ private:
   }
 
   // As many that edges are as long as the rim's, whose mean is weighted by length: tiny edges count little.
-  void choose_corners(const std::vector<Point>&) {
+  void choose_corners() {
     double sum = 0, squares = 0;
     for (double e : edges_) {
       sum += e;

@@ -10,12 +10,13 @@
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Kernel_traits.h>
+#include <CGAL/boost/graph/iterator.h>
 #include <CGAL/box_intersection_d.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <string>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -33,28 +34,67 @@ struct Extension_limit {
 constexpr double extension_clearance = 1.05; // of the radius: what keeps clear of so wide a tube is clear of it
 constexpr double extension_step = 0.5;       // in radii
 
-/* The height up to which a tube slightly wider than the extension does not meet the wall: stepwise, a ring of triangles
- * and the disk on top at a time, so that no part of the wall can be inside unnoticed. */
-template <class Point, class Tree>
-Extension_limit free_of_wall(const Extension_profile<Point>& profile, const Tree& wall) {
+/* A piece of the tube that has to be free for an extension: a prism around it, from one height to another. */
+template <class Point> class Extension_prism {
   typedef typename Kernel_traits<Point>::Kernel::Triangle_3 Triangle;
-  const int sides = 12;
-  const double wide = extension_clearance / std::cos(CGAL_PI / sides) * profile.radius();
-  auto corner = [&](int i, double height) {
+
+public:
+  Extension_prism(const Extension_profile<Point>& profile, double from, double to)
+      : profile_(profile)
+      , from_(from)
+      , to_(to) {}
+
+  /* Whether a mesh has a vertex in it, or crosses its sides or its top. `tree` holds the faces of the mesh. */
+  template <class Mesh, class Tree> bool meets(const Mesh& mesh, const Tree& tree) const {
+    CGAL::Bbox_3 box;
+    for (int i = 0; i < sides; ++i)
+      box += corner(i, from_).bbox() + corner(i, to_).bbox();
+    std::vector<typename Tree::Primitive_id> near;
+    tree.all_intersected_primitives(box, std::back_inserter(near));
+    if (near.empty())
+      return false;
+    for (auto f : near)
+      for (auto v : CGAL::vertices_around_face(mesh.halfedge(f), mesh))
+        if (contains(mesh.point(v)))
+          return true;
+    for (int i = 0; i < sides; ++i) {
+      const Point a = corner(i, from_), b = corner(i + 1, from_), c = corner(i + 1, to_), d = corner(i, to_);
+      if (tree.do_intersect(Triangle(a, b, c)) || tree.do_intersect(Triangle(a, c, d)) ||
+          tree.do_intersect(Triangle(d, c, profile_.axis_point(to_))))
+        return true;
+    }
+    return false;
+  }
+
+private:
+  static constexpr int sides = 12;
+
+  Point corner(int i, double height) const {
     const double angle = 2 * CGAL_PI * i / sides;
-    return profile.axis().in_space({wide * std::cos(angle), wide * std::sin(angle)}) +
-           profile.radius() * height * profile.axis().normal();
-  };
+    const double wide = extension_clearance / std::cos(CGAL_PI / sides) * profile_.radius();
+    return profile_.axis().in_space({wide * std::cos(angle), wide * std::sin(angle)}) +
+           profile_.radius() * height * profile_.axis().normal();
+  }
+
+  bool contains(const Point& p) const {
+    const auto q = profile_.axis().in_plane(p);
+    const double height = profile_.axis().height(p);
+    return height > from_ * profile_.radius() && height < to_ * profile_.radius() &&
+           std::hypot(q[0], q[1]) < extension_clearance * profile_.radius();
+  }
+
+  const Extension_profile<Point>& profile_;
+  const double from_, to_;
+};
+
+/* The height up to which a tube slightly wider than the extension does not meet the wall, in steps. */
+template <class Point, class Mesh, class Tree>
+Extension_limit free_of_wall(const Extension_profile<Point>& profile, const Mesh& mesh, const Tree& wall) {
   double from = profile.highest() + 0.1;
   while (from < profile.end()) {
     const double to = (std::min)(from + extension_step, profile.end());
-    const Point center = profile.axis_point(to);
-    for (int i = 0; i < sides; ++i) {
-      const Point a = corner(i, from), b = corner(i + 1, from), c = corner(i + 1, to), d = corner(i, to);
-      if (wall.do_intersect(Triangle(a, b, c)) || wall.do_intersect(Triangle(a, c, d)) ||
-          wall.do_intersect(Triangle(d, c, center)))
-        return {from, Extension_limit::wall};
-    }
+    if (Extension_prism<Point>(profile, from, to).meets(mesh, wall))
+      return {from, Extension_limit::wall};
     from = to;
   }
   return {profile.end(), Extension_limit::none};
@@ -115,8 +155,7 @@ private:
     for (std::size_t i = 0; i < profiles_.size(); ++i)
       if (wanted[i]) {
         const double r = extension_clearance * profiles_[i].radius();
-        const CGAL::Bbox_3 b =
-            profiles_[i].axis_point(0).bbox() + profiles_[i].axis_point(limits_[i].height).bbox();
+        const CGAL::Bbox_3 b = profiles_[i].axis_point(0).bbox() + profiles_[i].axis_point(limits_[i].height).bbox();
         boxes.emplace_back(
             CGAL::Bbox_3(b.xmin() - r, b.ymin() - r, b.zmin() - r, b.xmax() + r, b.ymax() + r, b.zmax() + r), i);
       }
@@ -137,7 +176,7 @@ private:
       // those whose openings are close may begin closer than that, as long as they part
       const double distance = std::sqrt(squared_segment_distance(p, u, q, v));
       const double before = std::sqrt(squared_segment_distance(p, Vector_3d(), q, v));
-      if (distance < allowed && distance < before)
+      if (distance < allowed && distance < before - 1e-6 * allowed)
         return j;
     }
     return Extension_limit::none;
