@@ -98,9 +98,7 @@ repair_surface(const std::vector<Point_3>& points, const std::vector<std::array<
   if (mode == Repair_mode::off)
     repairer.assemble(soup);
   else
-    repairer.repair(soup);
-  if (mode == Repair_mode::wrap)
-    repairer.wrap();
+    repairer.repair(soup, mode == Repair_mode::wrap);
   if (internal::choose(np, internal_np::smooth, false))
     repairer.smooth();
   return report;
