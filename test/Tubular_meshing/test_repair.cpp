@@ -17,6 +17,7 @@
 #include <cstdio>
 #include <fstream>
 #include <limits>
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -45,12 +46,12 @@ template <class... NamedParameters> Report repair(const Soup& soup, Mesh& mesh, 
 /* The surface closed, as all that follows will see it. */
 struct Closed_surface {
   Mesh mesh;
-  std::size_t openings = 0;
+  std::vector<tubular::Opening<Point>> openings;
 
   explicit Closed_surface(const Mesh& open)
       : mesh(open) {
-    auto found = tubular::find_openings(mesh);
-    openings = found.size();
+    openings = tubular::find_openings(mesh);
+    auto found = openings;
     auto patch = mesh.add_property_map<Mesh::Face_index, int>("f:patch", 0).first;
     tubular::close_openings(mesh, found, patch);
   }
@@ -83,41 +84,94 @@ std::string word_for(const std::string& defect, int severity) {
 
 // How far the volume may be from the clean one's, relatively.
 double volume_tolerance(const std::string& defect) {
-  return defect == "touching walls" ? 0.3 : defect == "noise" ? 0.03 : 0.015;
+  return defect == "touching walls"                       ? 0.3
+         : defect.find("noise") != std::string::npos ? 0.03
+                                                     : 0.015;
 }
 
-// Relative to the local radius.
-double farthest_from(const Clean_surface& clean, const Mesh& mesh) {
-  typedef tubular::internal::Double_kernel::Triangle_3 Triangle_3;
-  std::vector<Triangle_3> triangles;
-  for (const Triangle& t : clean.soup.triangles)
-    triangles.emplace_back(tubular::internal::to_double_point(clean.soup.points[t[0]]),
-                           tubular::internal::to_double_point(clean.soup.points[t[1]]),
-                           tubular::internal::to_double_point(clean.soup.points[t[2]]));
-  const tubular::internal::Nearest_tree<Triangle_3> wall(std::move(triangles));
-  double farthest = 0;
-  for (auto v : mesh.vertices()) {
-    const auto nearest = wall.nearest(tubular::internal::to_double_point(mesh.point(v)));
-    const double radius = clean.radius(clean.soup.triangles[nearest.index][0]);
-    farthest = std::max(farthest, std::sqrt(nearest.squared_distance) / radius);
+// The largest distance of a mesh's vertices and faces' centres from a soup, relative to the radius of the clean surface
+// there. One way.
+struct Soup_distance {
+  const Clean_surface& clean;
+  tubular::internal::Nearest_tree<tubular::internal::Double_kernel::Triangle_3> wall, clean_wall;
+
+  Soup_distance(const Clean_surface& clean, const Soup& soup)
+      : clean(clean)
+      , wall(shapes(soup))
+      , clean_wall(shapes(clean.soup)) {}
+
+  double farthest(const Mesh& mesh) const {
+    double most = 0;
+    for (auto v : mesh.vertices())
+      most = std::max(most, relative_distance(mesh.point(v)));
+    for (auto f : mesh.faces()) {
+      const auto h = mesh.halfedge(f);
+      most = std::max(most, relative_distance(CGAL::centroid(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)),
+                                                             mesh.point(mesh.target(mesh.next(h))))));
+    }
+    return most;
   }
-  return farthest;
+
+private:
+  static std::vector<tubular::internal::Double_kernel::Triangle_3> shapes(const Soup& soup) {
+    std::vector<tubular::internal::Double_kernel::Triangle_3> triangles;
+    for (const Triangle& t : soup.triangles)
+      triangles.emplace_back(tubular::internal::to_double_point(soup.points[t[0]]),
+                             tubular::internal::to_double_point(soup.points[t[1]]),
+                             tubular::internal::to_double_point(soup.points[t[2]]));
+    return triangles;
+  }
+
+  double relative_distance(const Point& p) const {
+    const auto q = tubular::internal::to_double_point(p);
+    const double radius = clean.radius(clean.soup.triangles[clean_wall.nearest(q).index][0]);
+    return std::sqrt(wall.nearest(q).squared_distance) / radius;
+  }
+};
+
+// Both ways.
+double hausdorff_distance(const Clean_surface& clean, const Mesh& mesh) {
+  return std::max(Soup_distance(clean, clean.soup).farthest(mesh),
+                  Soup_distance(clean, defects::soup_of(mesh)).farthest(clean.mesh));
 }
 
-void expect_like_clean(const Clean_surface& clean, const std::string& defect, const Mesh& repaired,
+// The openings of a repaired surface are those of the clean one, each within a fraction of its radius.
+void expect_openings(const std::vector<tubular::Opening<Point>>& found,
+                     const std::vector<tubular::Opening<Point>>& expected, double tolerance) {
+  EXPECT_EQ(found.size(), expected.size());
+  for (const auto& e : expected) {
+    const auto nearest = std::min_element(found.begin(), found.end(), [&](const auto& a, const auto& b) {
+      return CGAL::squared_distance(a.center, e.center) < CGAL::squared_distance(b.center, e.center);
+    });
+    ASSERT_NE(nearest, found.end());
+    EXPECT_LT(std::sqrt(CGAL::squared_distance(nearest->center, e.center)), tolerance * e.radius);
+    EXPECT_NEAR(nearest->radius / e.radius, 1, tolerance);
+    EXPECT_GT(nearest->normal * e.normal, 1 - tolerance);
+  }
+}
+
+const Closed_surface& closed_clean(const Clean_surface& clean) {
+  static std::map<std::string, Closed_surface> all;
+  const auto known = all.find(clean.name);
+  return known != all.end() ? known->second : all.emplace(clean.name, Closed_surface(clean.mesh)).first->second;
+}
+
+void expect_like_clean(const Clean_surface& clean, const std::string& defect, int severity, const Mesh& repaired,
                        const Report& report) {
   const Closed_surface closed(repaired);
   EXPECT_TRUE(CGAL::is_closed(closed.mesh));
   EXPECT_TRUE(CGAL::is_valid_polygon_mesh(closed.mesh));
   EXPECT_FALSE(pmp::does_self_intersect(closed.mesh));
-  EXPECT_EQ(closed.openings, clean.openings);
+  expect_openings(closed.openings, closed_clean(clean).openings, defect.find("noise") != std::string::npos ? 0.1 : 0.02);
   const long handles = (2 - euler_characteristic(closed.mesh)) / 2;
   EXPECT_EQ(long(report.count(Surface_defect::handles)), handles); // no handle is left unreported
   if (defect != "touching walls") {
-    EXPECT_EQ(handles, clean.handles);
-    EXPECT_LT(farthest_from(clean, repaired), 0.3);
+    EXPECT_EQ(handles, clean.handles + (defect == "fused vessels" ? severity + 1 : 0));
+    if (defect != "fused vessels") {
+      EXPECT_LT(hausdorff_distance(clean, repaired), 0.3);
+    }
   }
-  const double volume = pmp::volume(closed.mesh), expected = pmp::volume(Closed_surface(clean.mesh).mesh);
+  const double volume = pmp::volume(closed.mesh), expected = pmp::volume(closed_clean(clean).mesh);
   EXPECT_NEAR(volume / expected, 1, volume_tolerance(defect));
 }
 
@@ -143,7 +197,7 @@ void check_cell(const defects::Defect& defect, const Clean_surface& clean, int s
   std::printf("%-20s %d %-5s %s\n", defect.name.c_str(), severity, clean.name.c_str(),
               first_line(report.text()).c_str());
   SCOPED_TRACE(report.text());
-  expect_like_clean(clean, defect.name, mesh, report);
+  expect_like_clean(clean, defect.name, severity, mesh, report);
 }
 
 } // namespace
@@ -164,6 +218,31 @@ INSTANTIATE_TEST_SUITE_P(All, Defect_matrix, testing::Range(std::size_t(0), defe
                                name.begin(), name.end(), [](char c) { return c == ' ' || c == '-'; }, '_');
                            return name;
                          });
+
+// Three at once: in the seeds' loop nearly all are mended, and what is refused is refused at a place.
+TEST(Repair_surface, Mends_three_defects_at_once) {
+  std::size_t refused = 0, all = 0;
+  for (const Clean_surface& clean : defects::clean_surfaces())
+    for (unsigned seed = 0; seed < 25; ++seed) {
+      std::string names;
+      const Soup damaged = defects::three_defects(clean, seed, names);
+      SCOPED_TRACE(clean.name + ", seed " + std::to_string(seed) + ": " + names);
+      ++all;
+      Mesh mesh;
+      Report report;
+      try {
+        report = repair(damaged, mesh);
+      } catch (const tubular::Input_error& e) {
+        std::printf("%-5s %2u %s: %s\n", clean.name.c_str(), seed, names.c_str(), e.what());
+        EXPECT_NE(std::string(e.what()).find("("), std::string::npos) << "no place in: " << e.what();
+        ++refused;
+        continue;
+      }
+      SCOPED_TRACE(report.text());
+      expect_like_clean(clean, names, 0, mesh, report);
+    }
+  EXPECT_LE(refused, all / 20);
+}
 
 TEST(Repair_surface, Leaves_clean_surfaces_as_they_are) {
   for (const Clean_surface& clean : defects::clean_surfaces()) {
@@ -227,6 +306,69 @@ TEST(Repair_surface, Never_closes_an_opening) {
       }
 }
 
+namespace {
+
+// A tube of which the triangles are as long as it is.
+Soup coarse_tube(int sides, double length) {
+  Soup soup;
+  for (int k = 0; k < 2; ++k)
+    for (int i = 0; i < sides; ++i)
+      soup.points.push_back(
+          Point(std::cos(2 * CGAL_PI * i / sides), std::sin(2 * CGAL_PI * i / sides), length * double(k)));
+  for (int i = 0; i < sides; ++i) {
+    const std::size_t a = std::size_t(i), b = std::size_t((i + 1) % sides), n = std::size_t(sides);
+    soup.triangles.push_back({a, b, b + n});
+    soup.triangles.push_back({a, b + n, a + n});
+  }
+  return soup;
+}
+
+} // namespace
+
+TEST(Repair_surface, Never_closes_an_opening_of_long_triangles) {
+  for (int sides : {4, 5, 6, 8, 12, 40})
+    for (double length : {1., 10., 1000.}) {
+      SCOPED_TRACE(std::to_string(sides) + " sides, length " + std::to_string(length));
+      const Soup soup = coarse_tube(sides, length);
+      Mesh mesh;
+      const Report report = repair(soup, mesh);
+      EXPECT_TRUE(report.empty()) << report.text();
+      EXPECT_EQ(mesh.number_of_faces(), soup.triangles.size());
+    }
+}
+
+TEST(Repair_surface, Closes_a_hole_that_touches_an_opening_and_keeps_the_opening) {
+  for (const Clean_surface& clean : defects::clean_surfaces()) {
+    SCOPED_TRACE(clean.name);
+    Soup soup = clean.soup;
+    std::size_t gone = 0;
+    for (Triangle& t : soup.triangles) { // one with one corner on the rim
+      const auto on_rim = [&](std::size_t v) { return clean.mesh.is_border(Mesh::Vertex_index(unsigned(v))); };
+      if (std::count_if(t.begin(), t.end(), on_rim) == 1 && gone++ == 0)
+        t = {t[0], t[0], t[0]};
+    }
+    Mesh mesh;
+    const Report report = repair(soup, mesh);
+    SCOPED_TRACE(report.text());
+    EXPECT_EQ(report.count(Surface_defect::pinholes), 1u);
+    expect_like_clean(clean, "", 0, mesh, report);
+  }
+}
+
+TEST(Repair_surface, Smoothing_keeps_the_volume_and_the_openings_of_any_shape) {
+  for (const Clean_surface& clean : defects::clean_surfaces())
+    for (int severity = 0; severity < 3; ++severity) {
+      SCOPED_TRACE(clean.name + " " + std::to_string(severity));
+      Mesh mesh;
+      const Report report = repair(defects::noise(clean, severity), mesh, tubular::parameters::smooth(true));
+      const Closed_surface closed(mesh);
+      expect_openings(closed.openings, closed_clean(clean).openings, 0.1);
+      EXPECT_FALSE(pmp::does_self_intersect(closed.mesh));
+      EXPECT_NEAR(pmp::volume(closed.mesh) / pmp::volume(closed_clean(clean).mesh), 1, 0.01);
+      EXPECT_LT(hausdorff_distance(clean, mesh), 0.15);
+    }
+}
+
 TEST(Repair_surface, Smoothing_takes_noise_and_keeps_volume_and_rims) {
   const Clean_surface& clean = defects::clean_surfaces()[1];
   const Soup noisy = defects::noise(clean, 1);
@@ -255,11 +397,11 @@ TEST(Repair_surface, A_wrap_has_the_shape_and_the_openings_of_the_surface) {
     const Report report = repair(clean.soup, mesh, tubular::parameters::repair_mode(Repair_mode::wrap));
     EXPECT_EQ(report.count(Surface_defect::wrapped), 1u);
     const Closed_surface closed(mesh);
-    EXPECT_EQ(closed.openings, clean.openings);
+    expect_openings(closed.openings, closed_clean(clean).openings, 0.1);
     EXPECT_FALSE(pmp::does_self_intersect(closed.mesh));
     EXPECT_EQ(euler_characteristic(closed.mesh), 2);
     EXPECT_NEAR(pmp::volume(closed.mesh) / pmp::volume(Closed_surface(clean.mesh).mesh), 1, 0.03);
-    EXPECT_LT(farthest_from(clean, mesh), 0.1);
+    EXPECT_LT(hausdorff_distance(clean, mesh), 0.15);
   }
 }
 

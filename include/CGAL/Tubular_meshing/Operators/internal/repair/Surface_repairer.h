@@ -211,7 +211,7 @@ private:
       return;
     Polygon_mesh_processing::reverse_face_orientations(mesh_);
     report_.add(Surface_defect::inside_out, mesh_.number_of_faces(), 0,
-                "The surface was inside out and was turned: its normals now point out of the lumen.");
+                "The normals of the surface pointed into the lumen; they now point outward.");
   }
 
   void remove_needles() {
