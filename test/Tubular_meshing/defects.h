@@ -482,7 +482,8 @@ inline Soup fused_vessels(const Clean_surface& s, int severity) {
     for (std::size_t i = 0; i < s.soup.points.size(); ++i)
       if (CGAL::squared_distance(s.soup.points[i], aim) < CGAL::squared_distance(s.soup.points[w], aim))
         w = i;
-    if (s.near_rim[w] || s.normal[w] * s.normal[v] > -0.9)
+    if (s.near_rim[w] || s.normal[w] * s.normal[v] > -0.95 ||
+        CGAL::squared_distance(s.soup.points[w], aim) > CGAL::square(0.3 * s.radius(v)))
       continue;
     const std::size_t g = s.triangles_at(w)[0];
     Triangle b = s.soup.triangles[g];

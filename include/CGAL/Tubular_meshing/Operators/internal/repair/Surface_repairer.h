@@ -12,6 +12,7 @@
 #include <CGAL/Tubular_meshing/Operators/internal/repair/mend_crossings.h>
 #include <CGAL/Tubular_meshing/Operators/internal/repair/remove_fins.h>
 #include <CGAL/Tubular_meshing/Operators/internal/repair/remove_needles.h>
+#include <CGAL/Tubular_meshing/Operators/internal/repair/report_orientation.h>
 #include <CGAL/Tubular_meshing/Operators/internal/repair/sew_seams.h>
 #include <CGAL/Tubular_meshing/Operators/internal/repair/smooth_noise.h>
 #include <CGAL/Tubular_meshing/Operators/internal/repair/split_touching_loops.h>
@@ -68,6 +69,7 @@ public:
     remove_needles();
     Touching_loop_splitter<Point>(mesh_).split();
     close_pinholes();
+    replace_needles();
     const bool is_mended = mend_crossings() && is_sound();
     if (!is_mended || wrap_anyway)
       wrap();
@@ -143,54 +145,14 @@ private:
     points.reserve(soup.points.size());
     for (const Coordinates& p : soup.points)
       points.push_back(point(p));
-    const std::vector<Soup_triangle> before = soup.triangles;
-    Polygon_mesh_processing::orient_polygon_soup(points, soup.triangles);
-    report_orientation(points, before, soup.triangles);
+    if (!Polygon_mesh_processing::is_polygon_soup_a_polygon_mesh(soup.triangles)) { // a cheap test before a dear step
+      const std::vector<Soup_triangle> before = soup.triangles;
+      Polygon_mesh_processing::orient_polygon_soup(points, soup.triangles);
+      report_orientation(points, before, soup.triangles, report_);
+    }
     mesh_.clear();
     Polygon_mesh_processing::polygon_soup_to_polygon_mesh(points, soup.triangles, mesh_);
     Polygon_mesh_processing::stitch_borders(mesh_);
-  }
-
-  void report_orientation(const std::vector<Point>& points, const std::vector<Soup_triangle>& before,
-                          const std::vector<Soup_triangle>& after) {
-    std::size_t turned = 0, first_turned = after.size(), first_kept = after.size();
-    std::size_t doubled = 0, first_doubled = points.size();
-    std::size_t old_points = 0;
-    for (const Soup_triangle& t : before)
-      old_points = (std::max)(old_points, *std::max_element(t.begin(), t.end()) + 1);
-    for (std::size_t f = 0; f < after.size(); ++f) {
-      const bool is_turned = is_reversed(points, before[f], after[f]);
-      turned += is_turned;
-      std::size_t& first = is_turned ? first_turned : first_kept;
-      first = (std::min)(first, f);
-    }
-    if (points.size() > old_points) {
-      doubled = points.size() - old_points;
-      first_doubled = old_points;
-    }
-    // which of the two ways is right is not known here
-    const bool most = 2 * turned > after.size();
-    const std::size_t n = most ? after.size() - turned : turned;
-    if (n > 0) {
-      const Point& place = points[after[most ? first_kept : first_turned][0]];
-      report_.add(Surface_defect::turned_triangles, n, 0,
-                  counted(n, "triangle was", "triangles were") +
-                      " oriented against the others and turned, the first at " + coordinates(place) + ".",
-                  place);
-    }
-    if (doubled > 0)
-      report_.add(Surface_defect::nonmanifold_points, doubled, 0,
-                  "The surface touches itself in " + counted(doubled, "point", "points") + ", the first at " +
-                      coordinates(points[first_doubled]) + ": its sides were separated there.",
-                  points[first_doubled]);
-  }
-
-  // Points may have been doubled meanwhile: corners are compared as points.
-  static bool is_reversed(const std::vector<Point>& points, const Soup_triangle& before, const Soup_triangle& after) {
-    for (int k = 0; k < 3; ++k)
-      if (points[before[0]] == points[after[k]])
-        return points[before[1]] != points[after[(k + 1) % 3]];
-    return false;
   }
 
   // --- the mesh ---
@@ -226,6 +188,26 @@ private:
                   counted(needles.size() - left, "triangle", "triangles") + " of almost no area, the first at " +
                       coordinates(place) + ", " + (needles.size() - left == 1 ? "was" : "were") + " removed.",
                   place);
+  }
+
+  // Those that can neither be collapsed nor flipped away go with the faces around them.
+  void replace_needles() {
+    const Needle_remover<Point> remover(mesh_);
+    const std::vector<Face> needles = remover.find();
+    if (needles.empty())
+      return;
+    note_flat_ends();
+    const Point place = mesh_.point(mesh_.target(mesh_.halfedge(needles.front())));
+    const Mesh before = mesh_;
+    if (!Crossing_mender<Point>(mesh_).replace_all([&] { return remover.find(); }) || !keeps_ends()) {
+      mesh_ = before;
+      return;
+    }
+    report_.add(Surface_defect::needle_triangles, needles.size(), 0,
+                counted(needles.size(), "triangle", "triangles") + " of almost no area, the first at " +
+                    coordinates(place) + ", " + (needles.size() == 1 ? "was" : "were") +
+                    " replaced with the faces around.",
+                place);
   }
 
   // Tells the openings from the holes, and closes these.
@@ -408,7 +390,7 @@ private:
   Repair_report<Point>& report_;
   std::vector<Tube_end<Point>> tube_ends_; ///< as they were before what was amiss between them was mended
   bool knows_flat_ends_ = false;
-  std::string reason_;                     ///< why the surface is wrapped
+  std::string reason_; ///< why the surface is wrapped
 };
 
 } // namespace internal

@@ -82,12 +82,13 @@ public:
     if (has_few_edges && alignment > 0.7)
       return Loop_kind::pinhole; // so coarse that the wall behind says nothing
     const Wall_behind wall = surveyor_.survey(loop);
-    if (is_thin(loop) && is_tiny(loop) && wall.flatness > 0.42)
+    const bool has_fewest_edges = loop.rim.size() <= 4;
+    if (is_thin(loop) && ((is_tiny(loop) && wall.flatness > 0.42) || (has_fewest_edges && wall.depth < 0.3)))
       return Loop_kind::pinhole; // a crack
     if (loop.shape.sag > 3 * loop.shape.radius)
       return Loop_kind::torn_wall;
     if (wall.depth > 0.5 && wall.flatness < 0.42)
-      return alignment < 0.5 && !is_thin(loop) ? Loop_kind::opening : Loop_kind::torn_wall;
+      return alignment < (has_fewest_edges ? 0.25 : 0.5) && !is_thin(loop) ? Loop_kind::opening : Loop_kind::torn_wall;
     const bool lies_in_wall = wall.flatness > 0.5 || alignment > 0.6 || (wall.depth < 0.45 && wall.flatness > 0.25);
     return lies_in_wall && is_small(loop, alignment) ? Loop_kind::pinhole : Loop_kind::torn_wall;
   }
@@ -121,15 +122,13 @@ private:
            4 * CGAL_PI * loop.shape.area > 0.94 * loop.shape.perimeter * loop.shape.perimeter;
   }
 
-  // So thin that its own normal means nothing: an ellipse of 15:1 is not.
+  // So thin that its own normal means nothing: an ellipse of 10:1 is not.
   static bool is_thin(const Opening_site<Point>& loop) {
-    return 4 * CGAL_PI * loop.shape.area < 0.15 * loop.shape.perimeter * loop.shape.perimeter;
+    return 4 * CGAL_PI * loop.shape.area < 0.2 * loop.shape.perimeter * loop.shape.perimeter;
   }
 
   // Small against the faces around it.
-  bool is_tiny(const Opening_site<Point>& loop) const {
-    return loop.shape.radius < 0.35 * edge_length_behind(loop);
-  }
+  bool is_tiny(const Opening_site<Point>& loop) const { return loop.shape.radius < 0.35 * edge_length_behind(loop); }
 
   // The mean length of the edges that lead from the loop into the wall.
   double edge_length_behind(const Opening_site<Point>& loop) const {

@@ -67,7 +67,7 @@ private:
       area += std::sqrt(
                   CGAL::cross_product(points_[t[1]] - points_[t[0]], points_[t[2]] - points_[t[0]]).squared_length()) /
               2;
-    const double most = 1e6; // a minute's work
+    const double most = 4e5; // half a minute's work
     if (!(8 * area / (alpha_ * alpha_) < most))
       throw Input_error(reason_ +
                         ", and the surface is too large to be wrapped at the size of its smallest "
