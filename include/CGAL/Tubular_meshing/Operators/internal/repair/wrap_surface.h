@@ -4,7 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_OPERATORS_INTERNAL_REPAIR_WRAP_SURFACE_H
 #define CGAL_TUBULAR_MESHING_OPERATORS_INTERNAL_REPAIR_WRAP_SURFACE_H
 
-#include <CGAL/Tubular_meshing/Centerlines/internal/Nearest_tree.h>
+#include <CGAL/Tubular_meshing/internal/Nearest_tree.h>
 #include <CGAL/Tubular_meshing/Operators/internal/Opening_site.h>
 #include <CGAL/Tubular_meshing/Operators/internal/repair/Soup_edges.h>
 #include <CGAL/Tubular_meshing/Operators/internal/repair/tube_ends.h>
