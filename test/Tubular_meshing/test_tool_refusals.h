@@ -62,8 +62,8 @@ inline std::string sphere_off() {
          faces.str();
 }
 
-// What of a surface lies above z = 0.
-inline Surface half_of(const std::string& off) {
+// What of a surface lies above z = 0, stretched along z.
+inline Surface half_of(const std::string& off, double stretch) {
   Surface surface;
   std::istringstream in(off);
   CGAL::IO::read_OFF(in, surface);
@@ -74,6 +74,8 @@ inline Surface half_of(const std::string& off) {
         break;
       }
   surface.collect_garbage();
+  for (auto v : surface.vertices())
+    surface.point(v) = Point(surface.point(v).x(), surface.point(v).y(), stretch * surface.point(v).z());
   return surface;
 }
 
@@ -138,7 +140,7 @@ inline void make_bad_surfaces(const Tool& t, const Sample& good) {
   t.make("cut.vtp", first_part(vtp, 0.7));
   t.make("lines.vtp", good.lines);
   t.make("sphere.off", sphere_off());
-  t.make("bag.off", half_of(sphere_off()));
+  t.make("bag.off", half_of(sphere_off(), 4));
   t.make("window.off", tube_with_a_window());
   t.make("seeds.txt", "0 0 0\n0 0 6\n");
   t.make("one_seed.txt", "# the inlet\n0 0 1\n\n");
@@ -288,7 +290,7 @@ inline std::vector<Refusal> file_errors() {
       {"OFF_cut_off", input, {"cut.off"}, on("cut.off")},
       {"OFF_with_wrong_index", input, {"wrong_index.off"}, on("wrong_index.off")},
       {"VTP_cut_off", input, {"cut.vtp"}, on("cut.vtp")},
-      {"Surface_of_one_triangle", input, {}, on("one_triangle.stl")},
+      {"Surface_of_one_triangle", input, {"1 triangle", "too few"}, on("one_triangle.stl")},
       {"Surface_of_one_point", input, {"three different corners"}, on("one_point.off")},
       {"Centerlines_as_surface", input, {"lines.vtp"}, on("lines.vtp")},
       {"Missing_centerlines", input, {"absent.vtk"}, along("absent.vtk")},

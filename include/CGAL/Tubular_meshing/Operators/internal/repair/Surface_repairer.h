@@ -117,6 +117,10 @@ private:
     if (soup.triangles.empty())
       throw Input_error("The surface has no triangle with three different corners: check the unit and the precision it "
                         "was exported with.");
+    const std::size_t fewest = 6; // of a prism, open at both ends
+    if (soup.triangles.size() < fewest)
+      throw Input_error("The surface has only " + counted(soup.triangles.size(), "triangle", "triangles") +
+                        ", too few for a vessel: check that the file is what it should be.");
   }
 
   void sew(Triangle_soup& soup) {
