@@ -361,7 +361,7 @@ TEST_F(Tool, Needs_no_centerlines) {
   expect_report_of(computed, mesh_in(out("mesh.vtu")));
   EXPECT_TRUE(computed["centerlines"].is_null());
   EXPECT_LT(difference_of_lengths(computed, given), 0.05); // where lines part is a matter of definition
-  EXPECT_NEAR(computed["points"].get<double>(), given["points"].get<double>(), 0.03 * given["points"].get<double>());
+  EXPECT_NEAR(computed["points"].get<double>(), given["points"].get<double>(), 0.05 * given["points"].get<double>());
   for (const Json& opening : computed["openings"])
     EXPECT_FALSE(opening["branch"].is_null());
   EXPECT_TRUE(computed["branches"][computed["openings"][0]["branch"].get<std::size_t>()]["parents"].empty());
