@@ -127,6 +127,20 @@ Mixed_mesh<Point_3> make_isotropic_mesh(const TriangleMesh& surface, const Cente
   return make_isotropic_mesh(make_tubular_model(surface, lines, np), np);
 }
 
+/*! \ingroup PkgTubularMeshingRef
+ *
+ * the same, from a surface alone, whose centerlines are computed.
+ */
+template <class Point_3, class T, class Tag, class Base>
+Mixed_mesh<Point_3> make_isotropic_mesh(const CGAL::Surface_mesh<Point_3>& surface,
+                                        const CGAL::Named_function_parameters<T, Tag, Base>& np) {
+  return make_isotropic_mesh(make_tubular_model(surface, np), np);
+}
+
+template <class Point_3> Mixed_mesh<Point_3> make_isotropic_mesh(const CGAL::Surface_mesh<Point_3>& surface) {
+  return make_isotropic_mesh(surface, CGAL::parameters::default_values());
+}
+
 } // namespace Tubular_meshing
 } // namespace CGAL
 

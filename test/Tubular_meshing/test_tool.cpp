@@ -145,10 +145,29 @@ TEST_F(Tool, Refuses_a_directory_that_is_write_protected) {
 TEST_F(Tool, Tells_its_version_and_its_options) {
   const Outcome version = succeed({"--version"}), help = succeed({"--help"});
   EXPECT_TRUE(std::regex_match(version.out, std::regex("tubular_mesh [0-9]+\\.[0-9.]+\n"))) << version.out;
-  for (const char* option :
-       {"--centerlines", "--output", "--type", "--points-per-circumference", "--min-size", "--max-size", "--gradation",
-        "--inlet", "--report", "--write-surface", "--write-centerlines", "--threads", "--verbose", "--quiet",
-        "--version", "Exit status", ".vtu"})
+  for (const char* option : {"--centerlines",
+                             "--output",
+                             "--type",
+                             "--points-per-circumference",
+                             "--min-size",
+                             "--max-size",
+                             "--gradation",
+                             "--inlet",
+                             "--outlet",
+                             "--seeds",
+                             "--loops",
+                             "--repair",
+                             "--smooth",
+                             "--flow-extensions",
+                             "--report",
+                             "--write-surface",
+                             "--write-centerlines",
+                             "--threads",
+                             "--verbose",
+                             "--quiet",
+                             "--version",
+                             "Exit status",
+                             ".vtu"})
     EXPECT_NE(help.out.find(option), std::string::npos) << option;
 }
 
@@ -310,6 +329,157 @@ TEST_F(Tool, Takes_the_opening_at_the_point_for_the_inlet) {
   EXPECT_NEAR(inlet_z({"--inlet", "3.2,0,12"}), 12, 0.2);
   EXPECT_NEAR(inlet_z({"--inlet", "-30,0,110"}), 11, 0.2);
   EXPECT_NEAR(inlet_z({"--inlet=-1,-1,-1"}), 0, 0.01);
+}
+
+// --- without centerlines ---
+
+// The largest difference between branches' lengths, in the order of their lengths, of the longest.
+double difference_of_lengths(const Json& a, const Json& b) {
+  std::vector<double> lengths[2];
+  for (const Json& branch : a["branches"])
+    lengths[0].push_back(branch["length"]);
+  for (const Json& branch : b["branches"])
+    lengths[1].push_back(branch["length"]);
+  if (lengths[0].size() != lengths[1].size())
+    return 1;
+  double difference = 0;
+  for (auto& l : lengths)
+    std::sort(l.begin(), l.end());
+  for (std::size_t i = 0; i < lengths[0].size(); ++i)
+    difference = (std::max)(difference, std::abs(lengths[0][i] - lengths[1][i]));
+  return difference / lengths[0].back();
+}
+
+TEST_F(Tool, Needs_no_centerlines) {
+  const Sample s = bifurcation();
+  const Arguments common =
+      Arguments{make("y.off", s.surface), "-n", "12", "-o", out("mesh.vtu"), "--report", out("r.json")} + reproducibly;
+  succeed(common + Arguments{"-c", make("lines.vtk", s.lines)});
+  const Json given = json_in(out("r.json"));
+  succeed(common);
+  const Json computed = json_in(out("r.json"));
+  expect_report_of(computed, mesh_in(out("mesh.vtu")));
+  EXPECT_TRUE(computed["centerlines"].is_null());
+  EXPECT_LT(difference_of_lengths(computed, given), 0.05); // where lines part is a matter of definition
+  EXPECT_NEAR(computed["points"].get<double>(), given["points"].get<double>(), 0.03 * given["points"].get<double>());
+  for (const Json& opening : computed["openings"])
+    EXPECT_FALSE(opening["branch"].is_null());
+  EXPECT_TRUE(computed["branches"][computed["openings"][0]["branch"].get<std::size_t>()]["parents"].empty());
+
+  const Json first_outlet = computed["openings"][1];
+  std::ostringstream point;
+  point << first_outlet["center"][0] << "," << first_outlet["center"][1] << "," << first_outlet["center"][2];
+  succeed(common + Arguments{"--inlet", point.str()});
+  const Json turned = json_in(out("r.json"));
+  EXPECT_EQ(turned["openings"][0]["center"], first_outlet["center"]);
+  EXPECT_TRUE(turned["branches"][turned["openings"][0]["branch"].get<std::size_t>()]["parents"].empty());
+}
+
+std::string cigar() { // closed, and round at its ends
+  Surface surface;
+  std::istringstream in(sphere_off());
+  CGAL::IO::read_OFF(in, surface);
+  for (auto v : surface.vertices())
+    surface.point(v) = Point(surface.point(v).x(), surface.point(v).y(), 4 * surface.point(v).z());
+  std::ostringstream out;
+  CGAL::IO::write_OFF(out, surface);
+  return out.str();
+}
+
+TEST_F(Tool, Takes_points_for_the_ends_of_a_surface_without_any) {
+  const Arguments common =
+      Arguments{make("cigar.off", cigar()), "-o", out("mesh.vtu"), "--report", out("r.json")} + reproducibly;
+  std::string meshes[2];
+  int i = 0;
+  for (const Arguments& ends : {Arguments{"--inlet", "0,0,-4", "--outlet", "0,0,4"},
+                                Arguments{"--seeds", make("seeds.txt", "# from, to\n0,0,-4\n\n 0 0 4\n")}}) {
+    succeed(common + ends);
+    const Json report = json_in(out("r.json"));
+    EXPECT_TRUE(report["openings"].empty());
+    EXPECT_EQ(report["branches"].size(), 1u);
+    EXPECT_EQ(report["boundary_euler"], 2);
+    EXPECT_GE(report["quality"]["gamma_tau"]["min"].get<double>(), 0.2);
+    EXPECT_NEAR(report["branches"][0]["max_radius"].get<double>(), 1, 0.02);
+    meshes[i++] = bytes_of(out("mesh.vtu"));
+  }
+  EXPECT_EQ(meshes[0], meshes[1]);
+}
+
+TEST_F(Tool, Keeps_all_branches_of_a_loop_where_asked_to) {
+  const Sample s = sample_of(tubular::willis_loop<Point>());
+  const Arguments common = {make("loop.off", s.surface), "-n", "10", "-o", out("mesh.vtu"), "--report", out("r.json")};
+  succeed(common + Arguments{"-c", make("lines.vtk", s.lines)});
+  const Json given = json_in(out("r.json"));
+  succeed(common + Arguments{"--loops"});
+  const Json computed = json_in(out("r.json"));
+  EXPECT_EQ(computed["branches"].size(), given["branches"].size());
+  EXPECT_EQ(computed["boundary_euler"], given["boundary_euler"]);
+  EXPECT_LT(computed["boundary_euler"], 2);
+  succeed(common);
+  EXPECT_LT(json_in(out("r.json"))["branches"].size(), given["branches"].size());
+}
+
+// --- repair ---
+
+TEST_F(Tool, Leaves_a_clean_surface_alone) {
+  const Arguments arguments = tube_run(*this) + Arguments{"--report", out("r.json")} + reproducibly;
+  const Outcome outcome = succeed(arguments);
+  EXPECT_TRUE(json_in(out("r.json"))["repairs"].empty());
+  EXPECT_EQ(outcome.out.find("repair:"), std::string::npos);
+  const std::string mesh = bytes_of(out("mesh.vtu"));
+  succeed(arguments + Arguments{"--repair", "off"});
+  EXPECT_EQ(bytes_of(out("mesh.vtu")), mesh);
+}
+
+TEST_F(Tool, Mends_a_surface_and_says_so) {
+  Surface surface = tube().surface;
+  std::size_t removed = 0;
+  for (auto f : surface.faces()) // a pinhole
+    if (removed < 1 && std::abs(surface.point(surface.target(surface.halfedge(f))).z() - 3) < 0.3) {
+      CGAL::Euler::remove_face(surface.halfedge(f), surface);
+      ++removed;
+    }
+  surface.collect_garbage();
+  std::string soup =
+      "OFF\n" + std::to_string(surface.number_of_vertices()) + " " + std::to_string(surface.number_of_faces()) + " 0\n";
+  for (auto v : surface.vertices()) {
+    std::ostringstream line;
+    line.precision(17);
+    line << surface.point(v) << "\n";
+    soup += line.str();
+  }
+  for (auto f : surface.faces()) { // every fifth triangle is turned
+    std::vector<std::string> corners;
+    for (auto v : CGAL::vertices_around_face(surface.halfedge(f), surface))
+      corners.push_back(std::to_string(v.idx()));
+    if (f.idx() % 5 == 0)
+      std::swap(corners[0], corners[1]);
+    soup += "3 " + corners[0] + " " + corners[1] + " " + corners[2] + "\n";
+  }
+  const Outcome outcome = succeed({make("torn.off", soup), "-o", out("mesh.vtu"), "--report", out("r.json")});
+  const Json report = json_in(out("r.json"));
+  expect_report_of(report, mesh_in(out("mesh.vtu")));
+  EXPECT_EQ(report["openings"].size(), 2u);
+  std::set<std::string> defects;
+  for (const Json& repair : report["repairs"]) {
+    defects.insert(repair["defect"].get<std::string>());
+    EXPECT_GT(repair["count"].get<int>(), 0);
+    EXPECT_NE(outcome.out.find(repair["sentence"].get<std::string>()), std::string::npos);
+  }
+  EXPECT_EQ(defects, (std::set<std::string>{"turned_triangles", "pinholes"}));
+}
+
+TEST_F(Tool, Wraps_and_smooths_when_told_to) {
+  const Sample s = bifurcation();
+  const Arguments common = {make("y.off", s.surface), "-n", "10", "-o", out("mesh.vtu"), "--report", out("r.json")};
+  for (const Arguments& options : {Arguments{"--repair", "wrap"}, Arguments{"--smooth"}}) {
+    succeed(common + options);
+    const Json report = json_in(out("r.json"));
+    expect_report_of(report, mesh_in(out("mesh.vtu")));
+    EXPECT_EQ(report["repairs"].size(), 1u);
+    EXPECT_EQ(report["openings"].size(), 3u);
+    EXPECT_EQ(report["branches"].size(), 3u);
+  }
 }
 
 TEST_F(Tool, Reads_what_it_has_written) {
@@ -515,6 +685,50 @@ const Real_model real_models[] = {
 };
 INSTANTIATE_TEST_SUITE_P(Paper, Real, ::testing::ValuesIn(real_models),
                          [](const ::testing::TestParamInfo<Real_model>& info) { return std::string(info.param.name); });
+
+// --- a surface alone ---
+
+struct Real_surface {
+  const char *name, *file;
+  double points;
+  std::size_t openings;
+  int euler;
+};
+
+std::ostream& operator<<(std::ostream& out, const Real_surface& s) {
+  return out << s.name;
+}
+
+class Real_alone : public Tool, public ::testing::WithParamInterface<Real_surface> {};
+
+TEST_P(Real_alone, Is_meshed) {
+  const std::string file = (fs::path(shared_data) / GetParam().file).string();
+  if (!fs::exists(file))
+    GTEST_SKIP() << "needs " << file;
+  std::ostringstream n;
+  n << GetParam().points;
+  succeed({file, "-n", n.str(), "-o", out("mesh.vtu"), "--report", out("r.json"), "--threads", "1"});
+  const Json report = json_in(out("r.json"));
+  expect_report_of(report, mesh_in(out("mesh.vtu")));
+  EXPECT_EQ(report["boundary_euler"], GetParam().euler);
+  EXPECT_EQ(report["openings"].size(), GetParam().openings);
+  for (const Json& opening : report["openings"])
+    EXPECT_FALSE(opening["branch"].is_null()) << opening["name"];
+  EXPECT_GE(report["quality"]["gamma_tau"]["min"].get<double>(), 0.15);
+}
+
+const Real_surface real_surfaces[] = {{"aorta", "paper/aorta.stl", 20, 5, 2},
+                                      {"carotid", "paper/carotid.stl", 16, 3, 2},
+                                      {"bypass", "paper/bypass.stl", 12, 2, 0},
+                                      {"cerebral", "paper/cerebral.stl", 10, 9, 2},
+                                      {"cylemi", "paper/cylemi.stl", 20, 2, 2},
+                                      {"coronaries", "trees/sofa_LCA.stl", 12, 7, 2},
+                                      {"noisy_carotids", "trees/sofa_carotids.stl", 16, 3, 2},
+                                      {"network", "trees/sofa_phantom_network.obj", 12, 8, 0}};
+INSTANTIATE_TEST_SUITE_P(Shared, Real_alone, ::testing::ValuesIn(real_surfaces),
+                         [](const ::testing::TestParamInfo<Real_surface>& info) {
+                           return std::string(info.param.name);
+                         });
 
 TEST_F(Invariance, Of_the_aorta) {
   if (is_absent(real_models[0]))

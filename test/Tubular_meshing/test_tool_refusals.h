@@ -8,7 +8,10 @@
 
 #include "test_tool_helpers.h"
 
+#include <CGAL/Surface_mesh/IO/OFF.h>
+#include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
+#include <CGAL/boost/graph/iterator.h>
 
 #include <cmath>
 #include <ostream>
@@ -57,6 +60,33 @@ inline std::string sphere_off() {
   }
   return "OFF\n" + std::to_string(last + 1) + " " + std::to_string(2 * (rows - 1) * columns) + " 0\n" + points.str() +
          faces.str();
+}
+
+// What of a surface lies above z = 0.
+inline Surface half_of(const std::string& off) {
+  Surface surface;
+  std::istringstream in(off);
+  CGAL::IO::read_OFF(in, surface);
+  for (auto f : surface.faces())
+    for (auto v : CGAL::vertices_around_face(surface.halfedge(f), surface))
+      if (surface.point(v).z() < -1e-9) {
+        CGAL::Euler::remove_face(surface.halfedge(f), surface);
+        break;
+      }
+  surface.collect_garbage();
+  return surface;
+}
+
+// A hole in the wall, as large as the vessel.
+inline Surface tube_with_a_window() {
+  Surface surface = tube().surface;
+  for (auto f : surface.faces()) {
+    const Point& p = surface.point(surface.target(surface.halfedge(f)));
+    if (p.x() > 0.5 && std::abs(p.z() - 3) < 0.9)
+      CGAL::Euler::remove_face(surface.halfedge(f), surface);
+  }
+  surface.collect_garbage();
+  return surface;
 }
 
 // Two tubes side by side: apart, or each in the other's wall.
@@ -108,6 +138,10 @@ inline void make_bad_surfaces(const Tool& t, const Sample& good) {
   t.make("cut.vtp", first_part(vtp, 0.7));
   t.make("lines.vtp", good.lines);
   t.make("sphere.off", sphere_off());
+  t.make("bag.off", half_of(sphere_off()));
+  t.make("window.off", tube_with_a_window());
+  t.make("seeds.txt", "0 0 0\n0 0 6\n");
+  t.make("one_seed.txt", "# the inlet\n0 0 1\n\n");
   t.make("spiked.off", spiked_tube());
   t.make("overlapping.off", two_tubes(1.2).surface);
   t.make("overlapping.vtk", two_tubes(1.2).lines);
@@ -164,11 +198,17 @@ inline Arguments arguments_of(const Refusal& refusal, const Tool& t) {
 inline std::string with(const std::string& options) {
   return "IN/tube.off -c IN/lines.vtk -o OUT/mesh.vtu " + options;
 }
+inline std::string alone(const std::string& surface, const std::string& options = "") {
+  return "IN/" + surface + " -o OUT/mesh.vtu " + options;
+}
 inline std::string on(const std::string& surface) {
   return "IN/" + surface + " -c IN/lines.vtk -o OUT/mesh.vtu";
 }
 inline std::string along(const std::string& centerlines) {
   return "IN/tube.off -c IN/" + centerlines + " -o OUT/mesh.vtu";
+}
+inline std::string both(const std::string& name) {
+  return "IN/" + name + ".off -c IN/" + name + ".vtk -o OUT/mesh.vtu";
 }
 inline std::string to(const std::string& mesh) {
   return "IN/tube.off -c IN/lines.vtk -o " + mesh;
@@ -177,7 +217,6 @@ inline std::string to(const std::string& mesh) {
 inline std::vector<Refusal> usage_errors() {
   return {
       {"No_arguments", usage, {"surface"}, ""},
-      {"No_centerlines", usage, {"--centerlines"}, "IN/tube.off -o OUT/mesh.vtu"},
       {"No_output", usage, {"--output"}, "IN/tube.off -c IN/lines.vtk"},
       {"Unknown_option", usage, {"--colour"}, with("--colour")},
       {"Two_surfaces", usage, {"b.stl"}, with("b.stl")},
@@ -194,6 +233,17 @@ inline std::vector<Refusal> usage_errors() {
       {"Gradation_below_one", usage, {"--gradation"}, with("--gradation 0.9")},
       {"Inlet_of_two_numbers", usage, {"--inlet"}, with("--inlet 1,2")},
       {"Inlet_not_a_number", usage, {"inlet"}, with("--inlet nan,0,0")},
+      {"Inlet_and_more", usage, {"--inlet"}, with("--inlet 1,2,3,4")},
+      {"Outlet_without_inlet", usage, {"--outlet", "--inlet"}, alone("tube.off", "--outlet 1,2,3")},
+      {"Outlet_in_letters", usage, {"--outlet", "a,b,c"}, alone("tube.off", "--inlet 0,0,0 --outlet a,b,c")},
+      {"Outlet_beside_centerlines", usage, {"--outlet", "--centerlines"}, with("--inlet 0,0,0 --outlet 0,0,6")},
+      {"Seeds_beside_centerlines", usage, {"--seeds", "--centerlines"}, with("--seeds IN/seeds.txt")},
+      {"Seeds_beside_inlet", usage, {"--seeds", "--inlet"}, alone("tube.off", "--inlet 0,0,0 --seeds IN/seeds.txt")},
+      {"Loops_of_given_centerlines", usage, {"--loops", "--centerlines"}, with("--loops")},
+      {"Repair_unknown", usage, {"--repair", "please"}, with("--repair please")},
+      {"Extensions_negative", usage, {"--flow-extensions"}, alone("tube.off", "--flow-extensions -3")},
+      {"Extensions_beside_centerlines", usage, {"--flow-extensions"}, with("--flow-extensions 3")},
+      {"Output_over_the_seeds", usage, {"seeds.txt"}, alone("tube.off", "--seeds IN/seeds.txt --report IN/seeds.txt")},
       {"Negative_threads", usage, {"--threads"}, with("--threads -1")},
       {"Quiet_and_verbose", usage, {"--quiet"}, with("-q -v")},
       {"Type_anisotropic", usage, {"anisotropic", "isotropic ones"}, with("-t anisotropic")},
@@ -235,7 +285,7 @@ inline std::vector<Refusal> file_errors() {
       {"OFF_with_wrong_index", input, {"wrong_index.off"}, on("wrong_index.off")},
       {"VTP_cut_off", input, {"cut.vtp"}, on("cut.vtp")},
       {"Surface_of_one_triangle", input, {}, on("one_triangle.stl")},
-      {"Surface_of_one_point", input, {"one_point.off"}, on("one_point.off")},
+      {"Surface_of_one_point", input, {"three different corners"}, on("one_point.off")},
       {"Centerlines_as_surface", input, {"lines.vtp"}, on("lines.vtp")},
       {"Missing_centerlines", input, {"absent.vtk"}, along("absent.vtk")},
       {"Empty_centerlines", input, {"empty.vtp", "empty"}, along("empty.vtp")},
@@ -244,6 +294,10 @@ inline std::vector<Refusal> file_errors() {
       {"Centerlines_cut_off", input, {"cut.vtk"}, along("cut.vtk")},
       {"Surface_as_centerlines", input, {"good.vtp", "line"}, along("good.vtp")},
       {"STL_as_centerlines", input, {"good.stl"}, along("good.stl")},
+      {"Missing_seeds", input, {"absent.txt"}, alone("sphere.off", "--seeds IN/absent.txt")},
+      {"Seeds_that_are_no_points", input, {"Line 1", "letter.vtk"}, alone("sphere.off", "--seeds IN/letter.vtk")},
+      {"One_seed", input, {"one_seed.txt", "target"}, alone("sphere.off", "--seeds IN/one_seed.txt")},
+      {"Empty_surface_alone", input, {"empty.stl", "empty"}, alone("empty.stl")},
       {"NaN_in_centerlines", input, {"nan.vtk", "not a finite number"}, along("nan.vtk")},
   };
 }
@@ -251,9 +305,13 @@ inline std::vector<Refusal> file_errors() {
 inline std::vector<Refusal> geometry_errors() {
   return {
       {"Surface_without_openings", input, {"closed", "flat"}, on("sphere.off")},
-      {"Surface_that_passes_through_itself", input, {"surface", "intersect"}, on("spiked.off")},
-      {"Surfaces_that_overlap", input, {"surface"}, "IN/overlapping.off -c IN/overlapping.vtk -o OUT/mesh.vtu"},
-      {"Surface_in_two_pieces", input, {"pieces"}, "IN/two.off -c IN/two.vtk -o OUT/mesh.vtu"},
+      {"Surface_without_openings_alone", input, {"closed", "flat", "seeds"}, alone("sphere.off")},
+      {"Surface_with_one_end", input, {"one end", "seeds"}, alone("bag.off")},
+      {"Surface_with_a_window", input, {"hole"}, alone("window.off")},
+      {"Surface_that_passes_through_itself", input, {"surface", "intersect"}, on("spiked.off") + " --repair off"},
+      {"Surfaces_that_overlap", input, {"surface"}, both("overlapping") + " --repair off"},
+      {"Surface_in_two_pieces", input, {"pieces"}, both("two") + " --repair off"},
+      {"Centerlines_of_dropped_pieces", input, {"centerlines", "surface"}, both("two")},
       {"Centerlines_far_away", input, {"centerlines", "surface"}, along("far_away.vtk")},
       {"Centerlines_beside_the_surface", input, {"centerlines", "surface"}, along("beside.vtk")},
       {"Centerlines_in_larger_units", input, {"centerlines", "unit"}, along("larger.vtk")},

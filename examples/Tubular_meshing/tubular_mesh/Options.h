@@ -4,6 +4,11 @@
 #ifndef TUBULAR_MESH_OPTIONS_H
 #define TUBULAR_MESH_OPTIONS_H
 
+#include "../command_line/Points.h"
+#include "../command_line/run_tool.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
 #include <CLI/CLI.hpp>
 
 #include <limits>
@@ -11,12 +16,19 @@
 #include <string>
 #include <vector>
 
+typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
+typedef Kernel::Point_3 Point_3;
+
 /* What the user of tubular_mesh asks for. */
 struct Options {
   std::string surface, centerlines, output, type = "isotropic";
+  std::string repair = "auto";
+  bool smooth = false, loops = false;
+  double flow_extensions = 0;
+  std::string inlet, seeds;
+  std::vector<std::string> outlets;
   double points_per_circumference = 20;
   double min_size = 0, max_size = (std::numeric_limits<double>::infinity)(), gradation = 1.3;
-  std::vector<double> inlet;
   std::string report, surface_output, centerlines_output;
   int threads = 0;
   bool verbose = false, quiet = false;
@@ -47,14 +59,44 @@ inline CLI::Validator in_range(double least, double most) {
   return CLI::Validator(check, "");
 }
 
+inline void declare_surface_options(CLI::App& app, Options& o) {
+  app.add_option("--repair", o.repair,
+                 "off, auto: mend what is amiss, or wrap: replace the surface by one wrapped around it")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"off", "auto", "wrap"}).description(""));
+  app.add_flag("--smooth", o.smooth, "smooth staircase noise off the surface, keeping its volume");
+  app.add_option("--flow-extensions", o.flow_extensions,
+                 "extend each opening by a straight tube of this length, in radii of the opening")
+      ->check(in_range((std::numeric_limits<double>::min)(), 1e3));
+}
+
+inline void declare_centerline_options(CLI::App& app, Options& o) {
+  auto* lines = app.add_option("-c,--centerlines", o.centerlines,
+                               "centerlines, if they are not to be computed: .vtk .vtp (VMTK) or .msh (Gmsh)");
+  app.add_option("--inlet", o.inlet,
+                 "X,Y,Z: the opening nearest to this point is the inlet (default: the one at the centerlines' common "
+                 "start, else the largest)")
+      ->check(command_line::is_point<Point_3>());
+  auto* outlets = app.add_option("--outlet", o.outlets,
+                                 "X,Y,Z (repeatable): where vessels end without an opening or a flat cap; with --inlet")
+                      ->expected(1)
+                      ->take_all()
+                      ->check(command_line::is_point<Point_3>())
+                      ->excludes(lines);
+  app.add_option("--seeds", o.seeds, "file with such points, one a line, the inlet first")
+      ->excludes("--inlet")
+      ->excludes(outlets)
+      ->excludes(lines);
+  app.add_flag("--loops", o.loops, "keep every branch where vessels split and rejoin")->excludes(lines);
+  app.get_option("--flow-extensions")->excludes(lines);
+}
+
 inline void declare_options(CLI::App& app, Options& o, const std::string& version) {
-  app.description("Makes a tetrahedral mesh of a vessel or airway tree from its triangulated surface and its "
+  app.description("Makes a tetrahedral mesh of a vessel or airway tree from its triangulated surface, along its "
                   "centerlines.\nLengths are in the unit of the surface.");
-  app.footer("Exit status: 0 done, 2 wrong usage (a file that cannot be written included), 3 input that cannot be read "
-             "or used, 4 meshing failed.\nNothing is written unless all of it is whole.");
+  app.footer(std::string(command_line::exit_statuses()) + "\nNothing is written unless all of it is whole.");
   app.set_version_flag("--version", version);
-  app.add_option("surface", o.surface, "surface: .stl .off .obj .ply .vtp")->required();
-  app.add_option("-c,--centerlines", o.centerlines, "centerlines: .vtk .vtp (VMTK) or .msh (Gmsh)")->required();
+  app.add_option("surface", o.surface, "surface: .stl .off .obj .ply .vtp .vtk .msh")->required();
   app.add_option("-o,--output", o.output, "mesh to write: .vtu .msh .mesh")->required();
   app.add_option("-t,--type", o.type, "kind of mesh: isotropic")->capture_default_str();
   app.add_option("-n,--points-per-circumference", o.points_per_circumference,
@@ -68,11 +110,8 @@ inline void declare_options(CLI::App& app, Options& o, const std::string& versio
   app.add_option("--gradation", o.gradation, "largest ratio of the sizes of neighbours")
       ->capture_default_str()
       ->check(in_range(1, 1e4));
-  app.add_option("--inlet", o.inlet,
-                 "X,Y,Z: the opening nearest to this point is the inlet (default: the one at the "
-                 "centerlines' common start, else the largest)")
-      ->delimiter(',')
-      ->expected(3);
+  declare_surface_options(app, o);
+  declare_centerline_options(app, o);
   app.add_option("--report", o.report, "write the summary to this .json file");
   app.add_option("--write-surface", o.surface_output, "write the closed, labelled input surface: .vtp .stl .off .ply");
   app.add_option("--write-centerlines", o.centerlines_output, "write the branches and their radii: .vtp .vtk");

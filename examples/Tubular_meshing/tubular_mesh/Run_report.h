@@ -9,6 +9,7 @@
 
 #include <CGAL/Tubular_meshing/Centerlines/Centerline_field.h>
 #include <CGAL/Tubular_meshing/Mixed_mesh.h>
+#include <CGAL/Tubular_meshing/Operators/Repair_report.h>
 #include <CGAL/Tubular_meshing/Quality/branch_resolution.h>
 #include <CGAL/Tubular_meshing/Quality/quality_report.h>
 #include <CGAL/Tubular_meshing/Quality/validity_report.h>
@@ -35,6 +36,17 @@ inline Json statistics(const tubular::Measure_statistics& s) {
 
 template <class Point> Json vector_of(const Point& p) {
   return {p.x(), p.y(), p.z()};
+}
+
+template <class Point> Json repairs(const tubular::Repair_report<Point>& report) {
+  Json list = Json::array();
+  for (const auto& r : report.repairs) {
+    Json entry = {{"defect", tubular::name_of(r.defect)}, {"count", r.count}, {"size", r.size}};
+    entry["place"] = r.has_place ? vector_of(r.place) : Json();
+    entry["sentence"] = r.sentence;
+    list.push_back(entry);
+  }
+  return list;
 }
 
 template <class Point>
@@ -77,13 +89,15 @@ Json branches(const tubular::Tubular_model<Point>& model, const tubular::Mixed_m
 }
 
 template <class Point>
-Json make(const Options& options, const std::string& version, const tubular::Tubular_model<Point>& model,
-          const tubular::Mixed_mesh<Point>& mesh) {
+Json make(const Options& options, const std::string& version, const tubular::Repair_report<Point>& repair_report,
+          const tubular::Tubular_model<Point>& model, const tubular::Mixed_mesh<Point>& mesh) {
   const tubular::Validity_report validity = tubular::validity_report(mesh);
   const tubular::Quality_report quality = tubular::quality_report(mesh);
   Json report = {{"program", "tubular_mesh " + version},
                  {"input", options.surface},
-                 {"centerlines", options.centerlines},
+                 {"centerlines", options.centerlines.empty() ? Json() : Json(options.centerlines)},
+                 {"loops", options.loops},
+                 {"repairs", repairs(repair_report)},
                  {"output", options.output},
                  {"type", options.type},
                  {"points_per_circumference", options.points_per_circumference},
@@ -125,6 +139,10 @@ inline void print_branches(const Json& branches) {
 inline void print(const Json& r, bool verbose) {
   std::printf("%s: %ld points, %ld tetrahedra, %ld triangles\n\n", r["output"].get<std::string>().c_str(),
               r["points"].get<long>(), r["cells"]["tetrahedra"].get<long>(), r["facets"]["triangles"].get<long>());
+  for (const auto& repair : r["repairs"])
+    std::printf("repair: %s\n", repair["sentence"].get<std::string>().c_str());
+  if (!r["repairs"].empty())
+    std::printf("\n");
   std::printf("%-22s %8s %8s %8s\n", "quality", "min", "1 %", "mean");
   for (const auto& m :
        {std::make_pair("gamma_tau", "tetrahedra, gamma_tau"), std::make_pair("gamma_T", "triangles, gamma_T")}) {
@@ -150,6 +168,9 @@ inline void print(const Json& r, bool verbose) {
     if (o["branch"].is_null())
       std::printf("note: no centerline leads to %s; the mesh size there is that of the nearest branch\n",
                   o["name"].get<std::string>().c_str());
+  if (r["centerlines"].is_null() && !r["loops"] && r["boundary_euler"] < 2)
+    std::printf("note: vessels split and rejoin; where no centerline runs the mesh size is that of the nearest branch, "
+                "unless --loops keeps them all\n");
   if (verbose) {
     print_branches(r["branches"]);
     print_histogram(r["quality"]["gamma_tau"], "tetrahedra, gamma_tau");

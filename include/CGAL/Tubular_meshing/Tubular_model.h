@@ -9,23 +9,20 @@
 #include <CGAL/Tubular_meshing/Centerlines/build_centerline_graph.h>
 #include <CGAL/Tubular_meshing/Centerlines/check_centerlines.h>
 #include <CGAL/Tubular_meshing/Centerlines/clip_to_openings.h>
+#include <CGAL/Tubular_meshing/Centerlines/compute_centerlines.h>
 #include <CGAL/Tubular_meshing/Operators/Opening.h>
 #include <CGAL/Tubular_meshing/Operators/close_openings.h>
+#include <CGAL/Tubular_meshing/Operators/internal/check_meshable.h>
+#include <CGAL/Tubular_meshing/Operators/internal/seeds.h>
 #include <CGAL/Tubular_meshing/Operators/openings.h>
 #include <CGAL/Tubular_meshing/labels.h>
 #include <CGAL/Tubular_meshing/parameters.h>
 
-#include <CGAL/Polygon_mesh_processing/connected_components.h>
-#include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
-#include <CGAL/tags.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <functional>
-#include <iterator>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -56,41 +53,22 @@ template <class Point_3_> struct Tubular_model {
 
 namespace internal {
 
-/* What no mesher can do with: a surface in pieces, or one that intersects itself. Named here, with its place, rather
- * than by a mesher that fails or never ends. */
-template <class Point_3> void check_volume_boundary(const CGAL::Surface_mesh<Point_3>& surface) {
-  namespace PMP = CGAL::Polygon_mesh_processing;
-  typedef typename CGAL::Surface_mesh<Point_3>::Face_index Face;
-  std::vector<std::pair<Face, Face>> crossings;
-  PMP::self_intersections<CGAL::Parallel_if_available_tag>(surface, std::back_inserter(crossings));
-  if (!crossings.empty()) {
-    const auto first = *std::min_element(crossings.begin(), crossings.end());
-    throw Input_error("The surface intersects itself: " + std::to_string(crossings.size()) +
-                      " pairs of its triangles cross, one of them at " +
-                      coordinates(surface.point(surface.target(surface.halfedge(first.first)))) +
-                      "; repair the surface there.");
+// Lets the openings know their branches.
+template <class Point_3> void connect(Tubular_model<Point_3>& model, const std::vector<std::size_t>& node_of_opening) {
+  for (std::size_t i = 0; i < node_of_opening.size(); ++i) {
+    const std::size_t node = node_of_opening[i];
+    model.openings[i].node = node;
+    model.openings[i].branch =
+        node == Opening<Point_3>::no_branch ? node : model.centerlines.nodes()[node].branches.front();
   }
 }
 
-template <class Point_3> void check_one_piece(CGAL::Surface_mesh<Point_3>& surface) {
-  typedef typename CGAL::Surface_mesh<Point_3>::Face_index Face;
-  auto piece = surface.template add_property_map<Face, std::size_t>("f:tubular_meshing_piece").first;
-  const std::size_t pieces = CGAL::Polygon_mesh_processing::connected_components(surface, piece);
-  std::vector<std::size_t> size(pieces, 0);
-  Face stray;
-  for (Face f : surface.faces())
-    ++size[piece[f]];
-  const auto largest = std::size_t(std::max_element(size.begin(), size.end()) - size.begin());
-  for (Face f : surface.faces())
-    if (piece[f] != largest) {
-      stray = f;
-      break;
-    }
-  surface.remove_property_map(piece);
-  if (pieces > 1)
-    throw Input_error("The surface is in " + std::to_string(pieces) + " pieces, one of them at " +
-                      coordinates(surface.point(surface.target(surface.halfedge(stray)))) +
-                      ": keep one connected wall.");
+// A copy of the surface of which the rest of the package may rely on being one piece of triangles.
+template <class TriangleMesh, class Point_3>
+void copy_surface(const TriangleMesh& surface, Tubular_model<Point_3>& model) {
+  copy_face_graph(surface, model.surface);
+  check_tubular_surface(model.surface);
+  check_one_piece(model.surface);
 }
 
 } // namespace internal
@@ -102,7 +80,8 @@ template <class Point_3> void check_one_piece(CGAL::Surface_mesh<Point_3>& surfa
  *
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph` with points of type `Point_3`
  *
- * \param surface the tree's surface, open at its ends or closed by flat caps
+ * \param surface the tree's surface, open at its ends or closed by flat caps; see repair_surface() for one that is not
+ *   clean
  * \param lines its centerlines, as read by IO::read_centerlines()
  * \param np an optional sequence of named parameters among the ones listed below
  *
@@ -124,14 +103,12 @@ Tubular_model<Point_3> make_tubular_model(const TriangleMesh& surface, const Cen
   typedef Named_parameters<std::reference_wrapper<const Graph>, internal_np::centerline_graph_t, NamedParameters>
       With_graph;
   Tubular_model<Point_3> model;
-  copy_face_graph(surface, model.surface);
-  internal::check_tubular_surface(model.surface);
-  internal::check_one_piece(model.surface);
+  internal::copy_surface(surface, model);
   build_centerline_graph(lines, Wall_distance<Point_3>(model.surface), model.centerlines, np);
 
   model.openings = find_openings(model.surface, With_graph(std::cref(model.centerlines), np));
   close_openings(model.surface, model.openings, model.patch);
-  internal::check_volume_boundary(model.surface);
+  internal::check_no_crossings(model.surface);
   const std::vector<std::size_t> nodes = clip_to_openings(model.centerlines, model.openings);
   check_centerlines_inside(model.centerlines, model.surface);
 
@@ -142,12 +119,42 @@ Tubular_model<Point_3> make_tubular_model(const TriangleMesh& surface, const Cen
   model.centerlines.set_radii(std::move(radii));
   if (nodes.front() != Opening<Point_3>::no_branch)
     model.centerlines.direct_from(nodes.front());
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    model.openings[i].node = nodes[i];
-    model.openings[i].branch =
-        nodes[i] == Opening<Point_3>::no_branch ? nodes[i] : model.centerlines.nodes()[nodes[i]].branches.front();
-  }
+  internal::connect(model, nodes);
   return model;
+}
+
+/*! \ingroup PkgTubularMeshingRef
+ *
+ * the same for a surface alone: its centerlines are computed, by compute_centerlines(), from the inlet to each outlet.
+ *
+ * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{inlet} \cgalParamDescription{a `Point_3`: the nearest opening is the inlet}
+ *     \cgalParamDefault{the first seed's, else the largest} \cgalParamNEnd
+ *   \cgalParamNBegin{seeds} \cgalParamDescription{a `std::vector<Point_3>`: where vessels end without an opening or a
+ *     flat cap; the lines begin at the first. One that lies at an opening stands for the opening}
+ *     \cgalParamDefault{none} \cgalParamNEnd
+ *   \cgalParamNBegin{loops, merge_tolerance} \cgalParamDescription{see compute_centerlines()} \cgalParamNEnd
+ * \cgalNamedParamsEnd
+ *
+ * \throws Input_error if the surface is in pieces or intersects itself, or has fewer than two ends
+ */
+template <class Point_3, class T, class Tag, class Base>
+Tubular_model<Point_3> make_tubular_model(const CGAL::Surface_mesh<Point_3>& surface,
+                                          const CGAL::Named_function_parameters<T, Tag, Base>& np) {
+  const auto seeds = internal::choose(np, internal_np::seeds, std::vector<Point_3>());
+  Tubular_model<Point_3> model;
+  internal::copy_surface(surface, model);
+  model.openings = internal::find_openings_or_seeds(model.surface, seeds, np);
+  close_openings(model.surface, model.openings, model.patch);
+  internal::check_no_crossings(model.surface);
+  internal::compute_centerlines(model.surface, model.patch, internal::ends_of_lines(model.openings, seeds),
+                                model.centerlines, np);
+  internal::connect(model, internal::nodes_at(model.centerlines, model.openings));
+  return model;
+}
+
+template <class Point_3> Tubular_model<Point_3> make_tubular_model(const CGAL::Surface_mesh<Point_3>& surface) {
+  return make_tubular_model(surface, CGAL::parameters::default_values());
 }
 
 } // namespace Tubular_meshing

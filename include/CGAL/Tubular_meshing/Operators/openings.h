@@ -102,6 +102,41 @@ std::size_t choose_inlet(const std::vector<Opening<Point>>& openings, std::size_
   }
 }
 
+// None, where the surface is closed and has no flat ends.
+template <class Point_3, class NamedParameters>
+std::vector<Opening<Point_3>> find_any_openings(const CGAL::Surface_mesh<Point_3>& surface, const NamedParameters& np) {
+  check_tubular_surface(surface);
+  std::vector<Opening_site<Point_3>> sites = border_loops(surface);
+  const bool inside_out = is_inside_out(surface, sites);
+  sites.erase(std::remove_if(sites.begin(), sites.end(), [&](const auto& site) { return is_pinhole(site, surface); }),
+              sites.end());
+
+  std::vector<Centerline_ends::End> ends;
+  std::size_t root = Opening<Point_3>::no_branch;
+  const auto parameter = CGAL::parameters::get_parameter(np, internal_np::centerline_graph);
+  if constexpr (!std::is_same<decltype(parameter), const CGAL::internal_np::Param_not_found>::value) {
+    const auto& graph = as_graph(parameter);
+    ends = match_to_graph(surface, graph, inside_out, sites);
+    root = graph.root();
+  }
+  if (ends.empty())
+    for (auto& flat_end : Flat_end_finder<Point_3>(surface, inside_out).find(certain_flat_end()))
+      sites.push_back(std::move(flat_end));
+  if (sites.empty())
+    return {};
+
+  std::vector<Opening<Point_3>> openings(sites.size());
+  for (std::size_t i = 0; i < sites.size(); ++i)
+    set_shape(openings[i], sites[i].shape, inside_out);
+  for (const auto& end : ends)
+    if (end.site != Centerline_ends::none) {
+      openings[end.site].branch = end.branch;
+      openings[end.site].node = end.node;
+    }
+  order_openings(openings, choose_inlet(openings, root, np));
+  return openings;
+}
+
 } // namespace internal
 
 /*!
@@ -145,37 +180,10 @@ std::size_t choose_inlet(const std::vector<Opening<Point>>& openings, std::size_
 template <class Point_3, class NamedParameters = CGAL::parameters::Default_named_parameters>
 std::vector<Opening<Point_3>> find_openings(const CGAL::Surface_mesh<Point_3>& surface,
                                             const NamedParameters& np = CGAL::parameters::default_values()) {
-  internal::check_tubular_surface(surface);
-  std::vector<internal::Opening_site<Point_3>> sites = internal::border_loops(surface);
-  const bool inside_out = internal::is_inside_out(surface, sites);
-  sites.erase(
-      std::remove_if(sites.begin(), sites.end(), [&](const auto& site) { return internal::is_pinhole(site, surface); }),
-      sites.end());
-
-  std::vector<internal::Centerline_ends::End> ends;
-  std::size_t root = Opening<Point_3>::no_branch;
-  const auto parameter = CGAL::parameters::get_parameter(np, internal_np::centerline_graph);
-  if constexpr (!std::is_same<decltype(parameter), const CGAL::internal_np::Param_not_found>::value) {
-    const auto& graph = internal::as_graph(parameter);
-    ends = internal::match_to_graph(surface, graph, inside_out, sites);
-    root = graph.root();
-  }
-  if (ends.empty())
-    for (auto& flat_end : internal::Flat_end_finder<Point_3>(surface, inside_out).find(internal::certain_flat_end()))
-      sites.push_back(std::move(flat_end));
-  if (sites.empty())
+  std::vector<Opening<Point_3>> openings = internal::find_any_openings(surface, np);
+  if (openings.empty())
     throw Input_error("The surface is closed and has no flat ends, so that nothing can flow through it: open it where "
-                      "vessels begin and end, or cap these ends flat.");
-
-  std::vector<Opening<Point_3>> openings(sites.size());
-  for (std::size_t i = 0; i < sites.size(); ++i)
-    internal::set_shape(openings[i], sites[i].shape, inside_out);
-  for (const auto& end : ends)
-    if (end.site != internal::Centerline_ends::none) {
-      openings[end.site].branch = end.branch;
-      openings[end.site].node = end.node;
-    }
-  internal::order_openings(openings, internal::choose_inlet(openings, root, np));
+                      "vessels begin and end, cap these ends flat, or give the points (seeds) at which they are.");
   return openings;
 }
 

@@ -34,8 +34,46 @@ inline Double_kernel::Point_3 projection(const Double_kernel::Segment_3& s, cons
   return t <= 0 ? s.source() : t >= 1 ? s.target() : s.source() + t * d;
 }
 
+inline Double_kernel::Point_3 projection_on_edges(const Double_kernel::Triangle_3& t, const Double_kernel::Point_3& q) {
+  Double_kernel::Point_3 nearest = projection(Double_kernel::Segment_3(t[0], t[1]), q);
+  for (int i = 1; i < 3; ++i) {
+    const Double_kernel::Point_3 p = projection(Double_kernel::Segment_3(t[i], t[(i + 1) % 3]), q);
+    if (CGAL::squared_distance(p, q) < CGAL::squared_distance(nearest, q))
+      nearest = p;
+  }
+  return nearest;
+}
+
+/* The nearest point of a triangle, by the Voronoi region of the triangle (corner, edge, inside) that q lies in: see C.
+ * Ericson, Real-Time Collision Detection, 2005, section 5.1.5. Where a triangle is so thin that rounding
+ * decides, its edges stand for it. */
 inline Double_kernel::Point_3 projection(const Double_kernel::Triangle_3& t, const Double_kernel::Point_3& q) {
-  return Double_kernel().construct_projected_point_3_object()(t, q);
+  const Double_kernel::Point_3 &a = t[0], &b = t[1], &c = t[2];
+  const Double_kernel::Vector_3 ab = b - a, ac = c - a, aq = q - a;
+  const double d1 = ab * aq, d2 = ac * aq;
+  if (d1 <= 0 && d2 <= 0)
+    return a;
+  const Double_kernel::Vector_3 bq = q - b;
+  const double d3 = ab * bq, d4 = ac * bq;
+  if (d3 >= 0 && d4 <= d3)
+    return b;
+  const Double_kernel::Vector_3 cq = q - c;
+  const double d5 = ab * cq, d6 = ac * cq;
+  if (d6 >= 0 && d5 <= d6)
+    return c;
+  const double vc = d1 * d4 - d3 * d2;
+  if (vc <= 0 && d1 > 0 && d3 < 0)
+    return a + (d1 / (d1 - d3)) * ab;
+  const double vb = d5 * d2 - d1 * d6;
+  if (vb <= 0 && d2 > 0 && d6 < 0)
+    return a + (d2 / (d2 - d6)) * ac;
+  const double va = d3 * d6 - d5 * d4;
+  if (va <= 0 && d4 > d3 && d5 > d6)
+    return b + ((d4 - d3) / ((d4 - d3) + (d5 - d6))) * (c - b);
+  const double area2 = va + vb + vc, edges2 = ab.squared_length() + ac.squared_length(); // area2: (ab × ac)²
+  if (area2 > 1e-13 * edges2 * edges2)
+    return a + (vb / area2) * ab + (vc / area2) * ac;
+  return projection_on_edges(t, q);
 }
 
 inline double squared_distance_to_box(const CGAL::Bbox_3& b, const Double_kernel::Point_3& q) {

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <numeric>
 #include <queue>
 #include <unordered_map>
 #include <utility>
@@ -184,33 +185,61 @@ private:
     });
   }
 
-  // Dijkstra's algorithm from all corners at once: the smallest sizes spread first.
-  void limit_growth(double slope) {
-    std::vector<std::vector<std::uint32_t>> leaves_of(corners_.size());
+  // The leaves at each corner, in one array: those of corner i are from first[i] to first[i + 1].
+  struct Leaves_of_corners {
+    std::vector<std::uint32_t> first, leaves;
+  };
+
+  Leaves_of_corners leaves_of_corners() const {
+    Leaves_of_corners result;
+    result.first.assign(corners_.size() + 1, 0);
+    for (std::uint32_t corner : leaf_corners_)
+      ++result.first[corner + 1];
+    std::partial_sum(result.first.begin(), result.first.end(), result.first.begin());
+    std::vector<std::uint32_t> next(result.first.begin(), result.first.end() - 1);
+    result.leaves.resize(leaf_corners_.size());
     for (std::size_t i = 0; i < leaf_corners_.size(); ++i)
-      leaves_of[leaf_corners_[i]].push_back(std::uint32_t(i / 8));
+      result.leaves[next[leaf_corners_[i]]++] = std::uint32_t(i / 8);
+    return result;
+  }
+
+  // Calls lower(q, bound) for each neighbour q of a corner whose value is above what the corner's value allows.
+  template <class Lower>
+  void for_each_too_large(std::uint32_t corner, double slope, const Leaves_of_corners& around, const Lower& lower) {
+    const double unit = edge_ / double(1u << max_depth), value = values_[corner];
+    for (std::uint32_t k = around.first[corner]; k < around.first[corner + 1]; ++k)
+      for (int c = 0; c < 8; ++c) {
+        const std::uint32_t q = leaf_corners_[8 * std::size_t(around.leaves[k]) + c];
+        if (!(value < values_[q]))
+          continue;
+        const double bound = value + slope * unit * lattice_distance(corners_[corner], corners_[q]);
+        if (bound < values_[q])
+          lower(q, bound);
+      }
+  }
+
+  // Dijkstra's algorithm from all corners that limit a neighbour: the smallest sizes spread first.
+  void limit_growth(double slope) {
+    const Leaves_of_corners around = leaves_of_corners();
     typedef std::pair<double, std::uint32_t> Entry;
     std::vector<Entry> initial;
-    initial.reserve(values_.size());
-    for (std::uint32_t i = 0; i < values_.size(); ++i)
-      initial.emplace_back(values_[i], i);
+    for (std::uint32_t i = 0; i < values_.size(); ++i) {
+      bool limits = false;
+      for_each_too_large(i, slope, around, [&](std::uint32_t, double) { limits = true; });
+      if (limits)
+        initial.emplace_back(values_[i], i);
+    }
     std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue(std::greater<Entry>(),
                                                                               std::move(initial));
-    const double unit = edge_ / double(1u << max_depth);
     while (!queue.empty()) {
       const Entry e = queue.top();
       queue.pop();
       if (e.first > values_[e.second])
         continue;
-      for (std::uint32_t leaf : leaves_of[e.second])
-        for (int c = 0; c < 8; ++c) {
-          const std::uint32_t q = leaf_corners_[8 * leaf + c];
-          const double bound = e.first + slope * unit * lattice_distance(corners_[e.second], corners_[q]);
-          if (bound < values_[q]) {
-            values_[q] = bound;
-            queue.emplace(bound, q);
-          }
-        }
+      for_each_too_large(e.second, slope, around, [&](std::uint32_t q, double bound) {
+        values_[q] = bound;
+        queue.emplace(bound, q);
+      });
     }
     corners_ = std::vector<Lattice_point>();
     leaf_lower_ = std::vector<std::pair<Lattice_point, std::uint32_t>>();

@@ -1,0 +1,73 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef COMMAND_LINE_POINTS_H
+#define COMMAND_LINE_POINTS_H
+
+#include <CGAL/Tubular_meshing/exceptions.h>
+
+#include <CLI/CLI.hpp>
+
+#include <cmath>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+/* Points on the command line, as X,Y,Z, and in files. */
+namespace command_line {
+
+// Three finite numbers, apart by commas or blanks.
+template <class Point_3> bool parse_point(std::string text, Point_3& point) {
+  for (char& c : text)
+    c = c == ',' ? ' ' : c;
+  std::istringstream words(text);
+  std::string word;
+  double x[3];
+  for (double& coordinate : x)
+    if (!(words >> word) || !CLI::detail::lexical_cast(word, coordinate) || !std::isfinite(coordinate))
+      return false;
+  point = Point_3(x[0], x[1], x[2]);
+  return !(words >> word);
+}
+
+template <class Point_3> CLI::Validator is_point() {
+  const auto check = [](std::string& text) {
+    Point_3 ignored;
+    return parse_point(text, ignored) ? std::string() : "\"" + text + "\" is not a point X,Y,Z of finite numbers";
+  };
+  return CLI::Validator(check, "");
+}
+
+// Of text that was found to be one.
+template <class Point_3> Point_3 point_of(const std::string& text) {
+  Point_3 point;
+  parse_point(text, point);
+  return point;
+}
+
+// A point a line; lines that are empty or begin with # do not count.
+template <class Point_3> std::vector<Point_3> read_points(const std::string& file) {
+  std::ifstream in(file);
+  if (!in)
+    throw CGAL::Tubular_meshing::Input_error("The file \"" + file + "\" cannot be read.");
+  std::vector<Point_3> points;
+  std::string line;
+  for (int number = 1; std::getline(in, line); ++number) {
+    const std::size_t first = line.find_first_not_of(" \t\r");
+    if (first == std::string::npos || line[first] == '#')
+      continue;
+    points.emplace_back();
+    if (!parse_point(line, points.back()))
+      throw CGAL::Tubular_meshing::Input_error("Line " + std::to_string(number) + " of \"" + file +
+                                               "\" is not a point; three finite numbers make one.");
+  }
+  if (points.size() < 2)
+    throw CGAL::Tubular_meshing::Input_error("The file \"" + file + "\" holds " + std::to_string(points.size()) +
+                                             " points; centerlines need a source and at least one target.");
+  return points;
+}
+
+} // namespace command_line
+
+#endif // COMMAND_LINE_POINTS_H

@@ -1,0 +1,61 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef COMMAND_LINE_RUN_TOOL_H
+#define COMMAND_LINE_RUN_TOOL_H
+
+#include <CGAL/Tubular_meshing/exceptions.h>
+
+#include <CLI/CLI.hpp>
+
+#include <csignal>
+#include <cstdio>
+#include <exception>
+#include <new>
+#include <string>
+
+/* What all the command-line tools have in common. */
+namespace command_line {
+
+enum Exit_status { done = 0, wrong_usage = 2, unusable_input = 3, failed = 4 };
+
+inline const char* exit_statuses() {
+  return "Exit status: 0 done, 2 wrong usage (a file that cannot be written included), 3 input that cannot be read or "
+         "used, 4 failed.";
+}
+
+inline int fail(const CLI::App& app, const std::string& sentence, Exit_status status) {
+  std::fprintf(stderr, "%s: %s\n", app.get_name().c_str(), sentence.c_str());
+  return status;
+}
+
+/* Parses the command line and runs; whatever is thrown becomes one sentence and the right exit status. */
+template <class Run> int run_tool(CLI::App& app, int argc, char* argv[], const Run& run) {
+  namespace tubular = CGAL::Tubular_meshing;
+  // a file too large, a reader gone: errors to report, not reasons to be killed
+  std::signal(SIGXFSZ, SIG_IGN);
+  std::signal(SIGPIPE, SIG_IGN);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    return app.exit(e) == 0 ? done : wrong_usage;
+  }
+  try {
+    run();
+    return done;
+  } catch (const tubular::Parameter_error& e) {
+    return fail(app, e.what(), wrong_usage);
+  } catch (const tubular::Input_error& e) {
+    return fail(app, e.what(), unusable_input);
+  } catch (const tubular::Error& e) {
+    return fail(app, e.what(), failed);
+  } catch (const std::bad_alloc&) {
+    return fail(app, "There is not enough memory; make the result coarser.", failed);
+  } catch (const std::exception& e) {
+    return fail(app, std::string("It failed: ") + e.what(), failed);
+  }
+}
+
+} // namespace command_line
+
+#endif // COMMAND_LINE_RUN_TOOL_H

@@ -1,0 +1,53 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "../command_line/Points.h"
+#include "stages.h"
+
+#include <CGAL/Tubular_meshing/IO/read_centerlines.h>
+
+#include <string>
+#include <vector>
+
+namespace {
+
+// Where the centerlines that are to be computed begin and end, beside the openings.
+std::vector<Point_3> seeds_of(const Options& o) {
+  if (!o.seeds.empty())
+    return command_line::read_points<Point_3>(o.seeds);
+  std::vector<Point_3> seeds;
+  if (o.outlets.empty())
+    return seeds;
+  seeds.push_back(command_line::point_of<Point_3>(o.inlet));
+  for (const std::string& p : o.outlets)
+    seeds.push_back(command_line::point_of<Point_3>(p));
+  return seeds;
+}
+
+tubular::Tubular_model<Point_3> with_computed_centerlines(const Options& o, const Surface& surface) {
+  const auto np = tubular::parameters::loops(o.loops).seeds(seeds_of(o));
+  if (o.inlet.empty())
+    return tubular::make_tubular_model(surface, np);
+  return tubular::make_tubular_model(surface, np.inlet(command_line::point_of<Point_3>(o.inlet)));
+}
+
+tubular::Tubular_model<Point_3> with_given_centerlines(const Options& o, const Surface& surface,
+                                                       const tubular::Centerline_polylines<Point_3>& lines) {
+  if (o.inlet.empty())
+    return tubular::make_tubular_model(surface, lines);
+  return tubular::make_tubular_model(surface, lines,
+                                     tubular::parameters::inlet(command_line::point_of<Point_3>(o.inlet)));
+}
+
+} // namespace
+
+tubular::Tubular_model<Point_3> prepare(const Options& o, Surface& surface, Stage_clock& clock) {
+  if (o.centerlines.empty()) {
+    clock.begin("centerlines");
+    return with_computed_centerlines(o, surface);
+  }
+  tubular::Centerline_polylines<Point_3> lines;
+  tubular::IO::read_centerlines(o.centerlines, lines);
+  clock.begin("branches, openings");
+  return with_given_centerlines(o, surface, lines);
+}
