@@ -66,7 +66,8 @@ template <class Point_3> struct Surface_patch {
   std::vector<typename Surface::Face_index> faces; ///< in ascending order
   std::vector<Patch_loop> loops;                   ///< by ascending index of their curves
   std::vector<std::size_t> branches;               ///< of the centerline graph, which have a part in the patch
-  double length = 0;        ///< of the longest way along the centerlines, from one end of the patch to another
+  double length = 0;        ///< of a tube: of its centerline. Of a junction: of the longest way downstream from one
+                            ///< end to another, or the distance between two ends, if one is greater
   double mean_diameter = 0; ///< the mean of the least and the greatest diameter, 2 r(x_c), on its centerlines
   int euler_characteristic = 0;
 
@@ -83,23 +84,25 @@ template <class Point_3> struct Surface_patch {
  * Something that cut_by_centerlines() could not do, and where. */
 template <class Point_3> struct Cut_problem {
   enum Kind {
-    branch_not_cut, ///< long enough to be cut off its junction, but no disk closes its loop: part of the junction
     too_long,       ///< a patch whose aspect ratio is greater than wanted, as no disk divides it
-    wrong_topology  ///< a patch that is no sphere with holes, or that lies on both sides of a cut
+    wrong_topology, ///< a patch that is no sphere with holes, or that lies on both sides of a cut
+    no_centerline   ///< a patch with a vessel that ends blind, longer than wide, or that joins branches, but has no
+                    ///< centerline: give compute_centerlines() a seed there
   };
 
   Kind kind;
-  Point_3 point;      ///< on the centerlines
+  Point_3 point;      ///< on the centerlines; for a vessel without one, its tip on the wall
   std::size_t branch; ///< the branch, or one of the patch's
   std::size_t patch;  ///< the patch concerned
 
   /// A sentence for people.
   std::string message() const {
-    return std::string(kind == branch_not_cut ? "No disk cuts the branch off its junction"
-                       : kind == too_long     ? "No disk divides a patch that is too long"
-                                              : "A patch is no sphere with holes") +
-           ": branch " + std::to_string(branch) + ", patch " + std::to_string(patch) + ", near (" +
-           std::to_string(point.x()) + ", " + std::to_string(point.y()) + ", " + std::to_string(point.z()) + ").";
+    const char* const what[] = {"No disk divides a patch that is too long",
+                                "A patch is no sphere with holes",
+                                "A vessel has no centerline, and is not cut: give a seed at its end"};
+    return std::string(what[kind]) + "; branch " + std::to_string(branch) + ", patch " + std::to_string(patch) +
+           ", near (" + std::to_string(point.x()) + ", " + std::to_string(point.y()) + ", " +
+           std::to_string(point.z()) + ").";
   }
 };
 
@@ -117,7 +120,7 @@ template <class Point_3> struct Surface_cut {
   std::vector<Cut_curve<Point_3>> curves; ///< cuts, along the centerlines, then rims
   std::vector<Cut_problem<Point_3>> problems;
   std::size_t moved_cuts = 0;              ///< disks that were moved off the place wanted, or tilted, to close
-  std::vector<std::size_t> merged_branches; ///< not longer than their junctions are, and part of these
+  std::vector<std::size_t> merged_branches; ///< whole parts of junctions: too short for a cut, or no disk closes
 
   /// Whether every patch is as it should be.
   bool is_valid() const { return problems.empty(); }

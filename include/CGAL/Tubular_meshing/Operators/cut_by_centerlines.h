@@ -6,6 +6,7 @@
 
 #include <CGAL/Tubular_meshing/Centerlines/Centerline_graph.h>
 #include <CGAL/Tubular_meshing/Operators/Surface_patch.h>
+#include <CGAL/Tubular_meshing/Operators/internal/cut/Blind_vessel_finder.h>
 #include <CGAL/Tubular_meshing/Operators/internal/cut/Cut_surface.h>
 #include <CGAL/Tubular_meshing/Operators/internal/cut/Disk_cutter.h>
 #include <CGAL/Tubular_meshing/Operators/internal/cut/Junction_cutter.h>
@@ -76,10 +77,12 @@ public:
     Surface_cut<Point_3> result;
     Labeller labeller(surface_, cutter_, result);
     labeller.label();
-    result.merged_branches = junctions_.merged();
+    for (size_type b : junctions_.merged())
+      if (cutter_.cuts_of(b).empty())
+        result.merged_branches.push_back(b);
     result.moved_cuts = junctions_.number_of_moved() + tubes_.number_of_moved() + pieces_.number_of_cuts();
-    report_uncut(labeller, result);
-    report_patches(result);
+    report_patches(labeller, result);
+    report_blind_vessels(result);
     return result;
   }
 
@@ -93,23 +96,28 @@ private:
     return Point_3(p.x, p.y, p.z);
   }
 
-  void report_uncut(const Labeller& labeller, Surface_cut<Point_3>& result) const {
-    for (size_type b : junctions_.uncut())
-      if (cutter_.cuts_of(b).empty())
-        result.problems.push_back(Problem{Problem::branch_not_cut, middle(b), b, labeller.patch_of(b, 0)});
-  }
-
-  void report_patches(Surface_cut<Point_3>& result) const {
+  void report_patches(const Labeller& labeller, Surface_cut<Point_3>& result) const {
     const double rounding = 1e-9;
     for (size_type i = 0; i < result.patches.size(); ++i) {
       const Surface_patch<Point_3>& p = result.patches[i];
       const bool is_known = !p.branches.empty();
       const size_type b = is_known ? p.branches.front() : 0;
-      if (!is_known || !p.is_sphere_with_holes() || is_on_both_sides(p, i))
-        result.problems.push_back(Problem{Problem::wrong_topology, middle(b), b, i});
+      const auto report = [&](typename Problem::Kind kind) {
+        result.problems.push_back(Problem{kind, middle(b), b, i});
+      };
+      if (!is_known || !p.is_sphere_with_holes() || is_on_both_sides(p, i) || labeller.has_half_a_piece(i))
+        report(Problem::wrong_topology);
+      else if (labeller.has_several_pieces(i))
+        report(Problem::no_centerline);
       else if (p.aspect_ratio() > aspect_ratio_ * (1 + rounding))
-        result.problems.push_back(Problem{Problem::too_long, middle(b), b, i});
+        report(Problem::too_long);
     }
+  }
+
+  void report_blind_vessels(Surface_cut<Point_3>& result) const {
+    for (const auto& vessel : Blind_vessel_finder<Point_3, FacePatchMap>(surface_, graph_).find())
+      result.problems.push_back(Problem{Problem::no_centerline, surface_.mesh().point(vessel.tip), vessel.branch,
+                                        size_type(result.patch_of_face[vessel.face])});
   }
 
   static bool is_on_both_sides(const Surface_patch<Point_3>& patch, size_type number) {
@@ -138,23 +146,24 @@ private:
  * - *Where.* Each branch is cut off its junctions where its own tube begins: about where its centerline leaves the ball
  *   inscribed at the bifurcation, at the first disk that is not widened by the junction any more. Branches are then
  *   divided into parts, equally long in local diameters, of aspect ratio length / (min radius + max radius) ≤ 4. A
- *   branch no longer than its junctions stays with them; two bifurcations close to each other are parted by one cut, or
+ *   branch no longer than its junctions stays with them, if their patch is not too long then; two bifurcations close to each other are parted by one cut, or
  *   share their junction. Cycles of the graph are cut twice at least.
  * - *How.* A disk is perpendicular to the centerline. It is bounded by that closed curve of its plane's section with
  *   the surface that goes round the centerline; the curve is followed from triangle to triangle, and only triangles on
- *   it are divided. Where it passes an edge within a fifth of an end, it goes through the vertex instead, so that no
+ *   it are divided. Where it passes an edge within a quarter of an end, it goes through the vertex instead, so that no
  *   slivers arise. Vertices do not move, and new ones are on edges: the shape stays what it is.
  * - *When it cannot.* A disk is refused if its curve runs over a cap, meets another cut, or goes round other
  *   centerlines than its own. It is then moved along the branch, or tilted, until it is not. What fails still is
  *   listed in the result, with its place.
  *
  * Junctions have three loops or more; tubes, with or without an aneurysm's sac, have two; blind ends have one, and are
- * disks. Whether every patch is a sphere with its holes is verified.
+ * disks. Whether every patch is a sphere with its holes is verified, and listed if not. So are vessels that have no
+ * centerline, as those that end blind do unless they are given a seed: they stay with the patch that they leave.
  *
  * The result does not depend on the unit, the position or the direction of the surface, but for rounding.
  *
- * O(n) in the size of the surface, for its search tree (O(n log n)) and for labelling, and in the sizes of the sections
- * tried, about a dozen for each cut.
+ * O(n log n) in the sizes of the surface and the graph, for search trees, and O(sections) for the disks tried, about a
+ * dozen for each cut: no cut looks at the whole surface.
  *
  * \param surface a closed triangle mesh, turned outwards: that of a Tubular_model. Its faces are divided; garbage, if
  *   it has some, is collected before, which changes descriptors. Gets the property map `f:surface_patch`

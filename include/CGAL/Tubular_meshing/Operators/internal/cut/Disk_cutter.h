@@ -85,9 +85,9 @@ public:
     return disk.perimeter / (2 * CGAL_PI * axis(branch).radius(disk.abscissa));
   }
 
-  // False if the surface has changed since the disk was tried, so that it cannot be cut any longer.
+  // False if it is no cuttable disk, or no longer, the surface having been cut since it was tried.
   bool cut(size_type branch, const Disk& disk) {
-    if (!find_curve(branch, disk))
+    if (!disk.is_cuttable() || !find_curve(branch, disk))
       return false;
     cuts_.push_back(Branch_cut<Mesh>{branch, disk.abscissa, surface_.cut(curve_)});
     std::vector<size_type>& cuts = cuts_of_branch_[branch];

@@ -5,6 +5,7 @@
 #define CGAL_TUBULAR_MESHING_OPERATORS_INTERNAL_CUT_GRAPH_PIECES_H
 
 #include <CGAL/Tubular_meshing/Operators/internal/cut/Branch_axis.h>
+#include <CGAL/Tubular_meshing/internal/Vector_3d.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -30,13 +31,16 @@ struct Graph_piece {
   std::vector<std::size_t> nodes;
   std::vector<Branch_part> parts;
   std::vector<Branch_part> longest_way; // from one of its ends to another, in order along it
-  double length = 0;                    // of the longest way
+  double length = 0;                    // see Piece_finder
   double min_radius = (std::numeric_limits<double>::infinity)(), max_radius = 0;
 
   double aspect_ratio() const { return length / (min_radius + max_radius); }
 };
 
-/* Finds the piece around a node. O(piece), but for looking up radii. */
+/* Finds the piece around a node, and its length: of a tube, along its centerline; of a junction, the greatest way
+ * downstream from one of its ends to another, or the greatest distance between two ends, if that is greater. The way
+ * from one daughter vessel back to the other does not count: it says nothing of two that run side by side.
+ * O(piece) for trees, and O(ends²) of the piece. */
 template <class Cutter> class Piece_finder {
 public:
   typedef std::size_t size_type;
@@ -47,12 +51,12 @@ public:
 
   Graph_piece piece_at(size_type node) {
     piece_ = Graph_piece();
-    links_.clear();
+    points_.clear();
     number_.clear();
     collect(node);
     for (const Branch_part& p : piece_.parts)
       measure(p);
-    find_longest_way();
+    find_length();
     return std::move(piece_);
   }
 
@@ -68,28 +72,35 @@ public:
 private:
   static constexpr size_type none = (std::numeric_limits<size_type>::max)();
 
-  // A part of a branch that joins two points of the piece: nodes or cuts.
+  // A part of a branch that leads to another point of the piece, along the branch's direction or against it.
   struct Link {
     size_type part, other;
+    bool downstream;
+  };
+
+  // A node or a cut.
+  struct Point {
+    Vector_3d position;
+    std::vector<Link> links;
   };
 
   size_type point_at(size_type node) {
-    const auto inserted = number_.insert(std::make_pair(node, links_.size()));
+    const auto inserted = number_.insert(std::make_pair(node, points_.size()));
     if (inserted.second) {
-      links_.emplace_back();
+      points_.push_back(Point{Vector_3d(graph_.points()[graph_.nodes()[node].point]), {}});
       piece_.nodes.push_back(node);
     }
     return inserted.first->second;
   }
 
-  size_type new_point() {
-    links_.emplace_back();
-    return links_.size() - 1;
+  size_type point_at_cut(size_type branch, double abscissa) {
+    points_.push_back(Point{cutter_.axis(branch).point(abscissa), {}});
+    return points_.size() - 1;
   }
 
-  void join(const Branch_part& part, size_type u, size_type v) {
-    links_[u].push_back(Link{piece_.parts.size(), v});
-    links_[v].push_back(Link{piece_.parts.size(), u});
+  void join(const Branch_part& part, size_type source, size_type target) {
+    points_[source].links.push_back(Link{piece_.parts.size(), target, true});
+    points_[target].links.push_back(Link{piece_.parts.size(), source, false});
     piece_.parts.push_back(part);
   }
 
@@ -104,16 +115,19 @@ private:
   void add_branch(size_type i, size_type node, std::unordered_set<size_type>& done) {
     const auto& b = graph_.branches()[i];
     const std::vector<size_type>& cuts = cutter_.cuts_of(i);
-    const size_type u = point_at(node);
     if (cuts.empty()) {
-      if (done.insert(i).second)
-        join(Branch_part{i, 0, b.length}, point_at(b.source), point_at(b.target));
+      if (done.insert(i).second) {
+        const size_type source = point_at(b.source), target = point_at(b.target);
+        join(Branch_part{i, 0, b.length}, source, target);
+      }
       return;
     }
-    if (b.source == node && (b.source != b.target || done.insert(i).second))
-      join(Branch_part{i, 0, cutter_.abscissa_of(cuts.front())}, u, new_point());
-    if (b.target == node && (b.source != b.target || done.insert(i + graph_.branches().size()).second))
-      join(Branch_part{i, cutter_.abscissa_of(cuts.back()), b.length}, u, new_point());
+    const size_type here = point_at(node), target_part = graph_.branches().size() + i;
+    const double first = cutter_.abscissa_of(cuts.front()), last = cutter_.abscissa_of(cuts.back());
+    if (b.source == node && done.insert(i).second)
+      join(Branch_part{i, 0, first}, here, point_at_cut(i, first));
+    if (b.target == node && done.insert(target_part).second)
+      join(Branch_part{i, last, b.length}, point_at_cut(i, last), here);
   }
 
   void measure(const Branch_part& p) {
@@ -122,39 +136,56 @@ private:
     piece_.max_radius = (std::max)(piece_.max_radius, r.second);
   }
 
-  // In a tree: what is furthest from any point is an end of the longest way.
-  void find_longest_way() {
-    std::vector<Link> back;
-    const size_type one_end = furthest(0, back), other_end = furthest(one_end, back);
-    for (size_type at = other_end; at != one_end; at = back[at].other) {
-      piece_.longest_way.push_back(piece_.parts[back[at].part]);
-      piece_.length += piece_.longest_way.back().length();
+  void find_length() {
+    std::vector<size_type> ends;
+    for (size_type i = 0; i < points_.size(); ++i)
+      if (points_[i].links.size() == 1)
+        ends.push_back(i);
+    const bool is_junction = ends.size() > 2;
+    size_type from = 0, to = 0;
+    const auto consider = [&](size_type a, size_type b, double length) {
+      if (length > piece_.length) {
+        piece_.length = length;
+        from = a;
+        to = b;
+      }
+    };
+    for (size_type a : ends) {
+      find_ways(a, is_junction);
+      for (size_type b : ends) {
+        consider(a, b, distance_[b]);
+        if (is_junction)
+          consider(a, b, norm(points_[b].position - points_[a].position));
+      }
     }
+    find_ways(from, false);
+    for (size_type at = to; at != from; at = back_[at].other)
+      piece_.longest_way.push_back(piece_.parts[back_[at].part]);
   }
 
-  size_type furthest(size_type start, std::vector<Link>& back) const {
-    std::vector<double> distance(links_.size(), -1.);
-    back.assign(links_.size(), Link{none, none});
+  // Ways from a point to the others, −1 where there is none. A piece has no cycles, as a rule; if it has, any way will
+  // do.
+  void find_ways(size_type start, bool only_downstream) {
+    distance_.assign(points_.size(), -1.);
+    back_.assign(points_.size(), Link{none, none, false});
     std::vector<size_type> queue(1, start);
-    distance[start] = 0;
-    size_type best = start;
+    distance_[start] = 0;
     for (size_type head = 0; head < queue.size(); ++head)
-      for (const Link& link : links_[queue[head]])
-        if (distance[link.other] < 0) {
-          distance[link.other] = distance[queue[head]] + piece_.parts[link.part].length();
-          back[link.other] = Link{link.part, queue[head]};
+      for (const Link& link : points_[queue[head]].links)
+        if (distance_[link.other] < 0 && (link.downstream || !only_downstream)) {
+          distance_[link.other] = distance_[queue[head]] + piece_.parts[link.part].length();
+          back_[link.other] = Link{link.part, queue[head], !link.downstream};
           queue.push_back(link.other);
-          if (distance[link.other] > distance[best])
-            best = link.other;
         }
-    return best;
   }
 
   const Cutter& cutter_;
   const typename Cutter::Graph& graph_;
   Graph_piece piece_;
-  std::vector<std::vector<Link>> links_; // of each point
-  std::unordered_map<size_type, size_type> number_;
+  std::vector<Point> points_;
+  std::unordered_map<size_type, size_type> number_; // of a node's point
+  std::vector<double> distance_;                    // of the last ways found
+  std::vector<Link> back_;
 };
 
 /* The pieces into which cuts part the whole graph, numbered along it from its root. */

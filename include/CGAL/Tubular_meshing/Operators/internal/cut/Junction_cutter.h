@@ -29,8 +29,7 @@ public:
       : cutter_(cutter)
       , graph_(cutter.graph()) {}
 
-  const std::vector<size_type>& merged() const { return merged_; } // too short to be cut off
-  const std::vector<size_type>& uncut() const { return uncut_; }   // long enough, but no disk closes
+  const std::vector<size_type>& merged() const { return merged_; } // too short to be cut off, or no disk closes
   size_type number_of_moved() const { return moved_; }
 
   // Cuts one branch off the junctions that it joins.
@@ -43,11 +42,9 @@ public:
     const double from = at_source ? axis.exit(true, outside * radius_at(b.source)) : axis.radius(0);
     const double to =
         axis.length() - (at_target ? axis.exit(false, outside * radius_at(b.target)) : axis.radius(axis.length()));
-    if (from <= to ? cut_in_range(branch, from, to, at_source, at_target) : at_source && at_target && cut_short(branch))
-      return;
-    if (to - from > axis.radius((from + to) / 2))
-      uncut_.push_back(branch);
-    else
+    const bool is_cut = from <= to ? cut_in_range(branch, from, to, at_source, at_target)
+                                   : at_source && at_target && cut_short(branch);
+    if (!is_cut)
       merged_.push_back(branch);
   }
 
@@ -66,8 +63,8 @@ private:
     const Disk last = at_target ? nearest_good_disk(branch, to, from) : Disk();
     if (!first.is_cuttable() && !last.is_cuttable())
       return cut_tilted(branch, from, to);
-    if (!at_source || !at_target)
-      return cutter_.cut(branch, at_source ? first : last);
+    if (!first.is_cuttable() || !last.is_cuttable())
+      return cutter_.cut(branch, (std::min)(first, last));
     const Axis axis = cutter_.axis(branch);
     const double gap = (axis.radius(first.abscissa) + axis.radius(last.abscissa)) / 2;
     if (last.abscissa - first.abscissa < gap)
@@ -148,7 +145,7 @@ private:
 
   Cutter& cutter_;
   const typename Cutter::Graph& graph_;
-  std::vector<size_type> merged_, uncut_;
+  std::vector<size_type> merged_;
   size_type moved_ = 0;
 };
 

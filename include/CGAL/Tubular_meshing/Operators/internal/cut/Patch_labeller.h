@@ -53,9 +53,11 @@ public:
     describe();
   }
 
-  // The patch in which a part of a branch lies; `none` if there is no such patch.
-  size_type patch_of(size_type branch, size_type part) const {
-    return patch_of_piece_[partition_.piece_of(branch, part)];
+  // Whether cuts that bound the patch bound different pieces of the centerlines: something joins these.
+  bool has_several_pieces(size_type patch) const { return has_several_pieces_[patch]; }
+  // Whether a piece of the centerlines has other patches than this one.
+  bool has_half_a_piece(size_type patch) const {
+    return piece_of_patch_[patch] != none && patch_of_piece_[piece_of_patch_[patch]] != patch;
   }
 
 private:
@@ -140,27 +142,32 @@ private:
 
   size_type patch_at(Halfedge h) const { return size_type(result_.patch_of_face[mesh_.face(h)]); }
 
-  /* A patch is where the pieces of the centerlines are whose cuts bound it: its number is the first one's. If there are
-   * several, or one piece has several patches, the disks have not parted the surface as they should have; the patches'
-   * topology is then reported below. */
+  /* A patch is where the pieces of the centerlines are whose cuts bound it: its number is the first one's. */
   void number_along_centerlines() {
     const size_type n = result_.patches.size();
     std::vector<size_type> piece(n, n == 1 ? 0 : none);
+    std::vector<bool> several(n, false);
+    const auto claim = [&](size_type patch, size_type p) {
+      several[patch] = several[patch] || (piece[patch] != none && piece[patch] != p);
+      piece[patch] = (std::min)(piece[patch], p);
+    };
     std::vector<size_type> next_part(cutter_.graph().branches().size(), 0);
     for (const Curve& c : result_.curves)
       if (!c.is_rim()) {
         const size_type part = next_part[c.branch]++;
-        piece[c.left_patch] = (std::min)(piece[c.left_patch], partition_.piece_of(c.branch, part));
-        piece[c.right_patch] = (std::min)(piece[c.right_patch], partition_.piece_of(c.branch, part + 1));
+        claim(c.left_patch, partition_.piece_of(c.branch, part));
+        claim(c.right_patch, partition_.piece_of(c.branch, part + 1));
       }
     std::vector<size_type> order(n), number(n);
     std::iota(order.begin(), order.end(), 0);
     std::stable_sort(order.begin(), order.end(), [&](size_type a, size_type b) { return piece[a] < piece[b]; });
     patch_of_piece_.assign(partition_.pieces().size(), none);
     piece_of_patch_.resize(n);
+    has_several_pieces_.resize(n);
     for (size_type i = n; i-- > 0;) {
       number[order[i]] = i;
       piece_of_patch_[i] = piece[order[i]];
+      has_several_pieces_[i] = several[order[i]];
       if (piece_of_patch_[i] != none)
         patch_of_piece_[piece_of_patch_[i]] = i;
     }
@@ -253,6 +260,7 @@ private:
   const Graph_partition<Cutter> partition_;
   Surface_cut<Point_3>& result_;
   std::vector<size_type> piece_of_patch_, patch_of_piece_;
+  std::vector<bool> has_several_pieces_;
 };
 
 } // namespace internal
