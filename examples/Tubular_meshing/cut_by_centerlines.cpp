@@ -62,13 +62,36 @@ void print(const tubular::Surface_cut<Point_3>& cut) {
     std::printf("%s\n", problem.message().c_str());
 }
 
+typedef tubular::Tubular_model<Point_3> Model;
+typedef tubular::Surface_cut<Point_3> Cut;
+
+Cut cut_model(const Options& o, Model& model) {
+  return tubular::cut_by_centerlines(model.surface, model.centerlines, model.patch,
+                                     tubular::parameters::aspect_ratio(o.aspect_ratio));
+}
+
+// Adds where vessels end blind, as the cut has found them: centerlines need to be told. Whether there are any.
+bool add_seeds(const Cut& cut, std::vector<Point_3>& seeds) {
+  const std::size_t before = seeds.size();
+  for (const auto& problem : cut.problems)
+    if (problem.kind == tubular::Cut_problem<Point_3>::no_centerline)
+      seeds.push_back(problem.point);
+  return seeds.size() > before;
+}
+
 void run(const Options& o) {
   Surface surface;
   tubular::IO::read_surface(o.surface, surface);
   tubular::repair_surface(surface);
-  auto model = tubular::make_tubular_model(surface, tubular::parameters::loops(o.loops));
-  const auto cut = tubular::cut_by_centerlines(model.surface, model.centerlines, model.patch,
-                                               tubular::parameters::aspect_ratio(o.aspect_ratio));
+  Model model = tubular::make_tubular_model(surface, tubular::parameters::loops(o.loops));
+  Cut cut = cut_model(o, model);
+  std::vector<Point_3> seeds(1, model.openings.front().center); // the inlet comes first
+  const int rounds = 4;                                         // blind vessels may branch off blind vessels
+  for (int i = 0; i < rounds && add_seeds(cut, seeds); ++i) {
+    std::printf("%zu vessels end blind; computing the centerlines anew, with seeds there\n", seeds.size() - 1);
+    model = tubular::make_tubular_model(surface, tubular::parameters::loops(o.loops).seeds(seeds));
+    cut = cut_model(o, model);
+  }
   print(cut);
   tubular::IO::write_surface(o.output, model.surface, tubular::parameters::face_patch_map(cut.patch_of_face));
 }
