@@ -9,7 +9,7 @@ build_dir=${TUBULAR_MESHING_BUILD_DIR:-$root_dir/build}
 
 library_packages=(g++ cmake ninja-build libcgal-dev libeigen3-dev libtbb-dev zlib1g-dev libpugixml-dev)
 example_packages=(libcli11-dev nlohmann-json3-dev)
-test_packages=(libgtest-dev libbenchmark-dev)
+test_packages=(libgtest-dev libbenchmark-dev clang libclang-rt-dev) # Clang: for the fuzz tests alone
 
 say() { printf '%s\n' "$*"; }
 fail() {

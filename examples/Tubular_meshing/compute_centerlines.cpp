@@ -79,11 +79,16 @@ std::vector<Point_3> seeds_of(const Options& o) {
   return seeds;
 }
 
-// Seeds belong to closed surfaces: an open one has openings for them.
-Graph centerlines_between_seeds(const Options& o, const Surface& surface, const std::vector<Point_3>& seeds) {
-  if (!CGAL::is_closed(surface))
-    throw tubular::Input_error("The surface is open; its centerlines lead from opening to opening, and only --inlet "
-                               "may be given.");
+// Seeds tell where lines begin and end, also on a surface that has openings: these are closed first, if it is open.
+Graph centerlines_between_seeds(const Options& o, Surface& surface, const std::vector<Point_3>& seeds) {
+  if (seeds.size() < 2)
+    throw tubular::Input_error("\"" + o.seeds + "\" holds " + std::to_string(seeds.size()) +
+                               " points; give the source, and one or more targets.");
+  if (!CGAL::is_closed(surface)) {
+    std::vector<tubular::Opening<Point_3>> openings = tubular::find_openings(surface);
+    const auto patch = surface.add_property_map<Surface::Face_index, int>("f:patch", 0).first;
+    tubular::close_openings(surface, openings, patch);
+  }
   Graph graph;
   tubular::compute_centerlines(surface, seeds, graph, tubular::parameters::loops(o.loops));
   return graph;
@@ -106,8 +111,9 @@ void run(const Options& o) {
   const std::vector<Point_3> seeds = seeds_of(o);
   Surface surface;
   tubular::IO::read_surface(o.surface, surface);
+  const bool between_openings = o.seeds.empty() && o.outlets.empty();
   const Graph graph =
-      seeds.empty() ? centerlines_between_openings(o, surface) : centerlines_between_seeds(o, surface, seeds);
+      between_openings ? centerlines_between_openings(o, surface) : centerlines_between_seeds(o, surface, seeds);
   if (o.whole)
     tubular::IO::write_centerlines(o.output, tubular::centerlines_from_root(graph));
   else
@@ -132,14 +138,17 @@ int main(int argc, char* argv[]) {
   app.add_option("surface", o.surface, "surface, open at its ends or capped flat: .stl .off .obj .ply .vtp")
       ->required();
   app.add_option("-o,--output", o.output, "centerlines to write: .vtp .vtk")->required();
-  app.add_option("--inlet", o.inlet, "X,Y,Z: the opening nearest to this point is the inlet (default: the largest)")
-      ->expected(1);
-  auto* outlets = app.add_option("--outlet", o.outlets,
-                                 "X,Y,Z (repeatable): an end of a closed surface without flat ends; with --inlet")
-                      ->expected(1)
-                      ->take_all();
+  auto* inlet =
+      app.add_option("--inlet", o.inlet, "X,Y,Z: the opening nearest to this point is the inlet (default: the largest)")
+          ->expected(1);
+  auto* outlets =
+      app.add_option("--outlet", o.outlets,
+                     "X,Y,Z (repeatable): lines end here instead of at the openings; with --inlet, where they begin")
+          ->expected(1)
+          ->take_all();
   app.add_option("--seeds", o.seeds, "file with a point a line, the source first, instead of --inlet and --outlet")
-      ->excludes(outlets);
+      ->excludes(outlets)
+      ->excludes(inlet);
   app.add_flag("--loops", o.loops, "keep every branch where vessels split and rejoin");
   app.add_flag("--whole", o.whole, "write each line in one piece, without the cell arrays");
   try {

@@ -92,10 +92,11 @@ void run(const Options& o) {
   Stage_clock clock(o.quiet);
   Surface surface;
   const tubular::Repair_report<Point_3> repairs = read_surface(o, surface, clock);
-  const tubular::Tubular_model<Point_3> model = prepare(o, surface, clock);
+  const Flow_extensions extensions = extend_openings(o, surface, clock);
+  const tubular::Tubular_model<Point_3> model = prepare(o, surface, extensions, clock);
   const tubular::Mixed_mesh<Point_3> mesh = make_mesh(o, model, clock);
   clock.begin("report");
-  run_report::Json report = run_report::make(o, version, repairs, model, mesh);
+  run_report::Json report = run_report::make(o, version, repairs, extensions.lengths, model, mesh);
   clock.begin("write");
   write(o, model, mesh, report, clock);
   if (!o.quiet) {

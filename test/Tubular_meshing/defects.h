@@ -57,6 +57,7 @@ struct Clean_surface {
   std::vector<Vector> normal; ///< by vertex: outward
   std::size_t openings = 0;
   long handles = 0;
+  unsigned draw = 0; ///< vertex() gives others for another one
 
   Clean_surface(const std::string& name, const tubular::Tubular_skeleton<Point>& skeleton)
       : name(name)
@@ -73,7 +74,7 @@ struct Clean_surface {
 
   /* A vertex of the wall, far from the rims, that only depends on the number. */
   std::size_t vertex(unsigned number) const {
-    std::mt19937 random(number + 1);
+    std::mt19937 random(number + 1 + 1000 * draw);
     for (;;) {
       const std::size_t v = random() % soup.points.size();
       if (!near_rim[v])
@@ -468,6 +469,52 @@ inline Soup touching_vessels(const Clean_surface& s, int severity) {
   return soup;
 }
 
+// Three-sided tunnels through the lumen, from a triangle of the wall to one opposite: as where two vessels touch and
+// have been made one. One, two and three of them.
+inline Soup fused_vessels(const Clean_surface& s, int severity) {
+  Soup soup = s.soup;
+  std::set<std::size_t> taken; // vertices
+  for (unsigned number = 40, made = 0; made <= unsigned(severity); ++number) {
+    const std::size_t v = s.vertex(number), f = s.triangles_at(v)[0];
+    const Triangle a = s.soup.triangles[f];
+    const Point aim = s.soup.points[v] - 2 * s.radius(v) * s.normal[v];
+    std::size_t w = 0;
+    for (std::size_t i = 0; i < s.soup.points.size(); ++i)
+      if (CGAL::squared_distance(s.soup.points[i], aim) < CGAL::squared_distance(s.soup.points[w], aim))
+        w = i;
+    if (s.near_rim[w] || s.normal[w] * s.normal[v] > -0.95 ||
+        CGAL::squared_distance(s.soup.points[w], aim) > CGAL::square(0.3 * s.radius(v)))
+      continue;
+    const std::size_t g = s.triangles_at(w)[0];
+    Triangle b = s.soup.triangles[g];
+    if (std::any_of(a.begin(), a.end(), [&](std::size_t i) { return taken.count(i) > 0; }) ||
+        std::any_of(b.begin(), b.end(), [&](std::size_t i) { return taken.count(i) > 0; }))
+      continue;
+    for (std::size_t h : s.triangles_around(v, 3))
+      taken.insert(s.soup.triangles[h].begin(), s.soup.triangles[h].end());
+    for (std::size_t h : s.triangles_around(w, 3))
+      taken.insert(s.soup.triangles[h].begin(), s.soup.triangles[h].end());
+    std::swap(b[1], b[2]); // seen from the other side; turned until it fits
+    const auto twist = [&](int k) {
+      double sum = 0;
+      for (int i = 0; i < 3; ++i)
+        sum += CGAL::squared_distance(s.soup.points[a[i]], s.soup.points[b[(i + k) % 3]]);
+      return sum;
+    };
+    int best = 0;
+    for (int k = 1; k < 3; ++k)
+      best = twist(k) < twist(best) ? k : best;
+    std::rotate(b.begin(), b.begin() + best, b.end());
+    soup.triangles[f] = soup.triangles[g] = {0, 0, 0};
+    for (int i = 0; i < 3; ++i) {
+      soup.triangles.push_back({a[i], a[(i + 1) % 3], b[(i + 1) % 3]});
+      soup.triangles.push_back({a[i], b[(i + 1) % 3], b[i]});
+    }
+    ++made;
+  }
+  return soup;
+}
+
 inline Soup noise(const Clean_surface& s, int severity) {
   Soup soup = s.soup;
   std::mt19937 random(11);
@@ -497,8 +544,39 @@ inline const std::vector<Defect>& all_defects() {
                                           {"self-intersections", self_intersections},
                                           {"folds", folds},
                                           {"touching walls", touching_vessels},
+                                          {"fused vessels", fused_vessels},
                                           {"noise", noise}};
   return all;
+}
+
+/* Three different defects at once, at other places each, of severities up to 1. In this order each one finds the
+ * triangles that it looks for: first those that move points, then those that add and split triangles, those that remove
+ * some, and at last those that concern all. */
+inline Soup three_defects(Clean_surface s, unsigned seed, std::string& names) {
+  const std::vector<Defect> in_order = {{"noise", noise},
+                                        {"self-intersections", self_intersections},
+                                        {"folds", folds},
+                                        {"seam gaps", seam_gaps},
+                                        {"needle triangles", needle_triangles},
+                                        {"nonmanifold edges", nonmanifold_edges},
+                                        {"nonmanifold points", nonmanifold_points},
+                                        {"islands", islands},
+                                        {"pinholes", pinholes},
+                                        {"duplicate points", duplicate_points},
+                                        {"duplicate triangles", duplicate_triangles},
+                                        {"turned triangles", turned_triangles},
+                                        {"inside out", inside_out}};
+  std::mt19937 random(seed);
+  std::set<std::size_t> chosen;
+  while (chosen.size() < 3)
+    chosen.insert(random() % in_order.size());
+  for (std::size_t i : chosen) {
+    const int severity = int(random() % 2);
+    s.draw = random() % 100000;
+    s.soup = in_order[i].make(s, severity);
+    names += (names.empty() ? "" : ", ") + in_order[i].name + " " + std::to_string(severity);
+  }
+  return s.soup;
 }
 
 } // namespace defects

@@ -17,8 +17,10 @@
 #include <cstdio>
 #include <fstream>
 #include <limits>
+#include <map>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -45,12 +47,12 @@ template <class... NamedParameters> Report repair(const Soup& soup, Mesh& mesh, 
 /* The surface closed, as all that follows will see it. */
 struct Closed_surface {
   Mesh mesh;
-  std::size_t openings = 0;
+  std::vector<tubular::Opening<Point>> openings;
 
   explicit Closed_surface(const Mesh& open)
       : mesh(open) {
-    auto found = tubular::find_openings(mesh);
-    openings = found.size();
+    openings = tubular::find_openings(mesh);
+    auto found = openings;
     auto patch = mesh.add_property_map<Mesh::Face_index, int>("f:patch", 0).first;
     tubular::close_openings(mesh, found, patch);
   }
@@ -83,41 +85,97 @@ std::string word_for(const std::string& defect, int severity) {
 
 // How far the volume may be from the clean one's, relatively.
 double volume_tolerance(const std::string& defect) {
-  return defect == "touching walls" ? 0.3 : defect == "noise" ? 0.03 : 0.015;
+  if (defect == "touching walls")
+    return 0.3;
+  return defect == "fused vessels" || defect.find("noise") != std::string::npos ? 0.03 : 0.015;
 }
 
-// Relative to the local radius.
-double farthest_from(const Clean_surface& clean, const Mesh& mesh) {
-  typedef tubular::internal::Double_kernel::Triangle_3 Triangle_3;
-  std::vector<Triangle_3> triangles;
-  for (const Triangle& t : clean.soup.triangles)
-    triangles.emplace_back(tubular::internal::to_double_point(clean.soup.points[t[0]]),
-                           tubular::internal::to_double_point(clean.soup.points[t[1]]),
-                           tubular::internal::to_double_point(clean.soup.points[t[2]]));
-  const tubular::internal::Nearest_tree<Triangle_3> wall(std::move(triangles));
+typedef tubular::internal::Nearest_tree<tubular::internal::Double_kernel::Triangle_3> Wall;
+
+Wall wall_of(const Soup& soup) {
+  std::vector<tubular::internal::Double_kernel::Triangle_3> triangles;
+  for (const Triangle& t : soup.triangles)
+    triangles.emplace_back(tubular::internal::to_double_point(soup.points[t[0]]),
+                           tubular::internal::to_double_point(soup.points[t[1]]),
+                           tubular::internal::to_double_point(soup.points[t[2]]));
+  return Wall(std::move(triangles));
+}
+
+// The largest distance from a wall to the vertices that are none of others, and to the centres of the faces there,
+// relative to the radius of the clean surface there.
+double farthest_from(const Wall& wall, const Mesh& mesh, const std::vector<Point>& others, const Clean_surface& clean) {
+  static std::map<std::string, Wall> clean_walls;
+  if (clean_walls.count(clean.name) == 0)
+    clean_walls.emplace(clean.name, wall_of(clean.soup));
+  const Wall& clean_wall = clean_walls.at(clean.name);
   double farthest = 0;
-  for (auto v : mesh.vertices()) {
-    const auto nearest = wall.nearest(tubular::internal::to_double_point(mesh.point(v)));
-    const double radius = clean.radius(clean.soup.triangles[nearest.index][0]);
-    farthest = std::max(farthest, std::sqrt(nearest.squared_distance) / radius);
-  }
+  const auto measure = [&](const Point& p) {
+    const auto q = tubular::internal::to_double_point(p);
+    const double radius = clean.radius(clean.soup.triangles[clean_wall.nearest(q).index][0]);
+    farthest = std::max(farthest, std::sqrt(wall.nearest(q).squared_distance) / radius);
+  };
+  const std::set<Point> known(others.begin(), others.end());
+  for (auto v : mesh.vertices())
+    if (known.count(mesh.point(v)) == 0) {
+      measure(mesh.point(v));
+      for (auto f : CGAL::faces_around_target(mesh.halfedge(v), mesh)) {
+        if (f == Mesh::null_face())
+          continue;
+        const auto h = mesh.halfedge(f);
+        measure(CGAL::centroid(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)),
+                               mesh.point(mesh.target(mesh.next(h)))));
+      }
+    }
   return farthest;
 }
 
-void expect_like_clean(const Clean_surface& clean, const std::string& defect, const Mesh& repaired,
+// Both ways.
+double hausdorff_distance(const Clean_surface& clean, const Mesh& mesh) {
+  const Soup soup = defects::soup_of(mesh);
+  return std::max(farthest_from(wall_of(clean.soup), mesh, clean.soup.points, clean),
+                  farthest_from(wall_of(soup), clean.mesh, soup.points, clean));
+}
+
+// The openings of a repaired surface are those of the clean one, each within a fraction of its radius.
+void expect_openings(const std::vector<tubular::Opening<Point>>& found,
+                     const std::vector<tubular::Opening<Point>>& expected, double tolerance) {
+  EXPECT_EQ(found.size(), expected.size());
+  for (const auto& e : expected) {
+    const auto nearest = std::min_element(found.begin(), found.end(), [&](const auto& a, const auto& b) {
+      return CGAL::squared_distance(a.center, e.center) < CGAL::squared_distance(b.center, e.center);
+    });
+    ASSERT_NE(nearest, found.end());
+    EXPECT_LT(std::sqrt(CGAL::squared_distance(nearest->center, e.center)), tolerance * e.radius);
+    EXPECT_NEAR(nearest->radius / e.radius, 1, tolerance);
+    EXPECT_GT(nearest->normal * e.normal, 1 - tolerance);
+  }
+}
+
+const Closed_surface& closed_clean(const Clean_surface& clean) {
+  static std::map<std::string, Closed_surface> all;
+  const auto known = all.find(clean.name);
+  return known != all.end() ? known->second : all.emplace(clean.name, Closed_surface(clean.mesh)).first->second;
+}
+
+void expect_like_clean(const Clean_surface& clean, const std::string& defect, int severity, const Mesh& repaired,
                        const Report& report) {
   const Closed_surface closed(repaired);
   EXPECT_TRUE(CGAL::is_closed(closed.mesh));
   EXPECT_TRUE(CGAL::is_valid_polygon_mesh(closed.mesh));
   EXPECT_FALSE(pmp::does_self_intersect(closed.mesh));
-  EXPECT_EQ(closed.openings, clean.openings);
+  // a wrap is cut open by 2 % of the radius further in
+  const bool is_noisy = defect.find("noise") != std::string::npos;
+  const bool is_wrapped = report.count(Surface_defect::wrapped) > 0;
+  expect_openings(closed.openings, closed_clean(clean).openings, is_noisy ? 0.1 : is_wrapped ? 0.03 : 0.02);
   const long handles = (2 - euler_characteristic(closed.mesh)) / 2;
   EXPECT_EQ(long(report.count(Surface_defect::handles)), handles); // no handle is left unreported
   if (defect != "touching walls") {
-    EXPECT_EQ(handles, clean.handles);
-    EXPECT_LT(farthest_from(clean, repaired), 0.3);
+    EXPECT_EQ(handles, clean.handles + (defect == "fused vessels" ? severity + 1 : 0));
+    if (defect != "fused vessels") {
+      EXPECT_LT(hausdorff_distance(clean, repaired), 0.3);
+    }
   }
-  const double volume = pmp::volume(closed.mesh), expected = pmp::volume(Closed_surface(clean.mesh).mesh);
+  const double volume = pmp::volume(closed.mesh), expected = pmp::volume(closed_clean(clean).mesh);
   EXPECT_NEAR(volume / expected, 1, volume_tolerance(defect));
 }
 
@@ -143,7 +201,7 @@ void check_cell(const defects::Defect& defect, const Clean_surface& clean, int s
   std::printf("%-20s %d %-5s %s\n", defect.name.c_str(), severity, clean.name.c_str(),
               first_line(report.text()).c_str());
   SCOPED_TRACE(report.text());
-  expect_like_clean(clean, defect.name, mesh, report);
+  expect_like_clean(clean, defect.name, severity, mesh, report);
 }
 
 } // namespace
@@ -164,6 +222,31 @@ INSTANTIATE_TEST_SUITE_P(All, Defect_matrix, testing::Range(std::size_t(0), defe
                                name.begin(), name.end(), [](char c) { return c == ' ' || c == '-'; }, '_');
                            return name;
                          });
+
+// Three at once: in the seeds' loop nearly all are mended, and what is refused is refused at a place.
+TEST(Repair_surface, Mends_three_defects_at_once) {
+  std::size_t refused = 0, all = 0;
+  for (const Clean_surface& clean : defects::clean_surfaces())
+    for (unsigned seed = 0; seed < 8; ++seed) {
+      std::string names;
+      const Soup damaged = defects::three_defects(clean, seed, names);
+      SCOPED_TRACE(clean.name + ", seed " + std::to_string(seed) + ": " + names);
+      ++all;
+      Mesh mesh;
+      Report report;
+      try {
+        report = repair(damaged, mesh);
+      } catch (const tubular::Input_error& e) {
+        std::printf("%-5s %2u %s: %s\n", clean.name.c_str(), seed, names.c_str(), e.what());
+        EXPECT_NE(std::string(e.what()).find("("), std::string::npos) << "no place in: " << e.what();
+        ++refused;
+        continue;
+      }
+      SCOPED_TRACE(report.text());
+      expect_like_clean(clean, names, 0, mesh, report);
+    }
+  EXPECT_LE(refused, all / 16);
+}
 
 TEST(Repair_surface, Leaves_clean_surfaces_as_they_are) {
   for (const Clean_surface& clean : defects::clean_surfaces()) {
@@ -227,6 +310,71 @@ TEST(Repair_surface, Never_closes_an_opening) {
       }
 }
 
+namespace {
+
+// A tube of which the triangles are as long as it is.
+Soup coarse_tube(int sides, double length) {
+  Soup soup;
+  for (int k = 0; k < 2; ++k)
+    for (int i = 0; i < sides; ++i)
+      soup.points.push_back(
+          Point(std::cos(2 * CGAL_PI * i / sides), std::sin(2 * CGAL_PI * i / sides), length * double(k)));
+  for (int i = 0; i < sides; ++i) {
+    const std::size_t a = std::size_t(i), b = std::size_t((i + 1) % sides), n = std::size_t(sides);
+    soup.triangles.push_back({a, b, b + n});
+    soup.triangles.push_back({a, b + n, a + n});
+  }
+  return soup;
+}
+
+} // namespace
+
+TEST(Repair_surface, Never_closes_an_opening_of_long_triangles) {
+  for (int sides : {4, 5, 6, 8, 12, 40})
+    for (double length : {1., 10., 100.}) {
+      SCOPED_TRACE(std::to_string(sides) + " sides, length " + std::to_string(length));
+      const Soup soup = coarse_tube(sides, length);
+      Mesh mesh;
+      const Report report = repair(soup, mesh);
+      EXPECT_TRUE(report.empty()) << report.text();
+      EXPECT_EQ(mesh.number_of_faces(), soup.triangles.size());
+    }
+}
+
+TEST(Repair_surface, Closes_a_hole_that_touches_an_opening_and_keeps_the_opening) {
+  for (const Clean_surface& clean : defects::clean_surfaces()) {
+    SCOPED_TRACE(clean.name);
+    Soup soup = clean.soup;
+    std::size_t gone = 0;
+    for (Triangle& t : soup.triangles) { // one with one corner on the rim
+      const auto on_rim = [&](std::size_t v) { return clean.mesh.is_border(Mesh::Vertex_index(unsigned(v))); };
+      if (std::count_if(t.begin(), t.end(), on_rim) == 1 && gone++ == 0)
+        t = {t[0], t[0], t[0]};
+    }
+    Mesh mesh;
+    const Report report = repair(soup, mesh);
+    SCOPED_TRACE(report.text());
+    EXPECT_EQ(report.count(Surface_defect::pinholes), 1u);
+    expect_like_clean(clean, "", 0, mesh, report);
+  }
+}
+
+TEST(Repair_surface, Smoothing_keeps_the_volume_and_the_openings_of_any_shape) {
+  for (const Clean_surface& clean : defects::clean_surfaces())
+    for (int severity = 0; severity < 3; ++severity) {
+      SCOPED_TRACE(clean.name + " " + std::to_string(severity));
+      Mesh mesh;
+      const Report report = repair(defects::noise(clean, severity), mesh, tubular::parameters::smooth(true));
+      const Closed_surface closed(mesh);
+      expect_openings(closed.openings, closed_clean(clean).openings, 0.1);
+      EXPECT_FALSE(pmp::does_self_intersect(closed.mesh));
+      EXPECT_NEAR(pmp::volume(closed.mesh) / pmp::volume(closed_clean(clean).mesh), 1, 0.01);
+      if (severity == 2) {
+        EXPECT_LT(hausdorff_distance(clean, mesh), 0.15);
+      }
+    }
+}
+
 TEST(Repair_surface, Smoothing_takes_noise_and_keeps_volume_and_rims) {
   const Clean_surface& clean = defects::clean_surfaces()[1];
   const Soup noisy = defects::noise(clean, 1);
@@ -255,11 +403,11 @@ TEST(Repair_surface, A_wrap_has_the_shape_and_the_openings_of_the_surface) {
     const Report report = repair(clean.soup, mesh, tubular::parameters::repair_mode(Repair_mode::wrap));
     EXPECT_EQ(report.count(Surface_defect::wrapped), 1u);
     const Closed_surface closed(mesh);
-    EXPECT_EQ(closed.openings, clean.openings);
+    expect_openings(closed.openings, closed_clean(clean).openings, 0.1);
     EXPECT_FALSE(pmp::does_self_intersect(closed.mesh));
     EXPECT_EQ(euler_characteristic(closed.mesh), 2);
     EXPECT_NEAR(pmp::volume(closed.mesh) / pmp::volume(Closed_surface(clean.mesh).mesh), 1, 0.03);
-    EXPECT_LT(farthest_from(clean, mesh), 0.1);
+    EXPECT_LT(hausdorff_distance(clean, mesh), 0.15);
   }
 }
 

@@ -482,6 +482,37 @@ TEST_F(Tool, Wraps_and_smooths_when_told_to) {
   }
 }
 
+TEST_F(Tool, Extends_the_openings) {
+  const Sample s = bifurcation();
+  const Arguments common = {make("y.off", s.surface),
+                            "-n",
+                            "10",
+                            "-o",
+                            out("mesh.vtu"),
+                            "--report",
+                            out("r.json"),
+                            "--inlet",
+                            "3.2,0,12"}; // a twig's end
+  succeed(common);
+  const Json plain = json_in(out("r.json"));
+  EXPECT_TRUE(plain["flow_extensions"].empty());
+  succeed(common + Arguments{"--flow-extensions", "4"});
+  const Json extended = json_in(out("r.json"));
+  expect_report_of(extended, mesh_in(out("mesh.vtu")));
+  ASSERT_EQ(extended["openings"].size(), 3u);
+  ASSERT_EQ(extended["flow_extensions"].size(), 3u);
+  for (std::size_t i = 0; i < 3; ++i) { // in the same order
+    const double radius = plain["openings"][i]["radius"], length = extended["flow_extensions"][i];
+    EXPECT_NEAR(length, 4 * radius, 0.05 * radius);
+    double along = 0;
+    for (int k = 0; k < 3; ++k)
+      along += (extended["openings"][i]["center"][k].get<double>() - plain["openings"][i]["center"][k].get<double>()) *
+               plain["openings"][i]["normal"][k].get<double>();
+    EXPECT_NEAR(along, length, 0.1 * length);
+    EXPECT_NEAR(extended["openings"][i]["radius"].get<double>(), radius, 0.05 * radius);
+  }
+}
+
 TEST_F(Tool, Reads_what_it_has_written) {
   const Sample s = bifurcation();
   Json reports[3];

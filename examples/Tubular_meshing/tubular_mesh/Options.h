@@ -88,7 +88,8 @@ inline void declare_centerline_options(CLI::App& app, Options& o) {
       ->excludes(outlets)
       ->excludes(lines);
   app.add_flag("--loops", o.loops, "keep every branch where vessels split and rejoin")->excludes(lines);
-  app.get_option("--flow-extensions")->excludes(lines);
+  for (const char* ends : {"--centerlines", "--outlet", "--seeds"})
+    app.get_option("--flow-extensions")->excludes(app.get_option(ends));
 }
 
 inline void declare_options(CLI::App& app, Options& o, const std::string& version) {

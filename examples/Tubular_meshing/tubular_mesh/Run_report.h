@@ -90,7 +90,8 @@ Json branches(const tubular::Tubular_model<Point>& model, const tubular::Mixed_m
 
 template <class Point>
 Json make(const Options& options, const std::string& version, const tubular::Repair_report<Point>& repair_report,
-          const tubular::Tubular_model<Point>& model, const tubular::Mixed_mesh<Point>& mesh) {
+          const std::vector<double>& flow_extensions, const tubular::Tubular_model<Point>& model,
+          const tubular::Mixed_mesh<Point>& mesh) {
   const tubular::Validity_report validity = tubular::validity_report(mesh);
   const tubular::Quality_report quality = tubular::quality_report(mesh);
   Json report = {{"program", "tubular_mesh " + version},
@@ -98,6 +99,7 @@ Json make(const Options& options, const std::string& version, const tubular::Rep
                  {"centerlines", options.centerlines.empty() ? Json() : Json(options.centerlines)},
                  {"loops", options.loops},
                  {"repairs", repairs(repair_report)},
+                 {"flow_extensions", flow_extensions},
                  {"output", options.output},
                  {"type", options.type},
                  {"points_per_circumference", options.points_per_circumference},

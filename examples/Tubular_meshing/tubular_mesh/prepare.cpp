@@ -24,11 +24,14 @@ std::vector<Point_3> seeds_of(const Options& o) {
   return seeds;
 }
 
-tubular::Tubular_model<Point_3> with_computed_centerlines(const Options& o, const Surface& surface) {
+tubular::Tubular_model<Point_3> with_computed_centerlines(const Options& o, const Surface& surface,
+                                                          const Flow_extensions& extensions) {
   const auto np = tubular::parameters::loops(o.loops).seeds(seeds_of(o));
-  if (o.inlet.empty())
-    return tubular::make_tubular_model(surface, np);
-  return tubular::make_tubular_model(surface, np.inlet(command_line::point_of<Point_3>(o.inlet)));
+  if (!extensions.openings.empty()) // the inlet has moved
+    return tubular::make_tubular_model(surface, np.inlet(extensions.openings.front().center));
+  if (!o.inlet.empty())
+    return tubular::make_tubular_model(surface, np.inlet(command_line::point_of<Point_3>(o.inlet)));
+  return tubular::make_tubular_model(surface, np);
 }
 
 tubular::Tubular_model<Point_3> with_given_centerlines(const Options& o, const Surface& surface,
@@ -41,10 +44,11 @@ tubular::Tubular_model<Point_3> with_given_centerlines(const Options& o, const S
 
 } // namespace
 
-tubular::Tubular_model<Point_3> prepare(const Options& o, Surface& surface, Stage_clock& clock) {
+tubular::Tubular_model<Point_3> prepare(const Options& o, const Surface& surface, const Flow_extensions& extensions,
+                                        Stage_clock& clock) {
   if (o.centerlines.empty()) {
     clock.begin("centerlines");
-    return with_computed_centerlines(o, surface);
+    return with_computed_centerlines(o, surface, extensions);
   }
   tubular::Centerline_polylines<Point_3> lines;
   tubular::IO::read_centerlines(o.centerlines, lines);

@@ -56,7 +56,13 @@ inline std::string name_of(Surface_defect defect) {
   return names[static_cast<std::size_t>(defect)];
 }
 
-/*! One kind of repair that was done. */
+/*! Whether a finding is but a note: the shape and the openings of the surface are as they were. */
+inline bool is_note(Surface_defect defect) {
+  return defect == Surface_defect::duplicate_points || defect == Surface_defect::inside_out ||
+         defect == Surface_defect::handles;
+}
+
+/*! One kind of repair that was done. For JSON: `name_of(defect)`, `count`, `size`, and `place` if `has_place`. */
 template <class Point_3> struct Repair {
   Surface_defect defect;
   std::size_t count = 0; ///< of the points, triangles, edges, gaps, holes, islands or handles concerned

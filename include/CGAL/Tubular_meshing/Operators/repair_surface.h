@@ -38,22 +38,25 @@ enum class Repair_mode {
  * In this order:
  * - points of equal coordinates are merged; triangles with two equal corners, and repeated ones, are removed;
  * - free edges that nearly coincide over a length (within a fifth of the local edge length) are sewn together,
- * splitting edges where the two sides have different points;
+ *   splitting edges where the two sides have different points;
  * - fins and membranes are removed where they make an edge have more than two triangles, and the sides of the surface
  *   are separated where they touch in a point;
  * - the triangles are oriented consistently, and the whole outward;
  * - all components but the one of the largest area are dropped. A component with a rim close to and facing one of the
  *   part that is kept is a piece of the vessel: then the gap is refused;
- * - triangles less high than a thousandth of their longest side are collapsed or flipped away;
- * - pinholes are filled. A border loop is an opening if the wall stands upright on it: if the mean cosine between the
- *   normals of the loop and of the faces behind it is near 0, as it is at any end of a tube, however oblique. Of those
- *   that lie in the wall, a pinhole has less than half the local radius (half the way to the opposite wall), or few
- *   edges; thin slits are filled as well. A larger hole in the wall, and one that cannot be told from the end of a
- * coarse tube, is refused;
+ * - triangles less high than a thousandth of their longest side are collapsed or flipped away, or replaced with the
+ *   faces around them;
+ * - pinholes are filled. A border loop is an opening if the wall stands upright on it and behind it, out to twice its
+ *   radius, as it does at any end of a tube, however oblique, coarse or ragged: the wall there is on average more than
+ *   half a radius behind the loop, and faces in all directions. Of the loops that lie in the wall, a pinhole has less
+ *   than half the local radius (half the way to the opposite wall), or few edges; cracks are filled as well. A hole
+ *   that touches an opening in a point is told from it, and filled by itself. A larger hole in the wall, one that is
+ *   round and plane as if it had been cut, and one that cannot be told from an opening, are refused;
  * - triangles that cross, or fold back on their neighbours by more than 154 degrees, are smoothed or replaced by a
- * patch that continues the wall; at a rim they are removed;
+ *   patch that continues the wall; at a rim they are removed. If that loses or adds an opening, it is taken back;
  * - where this fails, the surface, its ends closed, is replaced by an alpha wrap (CGAL's Alpha_wrap_3) with alpha a
- *   third of the smallest opening's radius, drawn back onto the surface and cut open at the ends;
+ *   third of the smallest opening's radius, drawn back onto the surface and cut open at the ends. A wrap that would
+ *   take more than about half a minute, that loses or adds an opening, or in which vessels grow together is refused;
  * - loops of vessels, which may be vessels that touch and are fused, are reported, not cut.
  *
  * A surface with none of these is exactly what `IO::read_surface()` makes of it, and the report is empty.
@@ -98,9 +101,7 @@ repair_surface(const std::vector<Point_3>& points, const std::vector<std::array<
   if (mode == Repair_mode::off)
     repairer.assemble(soup);
   else
-    repairer.repair(soup);
-  if (mode == Repair_mode::wrap)
-    repairer.wrap();
+    repairer.repair(soup, mode == Repair_mode::wrap);
   if (internal::choose(np, internal_np::smooth, false))
     repairer.smooth();
   return report;

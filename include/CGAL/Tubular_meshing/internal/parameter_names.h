@@ -22,6 +22,11 @@ CGAL_TUBULAR_MESHING_PARAMETER(centerline_graph)
 // cutting
 CGAL_TUBULAR_MESHING_PARAMETER(aspect_ratio)
 
+// flow extensions
+CGAL_TUBULAR_MESHING_PARAMETER(extension_length)
+CGAL_TUBULAR_MESHING_PARAMETER(min_extension_length)
+CGAL_TUBULAR_MESHING_PARAMETER(extended_openings)
+
 // filling
 CGAL_TUBULAR_MESHING_PARAMETER(facet_distance)
 CGAL_TUBULAR_MESHING_PARAMETER(optimization_passes)

@@ -47,7 +47,7 @@ public:
     for (int round = 0; round < most_rounds && refiner.refine(diagram_); ++round)
       diagram_.insert_samples(surface_);
     find_poles();
-    diagram_.make_faces();
+    diagram_.make_faces(surface_);
   }
 
   /* One line to each end but the first; and, of up to `loops` loops, one line or two each. */
@@ -85,14 +85,24 @@ private:
 
   void find_poles() {
     for (std::size_t i = 0; i < ends_.size(); ++i) {
-      const std::size_t sample = centers_[i] != std::size_t(-1) ? centers_[i] : diagram_.nearest_sample(ends_[i].point);
+      const std::size_t sample = is_cap(i) ? centers_[i] : diagram_.nearest_sample(ends_[i].point);
       const Index pole = diagram_.poles.empty() ? Diagram::none : diagram_.poles[sample];
       if (pole == Diagram::none)
         throw Input_error("No sphere inside the surface touches it at " + name(i) +
                           ": the surface is turned inside out, or not closed there; repair it.");
+      if (!is_cap(i) && distance(ends_[i].point, surface_.points[sample]) > 2 * diagram_.radii[pole])
+        throw Input_error("The place of " + name(i) +
+                          " is further from the surface than the vessel nearest to it is wide; give a point in the "
+                          "lumen, or near its wall, in the unit of the surface.");
+      if (i > 0 && pole == poles_[0] && !is_cap(i) && !is_cap(0))
+        throw Input_error("The place of " + name(i) +
+                          " is that of the inlet, so that no line leads from one to the "
+                          "other; give points further apart.");
       poles_.push_back(pole);
     }
   }
+
+  bool is_cap(std::size_t end) const { return centers_[end] != std::size_t(-1); }
 
   std::string name(std::size_t i) const {
     return (i == 0 ? std::string("its inlet") : "outlet " + std::to_string(i)) +
@@ -157,9 +167,9 @@ private:
   // A traced line begins at the centre of the inlet's cap, and ends at that of the outlet's (0: somewhere within).
   Sampled_line finished(Sampled_line line, std::size_t outlet) const {
     const double window = 1, step = 0.25; // radii
-    if (centers_[0] != std::size_t(-1))
+    if (is_cap(0))
       line.insert(line.begin(), Line_point{ends_[0].point, line.front().radius});
-    if (outlet != 0 && centers_[outlet] != std::size_t(-1))
+    if (outlet != 0 && is_cap(outlet))
       line.push_back(Line_point{ends_[outlet].point, line.back().radius});
     return resampled(smoothed(line, window, 2), step);
   }

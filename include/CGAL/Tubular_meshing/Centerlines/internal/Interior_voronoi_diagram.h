@@ -65,11 +65,12 @@ public:
   std::size_t number_of_faces() const { return face_begin.empty() ? 0 : face_begin.size() - 1; }
 
   /* The faces; apart, since the poles tell whether there are samples enough. */
-  void make_faces() {
+  void make_faces(const Sampled_surface& surface) {
     faces_of.assign(points.size(), {{none, none, none, none, none, none}});
     face_begin.assign(1, 0);
     for (auto e = delaunay_.finite_edges_begin(); e != delaunay_.finite_edges_end(); ++e)
-      add_face(*e);
+      if (runs_inside(surface, e->first->vertex(e->second)->info(), e->first->vertex(e->third)->info()))
+        add_face(*e);
     delaunay_.clear();
   }
 
@@ -124,6 +125,14 @@ private:
       behind += (center - surface.points[i]) * surface.normals[i] < 0;
     }
     return behind >= 3;
+  }
+
+  /* Whether the segment between two samples leaves both of them inwards. Where an inscribed sphere touches two points
+   * of the surface, it does; where two vessels nearly touch, segments join them through the gap, and faces dual to them
+   * lead from one to the other. */
+  static bool runs_inside(const Sampled_surface& surface, Index p, Index q) {
+    const Vector d = surface.points[q] - surface.points[p];
+    return d * surface.normals[p] < 0 && d * surface.normals[q] > 0;
   }
 
   void find_poles() {

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <map>
 #include <set>
 #include <utility>
@@ -27,7 +28,15 @@ public:
   typedef Sampled_surface::Vector Vector;
 
   explicit Sample_refiner(Sampled_surface& surface)
-      : surface_(surface) {}
+      : surface_(surface)
+      , shortest_edge_(surface.points.size(), (std::numeric_limits<double>::infinity)()) {
+    for (const Sampled_surface::Triangle& t : surface_.wall)
+      for (int k = 0; k < 3; ++k) {
+        const Edge edge(t[k], t[(k + 1) % 3]);
+        for (std::size_t v : {edge.first, edge.second})
+          shortest_edge_[v] = (std::min)(shortest_edge_[v], length(edge));
+      }
+  }
 
   /* O(n log n) in the surface and the samples added. Returns whether there was anything to add; if so, call it again
    * with the diagram of all samples. */
@@ -62,12 +71,15 @@ private:
     return std::sqrt(CGAL::squared_distance(surface_.points[e.first], surface_.points[e.second]));
   }
 
-  // Of the larger of the two spheres that touch at the ends of an edge; 0 if there are none.
-  static double radius(const Edge& e, const Interior_voronoi_diagram& diagram) {
+  /* Of the larger of the two spheres that touch at the ends of an edge; 0 if there are none. A vessel is not much
+   * narrower than the edges round it are short: smaller spheres, as there are where vessels nearly touch, do not count,
+   * or there would be no end of samples. */
+  double radius(const Edge& e, const Interior_voronoi_diagram& diagram) const {
+    const double narrowest = 0.5; // of the edges
     double result = 0;
     for (std::size_t v : {e.first, e.second})
       if (diagram.poles[v] != Interior_voronoi_diagram::none)
-        result = (std::max)(result, diagram.radii[diagram.poles[v]]);
+        result = (std::max)({result, diagram.radii[diagram.poles[v]], narrowest * shortest_edge_[v]});
     return result;
   }
 
@@ -112,6 +124,7 @@ private:
   }
 
   Sampled_surface& surface_;
+  std::vector<double> shortest_edge_; // at each sample that is a vertex of the wall
   std::set<Point> added_;
 };
 

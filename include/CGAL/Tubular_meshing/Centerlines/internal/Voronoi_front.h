@@ -66,16 +66,16 @@ public:
   double time(Index v) const { return time_[v]; }
   Index rank(Index v) const { return rank_[v]; }
 
-  /* The path of steepest descent from a vertex to the source. */
+  /* The path of steepest descent from a vertex to the source. It always gets there: should there be no end of small
+   * steps, from vertex to vertex. */
   Sampled_line path_from(Index target) const {
     Sampled_line path;
     Place place = at_vertex(target);
-    const std::size_t longest = 4 * diagram_.points.size();
-    for (std::size_t i = 0; i < longest; ++i) {
+    const std::size_t most_across = diagram_.points.size();
+    path.push_back(Line_point{place.point, place.radius});
+    while (place.a != place.b || rank_[place.a] != 0) {
+      place = path.size() < most_across ? snapped(place, step_down(place)) : at_vertex(earliest_beside(place));
       path.push_back(Line_point{place.point, place.radius});
-      if (place.a == place.b && rank_[place.a] == 0)
-        break;
-      place = step_down(place);
     }
     return path;
   }
@@ -164,14 +164,28 @@ private:
         look_across(f, x, best, best_time);
     if (best.time < x.time)
       return best;
-    // where vertices coincide: along the order in which they were reached
-    Index lowest = rank_[x.a] < rank_[x.b] ? x.a : x.b;
+    return at_vertex(earliest_beside(x)); // where vertices coincide: along the order in which they were reached
+  }
+
+  // Of an edge, the end that was reached first; of a vertex, that vertex of its faces: another one but at the source.
+  Index earliest_beside(const Place& x) const {
+    Index earliest = rank_[x.a] < rank_[x.b] ? x.a : x.b;
     if (x.a == x.b)
       for (Index f : diagram_.faces_of[x.a])
         for (Index i = f == none ? 0 : diagram_.face_begin[f]; f != none && i < diagram_.face_begin[f + 1]; ++i)
-          if (rank_[diagram_.face_vertices[i]] < rank_[lowest])
-            lowest = diagram_.face_vertices[i];
-    return at_vertex(lowest);
+          if (rank_[diagram_.face_vertices[i]] < rank_[earliest])
+            earliest = diagram_.face_vertices[i];
+    return earliest;
+  }
+
+  /* A step, lengthened to the next vertex if it is a small one. Regular surfaces have many samples on common spheres,
+   * and round these spheres' centres, clusters of vertices through which there are thousands of small steps. */
+  Place snapped(const Place& from, const Place& to) const {
+    const double small = 0.01, near = 0.05; // radii
+    if (to.a == to.b || distance(from.point, to.point) > small * to.radius)
+      return to;
+    const Index earlier = rank_[to.a] < rank_[to.b] ? to.a : to.b;
+    return distance(point(earlier), to.point) < near * to.radius ? at_vertex(earlier) : to;
   }
 
   // The point of the face's outline from which x was reached first.

@@ -81,6 +81,7 @@ public:
       file_.fail("cannot be used: its array " + printable(array.attribute("Name").value()) + " is of type " +
                  printable(array.attribute("type").value()) + ", which does not fit its purpose");
     const std::string bytes = decoded(stream_of(array, format));
+    count_decoded(bytes.size());
     return decode_all<T>(bytes, type, swapped_);
   }
 
@@ -184,9 +185,16 @@ private:
     return out;
   }
 
+  // Arrays that all point at the same data would multiply it.
+  void count_decoded(std::size_t bytes) const {
+    decoded_bytes_ += bytes;
+    if (decoded_bytes_ / best_zlib_ratio > file_.bytes.size())
+      file_.fail("cannot be used: its data arrays hold more than fits into it, as several have the same data; it is "
+                 "damaged");
+  }
+
   void inflate_block(Encoded_stream& in, std::uint64_t packed_bytes, std::uint64_t bytes, std::string& out) const {
-    const std::uint64_t best_ratio = 1032; // zlib's
-    if (packed_bytes > in.most_bytes() || bytes > best_ratio * packed_bytes)
+    if (packed_bytes > in.most_bytes() || bytes > best_zlib_ratio * packed_bytes)
       in.fail();
     const std::string packed = in.read(static_cast<std::size_t>(packed_bytes));
     const std::size_t begin = out.size();
@@ -198,7 +206,10 @@ private:
       in.fail();
   }
 
+  static constexpr std::uint64_t best_zlib_ratio = 1032;
+
   const Input_file& file_;
+  mutable std::uint64_t decoded_bytes_ = 0;
   pugi::xml_document document_;
   pugi::xml_node dataset_;
   std::string_view appended_;

@@ -38,6 +38,8 @@ template <class Mesh> void read_medit_comment(std::string_view line, Mesh& mesh)
 
 template <class Mesh> void read_medit_vertices(Text_cursor& in, Mesh& mesh) {
   const std::size_t n = in.count("number of vertices", 7);
+  if (!mesh.points.empty())
+    in.fail("a second section Vertices begins; the elements before it refer to the first");
   mesh.points.resize(n);
   for (Coordinates& p : mesh.points) {
     for (double& x : p)
@@ -51,7 +53,8 @@ template <class Mesh> void read_medit_elements(Text_cursor& in, const Element_ki
   std::array<std::int64_t, 8> corners;
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t k = 0; k < kind.corners; ++k) {
-      corners[k] = in.integer("corner of an element") - 1;
+      const std::int64_t vertex = in.integer("corner of an element"); // counted from 1
+      corners[k] = vertex > 0 ? vertex - 1 : -1;
       check_index(corners[k], mesh.points.size(), kind.medit_keyword, i, in.file());
     }
     add_element(mesh, kind, corners.begin(), false, static_cast<int>(in.integer("reference of an element")));

@@ -4,7 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_OPERATORS_INTERNAL_MATCH_CENTERLINES_H
 #define CGAL_TUBULAR_MESHING_OPERATORS_INTERNAL_MATCH_CENTERLINES_H
 
-#include <CGAL/Tubular_meshing/Centerlines/internal/Nearest_tree.h>
+#include <CGAL/Tubular_meshing/internal/Nearest_tree.h>
 #include <CGAL/Tubular_meshing/Operators/Opening.h>
 #include <CGAL/Tubular_meshing/Operators/internal/Opening_site.h>
 

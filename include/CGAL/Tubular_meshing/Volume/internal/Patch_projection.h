@@ -4,7 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_PATCH_PROJECTION_H
 #define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_PATCH_PROJECTION_H
 
-#include <CGAL/Tubular_meshing/Centerlines/internal/Nearest_tree.h>
+#include <CGAL/Tubular_meshing/internal/Nearest_tree.h>
 #include <CGAL/Tubular_meshing/Volume/internal/rim_corners.h>
 #include <CGAL/Tubular_meshing/internal/Vector_3d.h>
 

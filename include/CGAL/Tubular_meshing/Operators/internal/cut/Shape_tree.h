@@ -4,7 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_OPERATORS_INTERNAL_CUT_SHAPE_TREE_H
 #define CGAL_TUBULAR_MESHING_OPERATORS_INTERNAL_CUT_SHAPE_TREE_H
 
-#include <CGAL/Tubular_meshing/Centerlines/internal/Nearest_tree.h>
+#include <CGAL/Tubular_meshing/internal/Nearest_tree.h>
 #include <CGAL/Tubular_meshing/internal/Vector_3d.h>
 
 #include <CGAL/AABB_tree.h>

@@ -6,15 +6,17 @@
 
 #include <CGAL/Tubular_meshing/Operators/Repair_report.h>
 #include <CGAL/Tubular_meshing/Operators/internal/Opening_site.h>
-#include <CGAL/Tubular_meshing/Operators/internal/flat_ends.h>
 #include <CGAL/Tubular_meshing/Operators/internal/repair/Soup_edges.h>
 #include <CGAL/Tubular_meshing/Operators/internal/repair/drop_islands.h>
 #include <CGAL/Tubular_meshing/Operators/internal/repair/fill_wall.h>
 #include <CGAL/Tubular_meshing/Operators/internal/repair/mend_crossings.h>
 #include <CGAL/Tubular_meshing/Operators/internal/repair/remove_fins.h>
 #include <CGAL/Tubular_meshing/Operators/internal/repair/remove_needles.h>
+#include <CGAL/Tubular_meshing/Operators/internal/repair/report_orientation.h>
 #include <CGAL/Tubular_meshing/Operators/internal/repair/sew_seams.h>
 #include <CGAL/Tubular_meshing/Operators/internal/repair/smooth_noise.h>
+#include <CGAL/Tubular_meshing/Operators/internal/repair/split_touching_loops.h>
+#include <CGAL/Tubular_meshing/Operators/internal/repair/tube_ends.h>
 #include <CGAL/Tubular_meshing/Operators/internal/repair/wall_holes.h>
 #include <CGAL/Tubular_meshing/Operators/internal/repair/wrap_surface.h>
 #include <CGAL/Tubular_meshing/exceptions.h>
@@ -56,8 +58,8 @@ public:
     make_mesh(soup);
   }
 
-  /* Makes the mesh and mends it. */
-  void repair(Triangle_soup& soup) {
+  /* Makes the mesh and mends it; what cannot be mended in place, or anything if so asked, is wrapped. */
+  void repair(Triangle_soup& soup, bool wrap_anyway) {
     merge_and_drop(soup);
     sew(soup);
     remove_fins(soup);
@@ -65,31 +67,13 @@ public:
     report_islands(drop_islands(mesh_));
     turn_outward();
     remove_needles();
+    Touching_loop_splitter<Point>(mesh_).split();
     close_pinholes();
-    if (!mend_crossings() || !is_sound())
+    replace_needles();
+    const bool is_mended = mend_crossings() && is_sound();
+    if (!is_mended || wrap_anyway)
       wrap();
     report_handles();
-  }
-
-  /* Replaces the mesh by a wrap around it. */
-  void wrap() {
-    std::vector<Tube_end<Point>> ends = tube_ends();
-    const double smallest = smallest_radius(ends);
-    const std::size_t number_of_ends = ends.size();
-    std::vector<Point> points(mesh_.points().begin(), mesh_.points().end());
-    std::vector<Soup_triangle> triangles = triangles_and_fans(points);
-    Surface_wrapper<Point> wrapper(std::move(points), std::move(triangles), std::move(ends),
-                                   reason_.empty() ? "The surface is to be wrapped" : reason_);
-    wrapper.wrap(mesh_, smallest);
-    drop_islands(mesh_);
-    const std::string what =
-        reason_.empty() ? "As asked for, the surface was " : reason_ + "; the surface was therefore ";
-    report_.add(Surface_defect::wrapped, 1, wrapper.alpha(),
-                what + "replaced by a wrap around it at a size of " + short_number(wrapper.alpha()) +
-                    ", cut open at its ends.");
-    if (border_cycles(mesh_).size() != number_of_ends || !find_bad_faces_in_wrap().empty())
-      throw Input_error((reason_.empty() ? "The surface cannot be wrapped" : reason_ + ", and wrapping it fails") +
-                        ": clean it in another program.");
   }
 
   void smooth() {
@@ -161,54 +145,14 @@ private:
     points.reserve(soup.points.size());
     for (const Coordinates& p : soup.points)
       points.push_back(point(p));
-    const std::vector<Soup_triangle> before = soup.triangles;
-    Polygon_mesh_processing::orient_polygon_soup(points, soup.triangles);
-    report_orientation(points, before, soup.triangles);
+    if (!Polygon_mesh_processing::is_polygon_soup_a_polygon_mesh(soup.triangles)) { // a cheap test before a dear step
+      const std::vector<Soup_triangle> before = soup.triangles;
+      Polygon_mesh_processing::orient_polygon_soup(points, soup.triangles);
+      report_orientation(points, before, soup.triangles, report_);
+    }
     mesh_.clear();
     Polygon_mesh_processing::polygon_soup_to_polygon_mesh(points, soup.triangles, mesh_);
     Polygon_mesh_processing::stitch_borders(mesh_);
-  }
-
-  void report_orientation(const std::vector<Point>& points, const std::vector<Soup_triangle>& before,
-                          const std::vector<Soup_triangle>& after) {
-    std::size_t turned = 0, first_turned = after.size(), first_kept = after.size();
-    std::size_t doubled = 0, first_doubled = points.size();
-    std::size_t old_points = 0;
-    for (const Soup_triangle& t : before)
-      old_points = (std::max)(old_points, *std::max_element(t.begin(), t.end()) + 1);
-    for (std::size_t f = 0; f < after.size(); ++f) {
-      const bool is_turned = is_reversed(points, before[f], after[f]);
-      turned += is_turned;
-      std::size_t& first = is_turned ? first_turned : first_kept;
-      first = (std::min)(first, f);
-    }
-    if (points.size() > old_points) {
-      doubled = points.size() - old_points;
-      first_doubled = old_points;
-    }
-    // which of the two ways is right is not known here
-    const bool most = 2 * turned > after.size();
-    const std::size_t n = most ? after.size() - turned : turned;
-    if (n > 0) {
-      const Point& place = points[after[most ? first_kept : first_turned][0]];
-      report_.add(Surface_defect::turned_triangles, n, 0,
-                  counted(n, "triangle was", "triangles were") +
-                      " oriented against the others and turned, the first at " + coordinates(place) + ".",
-                  place);
-    }
-    if (doubled > 0)
-      report_.add(Surface_defect::nonmanifold_points, doubled, 0,
-                  "The surface touches itself in " + counted(doubled, "point", "points") + ", the first at " +
-                      coordinates(points[first_doubled]) + ": its sides were separated there.",
-                  points[first_doubled]);
-  }
-
-  // Points may have been doubled meanwhile: corners are compared as points.
-  static bool is_reversed(const std::vector<Point>& points, const Soup_triangle& before, const Soup_triangle& after) {
-    for (int k = 0; k < 3; ++k)
-      if (points[before[0]] == points[after[k]])
-        return points[before[1]] != points[after[(k + 1) % 3]];
-    return false;
   }
 
   // --- the mesh ---
@@ -229,7 +173,7 @@ private:
       return;
     Polygon_mesh_processing::reverse_face_orientations(mesh_);
     report_.add(Surface_defect::inside_out, mesh_.number_of_faces(), 0,
-                "The surface was inside out and was turned: its normals now point out of the lumen.");
+                "The normals of the surface pointed into the lumen; they now point outward.");
   }
 
   void remove_needles() {
@@ -246,9 +190,30 @@ private:
                   place);
   }
 
+  // Those that can neither be collapsed nor flipped away go with the faces around them.
+  void replace_needles() {
+    const Needle_remover<Point> remover(mesh_);
+    const std::vector<Face> needles = remover.find();
+    if (needles.empty())
+      return;
+    note_flat_ends();
+    const Point place = mesh_.point(mesh_.target(mesh_.halfedge(needles.front())));
+    const Mesh before = mesh_;
+    if (!Crossing_mender<Point>(mesh_).replace_all([&] { return remover.find(); }) || !keeps_ends()) {
+      mesh_ = before;
+      return;
+    }
+    report_.add(Surface_defect::needle_triangles, needles.size(), 0,
+                counted(needles.size(), "triangle", "triangles") + " of almost no area, the first at " +
+                    coordinates(place) + ", " + (needles.size() == 1 ? "was" : "were") +
+                    " replaced with the faces around.",
+                place);
+  }
+
+  // Tells the openings from the holes, and closes these.
   void close_pinholes() {
     Loop_classifier<Point> classifier(mesh_);
-    std::vector<Opening_site<Point>> pinholes;
+    std::vector<Opening_site<Point>> openings, pinholes;
     for (auto& loop : border_cycles(mesh_)) {
       const Loop_kind kind = classifier.classify(loop);
       if (kind == Loop_kind::torn_wall)
@@ -256,9 +221,14 @@ private:
                           short_number(loop.shape.radius) +
                           ", too large to be closed by guessing, and it does not lie across a vessel as an opening "
                           "does: fill it, or cut the vessel open there.");
-      if (kind == Loop_kind::pinhole)
-        pinholes.push_back(std::move(loop));
+      (kind == Loop_kind::pinhole ? pinholes : openings).push_back(std::move(loop));
     }
+    tube_ends_.clear();
+    append_ends(openings, tube_ends_);
+    fill(pinholes);
+  }
+
+  void fill(const std::vector<Opening_site<Point>>& pinholes) {
     if (pinholes.empty())
       return;
     const Opening_site<Point>* largest = &pinholes.front();
@@ -280,9 +250,9 @@ private:
     const Bad_faces<Point> bad = find_bad_faces(mesh_);
     if (bad.empty())
       return true;
+    note_flat_ends();
     const Mesh before = mesh_;
-    const std::size_t loops = border_cycles(mesh_).size();
-    const bool mended = Crossing_mender<Point>(mesh_).mend(bad) && border_cycles(mesh_).size() == loops;
+    const bool mended = Crossing_mender<Point>(mesh_).mend(bad) && keeps_ends();
     const std::string end = mended ? "; they were smoothed or replaced." : "; they could not be mended locally.";
     if (bad.crossings > 0) {
       const std::string what = counted(bad.crossings, "pair of triangles crosses", "pairs of triangles cross") +
@@ -301,21 +271,31 @@ private:
     return mended;
   }
 
-  // Whether all that is left of the border are openings, which do not touch.
+  // A clean surface does not pay for them.
+  void note_flat_ends() {
+    if (!knows_flat_ends_)
+      append_ends(flat_ends(mesh_), tube_ends_);
+    knows_flat_ends_ = true;
+  }
+
+  // Whether the ends are where they were, and nothing else is open.
+  bool keeps_ends() const {
+    std::vector<Tube_end<Point>> ends;
+    append_ends(border_cycles(mesh_), ends);
+    append_ends(flat_ends(mesh_), ends);
+    return ends.size() == tube_ends_.size() && first_not_among(tube_ends_, ends) == nullptr &&
+           first_not_among(ends, tube_ends_) == nullptr;
+  }
+
+  // Whether no loops of the border touch, and no needle is left.
   bool is_sound() {
-    Loop_classifier<Point> classifier(mesh_);
     std::unordered_set<Vertex> seen;
-    for (const auto& loop : border_cycles(mesh_)) {
-      if (classifier.classify(loop) != Loop_kind::opening) {
-        reason_ = "The hole of the wall at " + coordinates(loop.shape.center) + " cannot be closed locally";
-        return false;
-      }
+    for (const auto& loop : border_cycles(mesh_))
       for (Halfedge h : loop.rim)
         if (!seen.insert(mesh_.target(h)).second) {
           reason_ = "The border touches itself at " + coordinates(mesh_.point(mesh_.target(h)));
           return false;
         }
-    }
     const std::vector<Face> needles = Needle_remover<Point>(mesh_).find();
     if (needles.empty())
       return true;
@@ -324,10 +304,14 @@ private:
     return false;
   }
 
-  void report_handles() {
+  long number_of_handles() const {
     const long characteristic = long(mesh_.number_of_vertices()) - long(mesh_.number_of_edges()) +
                                 long(mesh_.number_of_faces()) + long(border_cycles(mesh_).size());
-    const long handles = (2 - characteristic) / 2;
+    return (2 - characteristic) / 2;
+  }
+
+  void report_handles() {
+    const long handles = number_of_handles();
     if (handles > 0)
       report_.add(Surface_defect::handles, static_cast<std::size_t>(handles), 0,
                   "The lumen has " + counted(static_cast<std::size_t>(handles), "loop", "loops") +
@@ -336,33 +320,44 @@ private:
 
   // --- wrapping ---
 
-  std::vector<Tube_end<Point>> tube_ends() const {
-    std::vector<Tube_end<Point>> ends;
-    Loop_classifier<Point> classifier(mesh_);
-    for (const auto& loop : border_cycles(mesh_))
-      if (loop.shape.radius > 0 && classifier.classify(loop) == Loop_kind::opening)
-        ends.push_back(tube_end(loop));
-    for (const auto& end : Flat_end_finder<Point>(mesh_, false).find(certain_flat_end()))
-      ends.push_back(tube_end(end));
-    return ends;
+  void wrap() {
+    note_flat_ends();
+    const std::vector<Tube_end<Point>> ends = tube_ends_;
+    const long handles = number_of_handles();
+    std::vector<Point> points(mesh_.points().begin(), mesh_.points().end());
+    std::vector<Soup_triangle> triangles = triangles_and_fans(points);
+    Surface_wrapper<Point> wrapper(std::move(points), std::move(triangles), ends,
+                                   reason_.empty() ? "The surface is to be wrapped" : reason_);
+    wrapper.wrap(mesh_, smallest_radius());
+    drop_islands(mesh_);
+    const std::string what =
+        reason_.empty() ? "As asked for, the surface was " : reason_ + "; the surface was therefore ";
+    report_.add(Surface_defect::wrapped, 1, wrapper.alpha(),
+                what + "replaced by a wrap around it at a size of " + short_number(wrapper.alpha()) +
+                    ", cut open at its ends.");
+    refuse_wrap(ends, handles);
   }
 
-  static Tube_end<Point> tube_end(const Opening_site<Point>& site) {
-    Tube_end<Point> end;
-    end.center = site.shape.center;
-    end.normal = site.shape.plane.normal();
-    end.radius = site.shape.radius;
-    end.reach = site.shape.reach;
-    end.sag = site.shape.sag;
-    return end;
+  void refuse_wrap(const std::vector<Tube_end<Point>>& ends, long handles) const {
+    const std::string what = reason_.empty() ? "The surface cannot be wrapped" : reason_ + ", and wrapping it fails";
+    std::vector<Tube_end<Point>> found;
+    append_ends(border_cycles(mesh_), found);
+    for (const auto& lost : {first_not_among(ends, found), first_not_among(found, ends)})
+      if (lost != nullptr)
+        throw Input_error(what + " at the opening at " + coordinates(lost->center) +
+                          ": cut the surface straight there, or clean it in another program.");
+    if (found.size() != ends.size() || !find_crossings(mesh_).empty())
+      throw Input_error(what + ": clean it in another program.");
+    if (number_of_handles() != handles)
+      throw Input_error(what + ", as vessels that are close to each other grow together: clean it in another program.");
   }
 
   // Of the ends; without one, twice the volume over the area, as of a tube.
-  double smallest_radius(const std::vector<Tube_end<Point>>& ends) const {
+  double smallest_radius() const {
     double smallest = (std::numeric_limits<double>::infinity)();
-    for (const auto& end : ends)
+    for (const auto& end : tube_ends_)
       smallest = (std::min)(smallest, end.radius);
-    if (!ends.empty())
+    if (!tube_ends_.empty())
       return smallest;
     double volume = 0, area = 0;
     const Point& o = mesh_.point(*mesh_.vertices().begin());
@@ -391,17 +386,10 @@ private:
     return triangles;
   }
 
-  std::vector<Face> find_bad_faces_in_wrap() {
-    std::vector<std::pair<Face, Face>> pairs;
-    Polygon_mesh_processing::self_intersections(mesh_, std::back_inserter(pairs));
-    std::vector<Face> faces;
-    for (const auto& pair : pairs)
-      faces.push_back(pair.first);
-    return faces;
-  }
-
   Mesh& mesh_;
   Repair_report<Point>& report_;
+  std::vector<Tube_end<Point>> tube_ends_; ///< as they were before what was amiss between them was mended
+  bool knows_flat_ends_ = false;
   std::string reason_; ///< why the surface is wrapped
 };
 

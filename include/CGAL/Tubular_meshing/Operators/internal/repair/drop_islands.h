@@ -124,9 +124,13 @@ private:
     const auto component_of = [&](const Opening_site<Point>& loop) {
       return component_[std::size_t(mesh_.face(mesh_.opposite(loop.rim.front())))];
     };
+    std::vector<std::size_t> number_of_loops(area_.size(), 0);
+    for (const auto& a : loops)
+      ++number_of_loops[component_of(a)];
     for (const auto& a : loops) {
-      if (component_of(a) == kept || area_[component_of(a)] < 0.01 * area_[kept])
-        continue;
+      const std::size_t c = component_of(a);
+      if (c == kept || (number_of_loops[c] < 2 && area_[c] < 0.01 * area_[kept]))
+        continue; // it is no piece of a tube, and small
       for (const auto& b : loops)
         if (component_of(b) == kept && b.shape.radius > 0.5 * a.shape.radius && a.shape.radius > 0.5 * b.shape.radius &&
             point_distance(a.shape.center, b.shape.center) < a.shape.radius &&

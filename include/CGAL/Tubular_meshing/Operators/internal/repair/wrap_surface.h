@@ -4,9 +4,10 @@
 #ifndef CGAL_TUBULAR_MESHING_OPERATORS_INTERNAL_REPAIR_WRAP_SURFACE_H
 #define CGAL_TUBULAR_MESHING_OPERATORS_INTERNAL_REPAIR_WRAP_SURFACE_H
 
-#include <CGAL/Tubular_meshing/Centerlines/internal/Nearest_tree.h>
+#include <CGAL/Tubular_meshing/internal/Nearest_tree.h>
 #include <CGAL/Tubular_meshing/Operators/internal/Opening_site.h>
 #include <CGAL/Tubular_meshing/Operators/internal/repair/Soup_edges.h>
+#include <CGAL/Tubular_meshing/Operators/internal/repair/tube_ends.h>
 #include <CGAL/Tubular_meshing/Operators/internal/trim_by_plane.h>
 #include <CGAL/Tubular_meshing/exceptions.h>
 
@@ -25,13 +26,6 @@
 namespace CGAL {
 namespace Tubular_meshing {
 namespace internal {
-
-/* Where a tube ends, and how. */
-template <class Point> struct Tube_end {
-  Point center;
-  Vector_of<Point> normal; ///< unit, out of the lumen
-  double radius = 0, reach = 0, sag = 0;
-};
 
 /* Replaces a surface that cannot be mended by an alpha wrap around it (Portaneri et al., Alpha wrapping with an offset,
  * 2022; CGAL's Alpha_wrap_3): the ends are closed by fans, the whole is wrapped with balls of a third of the smallest
@@ -73,7 +67,7 @@ private:
       area += std::sqrt(
                   CGAL::cross_product(points_[t[1]] - points_[t[0]], points_[t[2]] - points_[t[0]]).squared_length()) /
               2;
-    const double most = 1e6; // a minute's work
+    const double most = 4e5; // half a minute's work
     if (!(8 * area / (alpha_ * alpha_) < most))
       throw Input_error(reason_ +
                         ", and the surface is too large to be wrapped at the size of its smallest "

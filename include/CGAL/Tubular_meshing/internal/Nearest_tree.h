@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tubular_meshing authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_TUBULAR_MESHING_CENTERLINES_INTERNAL_NEAREST_TREE_H
-#define CGAL_TUBULAR_MESHING_CENTERLINES_INTERNAL_NEAREST_TREE_H
+#ifndef CGAL_TUBULAR_MESHING_INTERNAL_NEAREST_TREE_H
+#define CGAL_TUBULAR_MESHING_INTERNAL_NEAREST_TREE_H
 
 #include <CGAL/Tubular_meshing/internal/cgal_compatibility.h>
 
@@ -174,4 +174,4 @@ private:
 } // namespace Tubular_meshing
 } // namespace CGAL
 
-#endif // CGAL_TUBULAR_MESHING_CENTERLINES_INTERNAL_NEAREST_TREE_H
+#endif // CGAL_TUBULAR_MESHING_INTERNAL_NEAREST_TREE_H

@@ -1,0 +1,71 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The same surface in another unit, place, direction or order has the same centerlines.
+
+#include "computed_centerlines.h"
+
+#include <CGAL/Tubular_meshing/Generators/tubular_shapes.h>
+
+#include <algorithm>
+
+namespace {
+
+using namespace computed_centerlines;
+
+double diagonal(const Mesh& mesh) {
+  CGAL::Bbox_3 box;
+  for (auto v : mesh.vertices())
+    box += mesh.point(v).bbox();
+  return distance(Point(box.xmin(), box.ymin(), box.zmin()), Point(box.xmax(), box.ymax(), box.zmax()));
+}
+
+void expect_same(const Graph& a, const Graph& b, const Transformation& t, double tolerance) {
+  ASSERT_EQ(a.points().size(), b.points().size());
+  ASSERT_EQ(a.branches().size(), b.branches().size());
+  double largest = 0;
+  for (std::size_t i = 0; i < a.points().size(); ++i)
+    largest = std::max(largest, distance(t(a.points()[i]), b.points()[i]));
+  EXPECT_LE(largest, tolerance);
+}
+
+/* Within 1e-6 of the size, wherever the surface lies: moved by 100 diagonals, double precision still tells points apart
+ * that are 1e-14 diagonals from each other. */
+void expect_invariance(const Mesh& surface, bool loops = false) {
+  const double size = diagonal(surface);
+  const Graph graph = centerlines_of(surface, nullptr, loops);
+  const auto expect = [&](const char* what, const Mesh& other, const Transformation& t, double scale = 1) {
+    SCOPED_TRACE(what);
+    expect_same(graph, centerlines_of(other, nullptr, loops), t, 1e-6 * scale * size);
+  };
+  const Transformation none(CGAL::IDENTITY), turn = rotation(0.7), small(CGAL::SCALING, 1, 1000),
+                                             large(CGAL::SCALING, 1000000, 1),
+                                             move(CGAL::TRANSLATION, size * Vector(60, -80, 10));
+  expect("shuffled", shuffled(surface, 3), none);
+  expect("turned", transformed(surface, turn), turn);
+  expect("a thousandth", transformed(surface, small), small, 1e-3);
+  expect("times a million", transformed(surface, large), large, 1e6);
+  expect("moved", transformed(surface, move), move);
+}
+
+void expect_invariance_of(const std::string& file, bool loops = false) {
+  const Mesh surface = shared_surface(file);
+  if (surface.is_empty())
+    GTEST_SKIP() << "needs shared/data/" << file;
+  expect_invariance(surface, loops);
+}
+
+TEST(Centerlines_invariance, arch) {
+  expect_invariance(surface_of(tubular::aortic_arch<Point>()));
+}
+TEST(Centerlines_invariance, loop) {
+  expect_invariance(surface_of(tubular::willis_loop<Point>(), 12), true);
+}
+TEST(Centerlines_invariance, carotid) {
+  expect_invariance_of("paper/carotid.stl");
+}
+TEST(Centerlines_invariance, vessels_that_split_and_rejoin) {
+  expect_invariance_of("trees/sofa_phantom_network.obj", true);
+}
+
+} // namespace
