@@ -100,8 +100,10 @@ Cut cut(Model& model, double aspect_ratio = 4) {
 // Area over the square of the longest side.
 double shape(const Mesh& mesh, Mesh::Face_index f) {
   const auto h = mesh.halfedge(f);
-  const Point &a = mesh.point(mesh.source(h)), &b = mesh.point(mesh.target(h)), &c = mesh.point(mesh.target(mesh.next(h)));
-  const double longest = std::max({CGAL::squared_distance(a, b), CGAL::squared_distance(b, c), CGAL::squared_distance(c, a)});
+  const Point &a = mesh.point(mesh.source(h)), &b = mesh.point(mesh.target(h)),
+              &c = mesh.point(mesh.target(mesh.next(h)));
+  const double longest =
+      std::max({CGAL::squared_distance(a, b), CGAL::squared_distance(b, c), CGAL::squared_distance(c, a)});
   return std::sqrt(CGAL::squared_area(a, b, c)) / longest;
 }
 
@@ -254,7 +256,8 @@ Flatness flatness(const Model& model, const Curve& curve) {
   Flatness result;
   for (auto v : curve.vertices)
     result.off_plane = std::max(result.off_plane, std::abs((model.surface.point(v) - center) * normal));
-  result.angle = std::acos(std::min(1., std::abs(normal * branch_direction(model.centerlines, curve.branch, curve.abscissa))));
+  result.angle =
+      std::acos(std::min(1., std::abs(normal * branch_direction(model.centerlines, curve.branch, curve.abscissa))));
   return result;
 }
 

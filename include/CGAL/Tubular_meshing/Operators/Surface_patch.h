@@ -97,8 +97,7 @@ template <class Point_3> struct Cut_problem {
 
   /// A sentence for people.
   std::string message() const {
-    const char* const what[] = {"No disk divides a patch that is too long",
-                                "A patch is no sphere with holes",
+    const char* const what[] = {"No disk divides a patch that is too long", "A patch is no sphere with holes",
                                 "A vessel has no centerline, and is not cut: give a seed at its end"};
     return std::string(what[kind]) + "; branch " + std::to_string(branch) + ", patch " + std::to_string(patch) +
            ", near (" + std::to_string(point.x()) + ", " + std::to_string(point.y()) + ", " +
@@ -119,7 +118,7 @@ template <class Point_3> struct Surface_cut {
   std::vector<Surface_patch<Point_3>> patches;
   std::vector<Cut_curve<Point_3>> curves; ///< cuts, along the centerlines, then rims
   std::vector<Cut_problem<Point_3>> problems;
-  std::size_t moved_cuts = 0;              ///< disks that were moved off the place wanted, or tilted, to close
+  std::size_t moved_cuts = 0;               ///< disks that were moved off the place wanted, or tilted, to close
   std::vector<std::size_t> merged_branches; ///< whole parts of junctions: too short for a cut, or no disk closes
 
   /// Whether every patch is as it should be.

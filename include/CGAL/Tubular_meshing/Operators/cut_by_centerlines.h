@@ -146,8 +146,8 @@ private:
  * - *Where.* Each branch is cut off its junctions where its own tube begins: about where its centerline leaves the ball
  *   inscribed at the bifurcation, at the first disk that is not widened by the junction any more. Branches are then
  *   divided into parts, equally long in local diameters, of aspect ratio length / (min radius + max radius) ≤ 4. A
- *   branch no longer than its junctions stays with them, if their patch is not too long then; two bifurcations close to each other are parted by one cut, or
- *   share their junction. Cycles of the graph are cut twice at least.
+ *   branch no longer than its junctions stays with them, if their patch is not too long then; two bifurcations close to
+ * each other are parted by one cut, or share their junction. Cycles of the graph are cut twice at least.
  * - *How.* A disk is perpendicular to the centerline. It is bounded by that closed curve of its plane's section with
  *   the surface that goes round the centerline; the curve is followed from triangle to triangle, and only triangles on
  *   it are divided. Where it passes an edge within a quarter of an end, it goes through the vertex instead, so that no

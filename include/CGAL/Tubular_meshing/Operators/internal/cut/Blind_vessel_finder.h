@@ -20,7 +20,7 @@ namespace internal {
 
 /* Finds vessels that have no centerline, as they end blind: parts of a patch that are far from the centerlines for the
  * radius there, that no curve bounds, and that are longer than wide. An aneurysm's sac is round, and is none.
- * O(n log n) in the surface and the graph. */
+ * O(n log n) in the surface and the graph, and O(graph) for each such part. */
 template <class Point_3, class FacePatchMap> class Blind_vessel_finder {
 public:
   typedef Cut_surface<Point_3, FacePatchMap> Surface;
@@ -38,6 +38,7 @@ public:
   Blind_vessel_finder(const Surface& surface, const Centerline_graph<Point_3>& graph)
       : surface_(surface)
       , mesh_(surface.mesh())
+      , graph_(graph)
       , field_(graph) {}
 
   // In the order of their first faces.
@@ -48,14 +49,15 @@ public:
     for (Face f : mesh_.faces())
       if (!done[f] && is_far(f)) {
         const std::vector<Face> part = far_part(f, done);
-        if (!is_bounded_by_curve(part) && is_vessel(part))
-          vessels.push_back(Blind_vessel{tip(part), f, field_.descriptors(mesh_.point(tip(part))).branch});
+        const Vertex end = tip(part);
+        if (!is_bounded_by_curve(part) && is_vessel(part, end) && is_far_from_all(end))
+          vessels.push_back(Blind_vessel{end, f, field_.descriptors(mesh_.point(end)).branch});
       }
     return vessels;
   }
 
 private:
-  static constexpr double far_radii = 3;    // from the centerline
+  static constexpr double far_radii = 3;     // from the centerline
   static constexpr double slenderness = 1.5; // length over diameter; 1 for a ball
 
   void measure() {
@@ -111,9 +113,21 @@ private:
     return best;
   }
 
+  // Where a small branch leaves a large one, the wall of the large one is near the small one's centerline, and yet far
+  // for its radius.
+  bool is_far_from_all(Vertex v) const {
+    const Vector_3d p = surface_.point(v);
+    for (std::size_t i = 0; i < graph_.points().size(); ++i) {
+      const double ball = far_radii * graph_.radii()[i];
+      if (squared_norm(p - Vector_3d(graph_.points()[i])) <= ball * ball)
+        return false;
+    }
+    return true;
+  }
+
   // The wall of a tube of length l and diameter d is π d l; that of a ball, for l = d, the same.
-  bool is_vessel(const std::vector<Face>& part) const {
-    const Vector_3d top = surface_.point(tip(part));
+  bool is_vessel(const std::vector<Face>& part, Vertex end) const {
+    const Vector_3d top = surface_.point(end);
     double area = 0, length = 0;
     for (Face f : part) {
       const Halfedge h = mesh_.halfedge(f);
@@ -127,6 +141,7 @@ private:
 
   const Surface& surface_;
   const Mesh& mesh_;
+  const Centerline_graph<Point_3>& graph_;
   Centerline_field<Point_3> field_;
   std::vector<double> distance_; // of each vertex from the centerlines
   std::vector<char> is_far_;

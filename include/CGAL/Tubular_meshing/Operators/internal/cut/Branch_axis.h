@@ -42,8 +42,7 @@ public:
    */
   Vector_3d tangent(double s) const {
     const double reach = 0.5 * radius(s);
-    const Vector_3d chord =
-        point((std::min)(length(), s + reach)) - point((std::max)(0., s - reach));
+    const Vector_3d chord = point((std::min)(length(), s + reach)) - point((std::max)(0., s - reach));
     if (squared_norm(chord) > 0)
       return normalized(chord);
     const Place p = place(s);

@@ -42,8 +42,8 @@ public:
     const double from = at_source ? axis.exit(true, outside * radius_at(b.source)) : axis.radius(0);
     const double to =
         axis.length() - (at_target ? axis.exit(false, outside * radius_at(b.target)) : axis.radius(axis.length()));
-    const bool is_cut = from <= to ? cut_in_range(branch, from, to, at_source, at_target)
-                                   : at_source && at_target && cut_short(branch);
+    const bool is_cut =
+        from <= to ? cut_in_range(branch, from, to, at_source, at_target) : at_source && at_target && cut_short(branch);
     if (!is_cut)
       merged_.push_back(branch);
   }

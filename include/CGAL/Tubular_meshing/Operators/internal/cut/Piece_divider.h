@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -119,8 +120,7 @@ private:
     std::stable_sort(places.begin(), places.end(), [](const Place& a, const Place& b) { return a.order < b.order; });
     for (int tilted = 0; tilted < 2; ++tilted)
       for (const Place& p : places) {
-        const Disk disk =
-            tilted ? cutter_.probe_tilted(p.branch, p.abscissa) : cutter_.probe(p.branch, p.abscissa);
+        const Disk disk = tilted ? cutter_.probe_tilted(p.branch, p.abscissa) : cutter_.probe(p.branch, p.abscissa);
         if (disk.is_cuttable() && cutter_.roundness(p.branch, disk) <= round && cutter_.cut(p.branch, disk)) {
           ++cuts_;
           return p.branch;
@@ -148,8 +148,8 @@ private:
     limits.push_back(length);
     for (size_type i = 0; i + 1 < limits.size(); ++i)
       add_places(
-          branch, limits[i], limits[i + 1],
-          [&](double s) { return -(std::min)(s - limits[i], limits[i + 1] - s); }, places);
+          branch, limits[i], limits[i + 1], [&](double s) { return -(std::min)(s - limits[i], limits[i + 1] - s); },
+          places);
     return cut_at_first(places) != none;
   }
 

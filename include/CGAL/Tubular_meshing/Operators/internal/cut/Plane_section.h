@@ -7,12 +7,12 @@
 #include <CGAL/Tubular_meshing/internal/Vector_3d.h>
 
 #include <CGAL/Bbox_3.h>
+#include <CGAL/number_type_config.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -27,8 +27,8 @@ public:
       , normal_(normal) {
     const Vector_3d n = normal;
     const Vector_3d axis = std::abs(n.x) <= std::abs(n.y) && std::abs(n.x) <= std::abs(n.z) ? Vector_3d(1, 0, 0)
-                           : std::abs(n.y) <= std::abs(n.z)                               ? Vector_3d(0, 1, 0)
-                                                                                          : Vector_3d(0, 0, 1);
+                           : std::abs(n.y) <= std::abs(n.z)                                 ? Vector_3d(0, 1, 0)
+                                                                                            : Vector_3d(0, 0, 1);
     u_ = normalized(cross(n, axis));
     v_ = cross(n, u_);
   }
@@ -36,9 +36,7 @@ public:
   const Vector_3d& origin() const { return origin_; }
   const Vector_3d& normal() const { return normal_; }
   double height(const Vector_3d& p) const { return dot(p - origin_, normal_); }
-  std::array<double, 2> coordinates(const Vector_3d& p) const {
-    return {dot(p - origin_, u_), dot(p - origin_, v_)};
-  }
+  std::array<double, 2> coordinates(const Vector_3d& p) const { return {dot(p - origin_, u_), dot(p - origin_, v_)}; }
   // A direction in the plane, `angle` from its first axis.
   Vector_3d direction(double angle) const { return std::cos(angle) * u_ + std::sin(angle) * v_; }
 

@@ -11,9 +11,9 @@
 #include <CGAL/Tubular_meshing/Operators/internal/cut/Shape_tree.h>
 #include <CGAL/Tubular_meshing/internal/Vector_3d.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <limits>
-#include <utility>
 #include <vector>
 
 namespace CGAL {

@@ -58,8 +58,8 @@ public:
   }
 
 private:
-  static constexpr double near_edge_end = 0.25;// of the edge's length
-  static constexpr double near_share = 0.25;   // of the section's radius: how far a curve may leave its plane
+  static constexpr double near_edge_end = 0.25; // of the edge's length
+  static constexpr double near_share = 0.25;    // of the section's radius: how far a curve may leave its plane
 
   // The crossings about a vertex: `length` of them, from number `begin` on.
   struct Run {

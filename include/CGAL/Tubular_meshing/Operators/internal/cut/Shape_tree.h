@@ -11,7 +11,6 @@
 #include <CGAL/Bbox_3.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
