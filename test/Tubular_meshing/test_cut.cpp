@@ -635,6 +635,9 @@ TEST(Cut_real, Coarse_coronary) {
 TEST(Cut_real, Noisy_carotids) {
   cut_real({"trees/sofa_carotids.stl", false, 4, 0});
 }
+TEST(Cut_real, Vessels_that_split_and_rejoin) {
+  cut_real({"trees/sofa_phantom_network.obj", true, 60, 0});
+}
 TEST(Cut_real, Bypass) {
   cut_real({"paper/bypass.stl", true, 6, 1});
 }

@@ -46,9 +46,8 @@ public:
     const int directions = 5; // where the lumen's section has holes, a ray may meet the rim of one
     for (int i = 0; i < directions; ++i) {
       const Face start = face_in_direction(plane, 2 * CGAL_PI * i / directions);
-      if (start == Mesh::null_face() || !surface_.is_wall(start) || !walk(start, plane, reach, section))
-        return false;
-      if (section.winding_number({0, 0}) == -1)
+      if (start != Mesh::null_face() && surface_.is_wall(start) && walk(start, plane, reach, section) &&
+          section.winding_number({0, 0}) == -1)
         return centerlines_through(plane, section) == 1;
     }
     return false;

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdlib>
 #include <limits>
 #include <vector>
 
@@ -45,7 +46,8 @@ public:
   }
 
 private:
-  static constexpr double margin = 0.9; // parts this much shorter than allowed: disks may have to move
+  static constexpr double margin = 0.9;           // parts this much shorter than allowed: disks may have to move
+  static constexpr double price_of_a_step = 0.04; // what a disk must be narrower by to be worth it
 
   void divide(size_type branch, double from, double to) {
     const Axis axis = cutter_.axis(branch);
@@ -67,6 +69,7 @@ private:
     const double step = 0.2 * axis.radius(wanted), least_part = (std::min)(axis.radius(wanted), (to - from) / 4);
     const double first = from + least_part, last = to - least_part;
     Disk best;
+    int best_steps = 0;
     double best_cost = (std::numeric_limits<double>::infinity)();
     const auto consider = [&](int steps) {
       const double s = wanted + steps * step;
@@ -76,6 +79,7 @@ private:
       const double cost = disk.perimeter * (1 + price_of_a_step * std::abs(steps));
       if (cost < best_cost) {
         best = disk;
+        best_steps = steps;
         best_cost = cost;
       }
     };
@@ -89,12 +93,10 @@ private:
     }
     if (!best.is_cuttable())
       best = cutter_.probe_tilted(branch, wanted);
-    if (best.is_cuttable() && (best.tilt != 0 || std::abs(best.abscissa - wanted) > steps_of_a_radius * step))
+    if (best.is_cuttable() && (best.tilt != 0 || std::abs(best_steps) > steps_of_a_radius))
       ++moved_;
     return best;
   }
-
-  static constexpr double price_of_a_step = 0.04; // what a disk must be narrower by to be worth it
 
   Cutter& cutter_;
   const double aspect_ratio_;
