@@ -23,6 +23,7 @@ CGAL_TUBULAR_MESHING_PARAMETER(centerline_graph)
 CGAL_TUBULAR_MESHING_PARAMETER(extension_length)
 CGAL_TUBULAR_MESHING_PARAMETER(min_extension_length)
 CGAL_TUBULAR_MESHING_PARAMETER(extended_openings)
+
 // cutting
 CGAL_TUBULAR_MESHING_PARAMETER(aspect_ratio)
 
