@@ -16,7 +16,8 @@ enum class Parameterization_method {
   conformal_mended, ///< conformal, but near triangles that were flipped: there mean value coordinates
   harmonic,         ///< by cotangents, bounded from below, with the outer loop on a circle: mostly near conformal
   mean_value,       ///< Floater's mean value coordinates, with the outer loop on a circle by its lengths
-  uniform           ///< Tutte's map: each vertex in the middle of its neighbours
+  uniform,          ///< Tutte's map: each vertex in the middle of its neighbours
+  shortened         ///< for long blind branches: as if the surface were less deep, as seen from its outer loop
 };
 
 /*! \ingroup PkgTubularMeshingRef
@@ -31,8 +32,10 @@ inline const char* name_of(Parameterization_method method) {
     return "harmonic";
   case Parameterization_method::mean_value:
     return "mean_value";
-  default:
+  case Parameterization_method::uniform:
     return "uniform";
+  default:
+    return "shortened";
   }
 }
 

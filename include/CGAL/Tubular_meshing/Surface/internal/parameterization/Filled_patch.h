@@ -68,6 +68,32 @@ struct Filled_patch {
     return sum;
   }
 
+  // Of each vertex, along edges.
+  std::vector<double> distances_from_outer() const {
+    typedef std::pair<double, int> Entry;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
+    std::vector<double> distance(points.size(), (std::numeric_limits<double>::infinity)());
+    for (int v : outer_loop()) {
+      distance[std::size_t(v)] = 0;
+      queue.emplace(0, v);
+    }
+    while (!queue.empty()) {
+      const Entry e = queue.top();
+      queue.pop();
+      if (e.first > distance[std::size_t(e.second)])
+        continue;
+      for (const int* h = outgoing.begin(e.second); h != outgoing.end(e.second); ++h) {
+        const int w = target_of(triangles, *h);
+        const double d = e.first + length(e.second, w);
+        if (d < distance[std::size_t(w)]) {
+          distance[std::size_t(w)] = d;
+          queue.emplace(d, w);
+        }
+      }
+    }
+    return distance;
+  }
+
   // The vertices around an interior vertex, counterclockwise.
   std::vector<int> link(int v) const {
     std::vector<int> around;
@@ -134,32 +160,6 @@ private:
       if (opposite[std::size_t(*h)] < 0 && target_of(triangles, *h) == b)
         return true;
     return false;
-  }
-
-  // Along edges.
-  std::vector<double> distances_from_outer() const {
-    typedef std::pair<double, int> Entry;
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
-    std::vector<double> distance(points.size(), (std::numeric_limits<double>::infinity)());
-    for (int v : outer_loop()) {
-      distance[std::size_t(v)] = 0;
-      queue.emplace(0, v);
-    }
-    while (!queue.empty()) {
-      const Entry e = queue.top();
-      queue.pop();
-      if (e.first > distance[std::size_t(e.second)])
-        continue;
-      for (const int* h = outgoing.begin(e.second); h != outgoing.end(e.second); ++h) {
-        const int w = target_of(triangles, *h);
-        const double d = e.first + length(e.second, w);
-        if (d < distance[std::size_t(w)]) {
-          distance[std::size_t(w)] = d;
-          queue.emplace(d, w);
-        }
-      }
-    }
-    return distance;
   }
 
   void choose_pole() {

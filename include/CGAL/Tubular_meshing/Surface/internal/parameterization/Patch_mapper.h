@@ -50,6 +50,9 @@ public:
       return Parameterization_method::mean_value;
     if (map_inside(Edge_weights::uniform))
       return Parameterization_method::uniform;
+    for (double shortening : {4., 16., 64., 256.})
+      if (map_inside(Edge_weights::shortened, shortening))
+        return Parameterization_method::shortened;
     throw Meshing_error("A patch of " + std::to_string(patch_.own_triangles) + " triangles near (" +
                         std::to_string(patch_.points[0].x) + ", " + std::to_string(patch_.points[0].y) + ", " +
                         std::to_string(patch_.points[0].z) +
@@ -117,11 +120,11 @@ private:
   }
 
   // Each free vertex into the weighted mean of its neighbours.
-  bool place_free_vertices(Edge_weights kind, const std::vector<char>& is_fixed) {
+  bool place_free_vertices(Edge_weights kind, const std::vector<char>& is_fixed, double shortening = 1) {
     Columns x(Eigen::Index(uv_.size()), 2);
     for (std::size_t v = 0; v < uv_.size(); ++v)
       x.row(Eigen::Index(v)) = uv_[v].transpose();
-    const std::vector<Weighted_edge> edges = edge_weights(patch_, kind);
+    const std::vector<Weighted_edge> edges = edge_weights(patch_, kind, shortening);
     if (!Laplace_system(edges, is_fixed).solve(Columns::Zero(x.rows(), 2), x))
       return false;
     for (std::size_t v = 0; v < uv_.size(); ++v)
@@ -129,8 +132,8 @@ private:
     return true;
   }
 
-  bool map_inside(Edge_weights kind) {
-    return place_free_vertices(kind, patch_.is_outer) && is_bijective(patch_, uv_);
+  bool map_inside(Edge_weights kind, double shortening = 1) {
+    return place_free_vertices(kind, patch_.is_outer, shortening) && is_bijective(patch_, uv_);
   }
 
   // Keeps the conformal map but near the triangles that are flipped: there vertices go into means of their neighbours.

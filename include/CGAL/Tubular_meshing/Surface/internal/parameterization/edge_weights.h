@@ -26,7 +26,8 @@ enum class Edge_weights {
   cotangent,         ///< of the Laplacian of finite elements: symmetric, negative where angles are obtuse
   clamped_cotangent, ///< these, none of them less than a hundredth or more than a hundred
   mean_value,        ///< Floater's mean value coordinates: positive, not symmetric
-  uniform            ///< Tutte's
+  uniform,           ///< Tutte's
+  shortened          ///< inverse squared lengths, where depth from the outer loop counts less: see Edge_weigher
 };
 
 /* Of the angle at the source of a halfedge. Where it is almost 0 or π, bounded: there is no telling such cotangents
@@ -49,13 +50,18 @@ inline double half_tangent_at(const Filled_patch& patch, int h) {
   return (std::max)(1 / bound, s < bound * t ? s / t : bound);
 }
 
+/* Weighs edges. For `shortened` weights, the surface is taken as one that is less deep by the given factor: a blind
+ * branch, whose image shrinks exponentially with its depth over its radius, then fits into floating point numbers. */
 class Edge_weigher {
 public:
-  Edge_weigher(const Filled_patch& patch, Edge_weights kind)
+  Edge_weigher(const Filled_patch& patch, Edge_weights kind, double shortening = 1)
       : patch_(patch)
-      , kind_(kind) {
+      , kind_(kind)
+      , flattening_(1 - 1 / (shortening * shortening)) {
+    if (kind == Edge_weights::shortened)
+      depth_ = patch.distances_from_outer();
     const double mean = patch.length(patch.outer_loop()) / double(patch.outer_loop().size());
-    shortest_ = 1e-9 * mean;
+    shortest_ = (kind == Edge_weights::shortened ? 1e-4 : 1e-9) * mean;
   }
 
   // Halfedge h, from a to b, with the triangle beyond it, if there is one.
@@ -63,6 +69,12 @@ public:
     const int a = source_of(patch_.triangles, h), b = target_of(patch_.triangles, h);
     if (kind_ == Edge_weights::uniform)
       return {a, b, 1, 1};
+    if (kind_ == Edge_weights::shortened) {
+      const double l = (std::max)(patch_.length(a, b), shortest_);
+      const double deep = (std::min)(std::abs(depth_[std::size_t(a)] - depth_[std::size_t(b)]), l);
+      const double w = 1 / (l * l - flattening_ * deep * deep);
+      return {a, b, w, w};
+    }
     const int o = patch_.opposite[std::size_t(h)];
     if (kind_ == Edge_weights::mean_value) {
       const double l = (std::max)(patch_.length(a, b), shortest_);
@@ -81,12 +93,15 @@ private:
 
   const Filled_patch& patch_;
   const Edge_weights kind_;
+  const double flattening_;
+  std::vector<double> depth_;
   double shortest_; // edges count as no shorter than this
 };
 
 /* Of all edges. */
-inline std::vector<Weighted_edge> edge_weights(const Filled_patch& patch, Edge_weights kind) {
-  const Edge_weigher weigher(patch, kind);
+inline std::vector<Weighted_edge> edge_weights(const Filled_patch& patch, Edge_weights kind,
+                                               double shortening = 1) {
+  const Edge_weigher weigher(patch, kind, shortening);
   std::vector<Weighted_edge> edges;
   edges.reserve(patch.opposite.size() / 2 + patch.outer_loop().size());
   for (int h = 0; h < int(patch.opposite.size()); ++h)
