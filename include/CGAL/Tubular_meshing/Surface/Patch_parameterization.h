@@ -57,10 +57,12 @@ public:
   /// An empty one, to be assigned to.
   Patch_parameterization() = default;
 
-  /// Of a patch whose points have the given places in the plane. O(n log n).
-  Patch_parameterization(Indexed_patch<Point_3> patch, std::vector<Eigen::Vector2d> uv, Parameterization_method method,
-                         std::size_t number_of_flips)
+  /// Of a patch whose points have the given places in the plane, and whose triangles are parts of those with the given
+  /// numbers. O(n log n).
+  Patch_parameterization(Indexed_patch<Point_3> patch, std::vector<int> input_triangles,
+                         std::vector<Eigen::Vector2d> uv, Parameterization_method method, std::size_t number_of_flips)
       : patch_(std::move(patch))
+      , input_triangles_(std::move(input_triangles))
       , uv_(std::move(uv))
       , method_(method)
       , number_of_flips_(number_of_flips)
@@ -73,7 +75,11 @@ public:
   /// \name The map
   /// @{
 
+  /// The patch as it was given, but that wide triangles may be divided: new points come after the given ones. Loops are
+  /// as they were.
   const Indexed_patch<Point_3>& patch() const { return patch_; }
+  /// The triangle of the given patch that a triangle is part of.
+  int input_triangle(int triangle) const { return input_triangles_[std::size_t(triangle)]; }
   std::size_t number_of_vertices() const { return uv_.size(); }
   std::size_t number_of_triangles() const { return patch_.triangles.size(); }
   Point_2 uv(int vertex) const { return point_2(uv_[std::size_t(vertex)]); }
@@ -277,6 +283,7 @@ private:
   }
 
   Indexed_patch<Point_3> patch_;
+  std::vector<int> input_triangles_;
   std::vector<Eigen::Vector2d> uv_;
   Parameterization_method method_ = Parameterization_method::conformal;
   std::size_t number_of_flips_ = 0;

@@ -9,6 +9,7 @@
 #include <CGAL/Tubular_meshing/Surface/Patch_parameterization.h>
 #include <CGAL/Tubular_meshing/Surface/internal/parameterization/Filled_patch.h>
 #include <CGAL/Tubular_meshing/Surface/internal/parameterization/Patch_mapper.h>
+#include <CGAL/Tubular_meshing/Surface/internal/parameterization/Edge_halver.h>
 #include <CGAL/Tubular_meshing/Surface/internal/parameterization/for_each_patch.h>
 #include <CGAL/Tubular_meshing/internal/Vector_3d.h>
 #include <CGAL/Tubular_meshing/parameters.h>
@@ -19,6 +20,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -68,12 +70,16 @@ template <class Point_3> void check_patch(const Indexed_patch<Point_3>& patch) {
  * - *Disks* (one loop) go onto the unit disk: the ring without the triangles around an inner vertex tells where the
  *   border goes on the circle, and coordinates are harmonic inside.
  *
+ * Edges of tubes and junctions that reach further than an eighth of the way around, or as far along, are halved first,
+ * but for those of loops: on triangles that wide, no linear map is near the conformal one. The surface stays what it is.
+ *
  * Then every triangle must be counterclockwise in the plane, decided exactly, and no loop may meet itself; which makes
  * the map a bijection. Where triangles are very obtuse or tubes have few sides, some may be flipped. Then the vertices
  * around them are moved into means of their neighbours (mean value coordinates). If that fails, all vertices inside of
  * the circle are, with holes filled, by cotangent weights bounded from below, by mean value coordinates, or by equal
- * weights: each of them a bijection in exact arithmetic, as the circle is convex (M. S. Floater, *One-to-one piecewise
- * linear mappings over triangulations*, Math. Comp. 72, 2003). The result says which method was taken.
+ * weights; and at last by weights under which long blind branches, which shrink exponentially, do so less. Each of these
+ * is a bijection in exact arithmetic, as the circle is convex (M. S. Floater, *One-to-one piecewise linear mappings over
+ * triangulations*, Math. Comp. 72, 2003). The result says which method was taken.
  *
  * About O(n^1.5). Several threads may call it at once, for different patches or the same one.
  *
@@ -85,17 +91,29 @@ template <class Point_3> void check_patch(const Indexed_patch<Point_3>& patch) {
  */
 template <class Point_3> Patch_parameterization<Point_3> parameterize_patch(Indexed_patch<Point_3> patch) {
   internal::check_patch(patch);
-  const internal::Filled_patch filled(patch);
-  internal::Patch_mapper mapper(filled);
-  const Parameterization_method method = mapper.run();
-  std::vector<Eigen::Vector2d> uv(mapper.uv().begin(), mapper.uv().begin() + std::ptrdiff_t(patch.points.size()));
-  return Patch_parameterization<Point_3>(std::move(patch), std::move(uv), method, mapper.number_of_flips());
+  std::vector<int> origin(patch.triangles.size());
+  std::iota(origin.begin(), origin.end(), 0);
+  const std::size_t most_triangles = 1000 + 8 * patch.triangles.size();
+  for (int most_divisions = 6;; --most_divisions) {
+    const internal::Filled_patch filled(patch);
+    internal::Patch_mapper mapper(filled);
+    mapper.map_conformally();
+    const std::vector<char> wide = mapper.wide_halfedges();
+    if (!wide.empty() && most_divisions > 0 && patch.triangles.size() < most_triangles) {
+      internal::Edge_halver<Point_3>(patch, origin).run(filled.opposite, wide);
+      continue;
+    }
+    const Parameterization_method method = mapper.make_bijective();
+    std::vector<Eigen::Vector2d> uv(mapper.uv().begin(), mapper.uv().begin() + std::ptrdiff_t(patch.points.size()));
+    return Patch_parameterization<Point_3>(std::move(patch), std::move(origin), std::move(uv), method,
+                                           mapper.number_of_flips());
+  }
 }
 
 /*! \ingroup PkgTubularMeshingRef
  *
- * Maps all patches of a cut surface onto the plane, each by parameterize_patch() of its make_indexed_patch(): triangle i
- * of a parameterization is face i of the patch, and loop i its loop i.
+ * Maps all patches of a cut surface onto the plane, each by parameterize_patch() of its make_indexed_patch(): loop i of a
+ * parameterization is the patch's loop i, and the input triangle i its face i.
  *
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{number_of_threads} \cgalParamDescription{threads that map patches at the same time; 0: as many as

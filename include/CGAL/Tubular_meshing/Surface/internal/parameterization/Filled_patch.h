@@ -27,7 +27,7 @@ namespace internal {
  * center of the second longest loop, or of a disk, the vertex farthest from its border (−1 if that is next to it). */
 struct Filled_patch {
   std::vector<Vector_3d> points;
-  std::vector<Index_triangle> triangles;
+  std::vector<Patch_triangle> triangles;
   std::vector<int> opposite;
   Outgoing_halfedges outgoing;
   std::size_t own_points = 0, own_triangles = 0;

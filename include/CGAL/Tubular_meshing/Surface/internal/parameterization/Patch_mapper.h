@@ -31,9 +31,29 @@ public:
       : patch_(patch)
       , uv_(patch.points.size(), Eigen::Vector2d::Zero()) {}
 
-  // Returns the method; uv() and number_of_flips() are there then.
-  Parameterization_method run() {
-    if (map_conformally()) {
+  // First step. Whether there is a map; it may be no bijection.
+  bool map_conformally() { return is_mapped_ = find_conformal_map(); }
+
+  // For each halfedge of the patch whether it has two triangles and, on the ring, reaches further than an eighth of the
+  // way around, or as far inwards: too far for a linear map to be near the conformal one. Empty if there are none.
+  std::vector<char> wide_halfedges() const {
+    std::vector<char> is_wide;
+    if (!is_mapped_ || patch_.loops.size() == 1)
+      return is_wide;
+    const double pi = 3.14159265358979323846;
+    for (int h = 0; h < int(3 * patch_.own_triangles); ++h) {
+      const int o = patch_.opposite[std::size_t(h)];
+      if (o < 0 || o >= int(3 * patch_.own_triangles) || !(length_on_ring(h) > pi / 4))
+        continue;
+      is_wide.resize(3 * patch_.own_triangles, 0);
+      is_wide[std::size_t(h)] = is_wide[std::size_t(o)] = 1;
+    }
+    return is_wide;
+  }
+
+  // Second step. Returns the method; uv() and number_of_flips() are there then.
+  Parameterization_method make_bijective() {
+    if (is_mapped_) {
       const std::vector<int> flipped = flipped_triangles(patch_, uv_);
       flips_ = flipped.size();
       if (flips_ == 0 && are_loops_simple(patch_, uv_))
@@ -67,7 +87,7 @@ private:
   typedef Laplace_system::Columns Columns;
 
   // An annulus or a junction onto a ring; a disk by the ring's angles on its border.
-  bool map_conformally() {
+  bool find_conformal_map() {
     if (patch_.pole >= 0) {
       Ring_map ring(patch_);
       if (!ring.compute())
@@ -81,6 +101,14 @@ private:
       return true;
     put_on_circle(true);
     return place_free_vertices(Edge_weights::cotangent, patch_.is_outer);
+  }
+
+  // In the plane of the logarithm.
+  double length_on_ring(int h) const {
+    const Eigen::Vector2d &a = uv_[std::size_t(source_of(patch_.triangles, h))],
+                          &b = uv_[std::size_t(target_of(patch_.triangles, h))];
+    const double angle = std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b));
+    return std::hypot(angle, std::log(b.norm() / a.norm()));
   }
 
   // The outer loop, by the ring's angles, if there are some and they ascend, else by its lengths.
@@ -158,7 +186,7 @@ private:
 
   void release_neighbours(std::vector<char>& is_fixed) const {
     const std::vector<char> before = is_fixed;
-    for (const Index_triangle& t : patch_.triangles) {
+    for (const Patch_triangle& t : patch_.triangles) {
       bool touches = false;
       for (int v : t)
         touches = touches || !before[std::size_t(v)];
@@ -175,6 +203,7 @@ private:
   Plane_points uv_;
   std::vector<double> angles_; // of the outer loop, on the ring
   std::size_t flips_ = 0;
+  bool is_mapped_ = false;
 };
 
 } // namespace internal

@@ -64,7 +64,7 @@ inline Nearest_in_triangle nearest_in_triangle(const std::array<Eigen::Vector2d,
 class Plane_triangle_tree {
 public:
   typedef std::vector<Eigen::Vector2d> Points;
-  typedef std::vector<Index_triangle> Triangles;
+  typedef std::vector<Patch_triangle> Triangles;
 
   Plane_triangle_tree() = default;
   Plane_triangle_tree(const Points& uv, const Triangles& triangles)
@@ -87,7 +87,7 @@ public:
     return triangle;
   }
 
-  static std::array<Eigen::Vector2d, 3> corners(const Points& uv, const Index_triangle& t) {
+  static std::array<Eigen::Vector2d, 3> corners(const Points& uv, const Patch_triangle& t) {
     return {{uv[std::size_t(t[0])], uv[std::size_t(t[1])], uv[std::size_t(t[2])]}};
   }
 

@@ -18,7 +18,7 @@ namespace CGAL {
 namespace Tubular_meshing {
 namespace internal {
 
-typedef std::array<int, 3> Index_triangle;
+typedef std::array<int, 3> Patch_triangle;
 
 /* Halfedges of indexed triangles need no storage: number 3 t + i goes from corner i of triangle t to the next one, and
  * stands for corner i as well. */
@@ -31,16 +31,16 @@ inline int next_halfedge(int h) {
 inline int previous_halfedge(int h) {
   return h % 3 == 0 ? h + 2 : h - 1;
 }
-inline int source_of(const std::vector<Index_triangle>& triangles, int h) {
+inline int source_of(const std::vector<Patch_triangle>& triangles, int h) {
   return triangles[std::size_t(h / 3)][std::size_t(h % 3)];
 }
-inline int target_of(const std::vector<Index_triangle>& triangles, int h) {
+inline int target_of(const std::vector<Patch_triangle>& triangles, int h) {
   return source_of(triangles, next_halfedge(h));
 }
 
 /* For each halfedge the one on the other side, −1 on the border. O(n log n).
  * Throws Input_error if an edge has more than two triangles, or two that are turned differently. */
-inline std::vector<int> opposite_halfedges(const std::vector<Index_triangle>& triangles) {
+inline std::vector<int> opposite_halfedges(const std::vector<Patch_triangle>& triangles) {
   std::vector<std::pair<std::uint64_t, int>> edges;
   edges.reserve(3 * triangles.size());
   for (int h = 0; h < int(3 * triangles.size()); ++h) {
@@ -71,10 +71,10 @@ struct Outgoing_halfedges {
   std::vector<int> first, halfedges;
 
   Outgoing_halfedges() = default;
-  Outgoing_halfedges(const std::vector<Index_triangle>& triangles, std::size_t number_of_vertices)
+  Outgoing_halfedges(const std::vector<Patch_triangle>& triangles, std::size_t number_of_vertices)
       : first(number_of_vertices + 1, 0)
       , halfedges(3 * triangles.size()) {
-    for (const Index_triangle& t : triangles)
+    for (const Patch_triangle& t : triangles)
       for (int v : t)
         ++first[std::size_t(v) + 1];
     for (std::size_t v = 0; v < number_of_vertices; ++v)

@@ -26,7 +26,7 @@ inline CGAL::Exact_predicates_inexact_constructions_kernel::Point_2 exact_point(
 }
 
 /* Whether a triangle is counterclockwise in the plane, decided exactly. */
-inline bool is_upright(const Index_triangle& t, const Plane_points& uv) {
+inline bool is_upright(const Patch_triangle& t, const Plane_points& uv) {
   const Eigen::Vector2d &a = uv[std::size_t(t[0])], &b = uv[std::size_t(t[1])], &c = uv[std::size_t(t[2])];
   if (!a.allFinite() || !b.allFinite() || !c.allFinite())
     return false;
