@@ -190,8 +190,8 @@ Patch perturbed(Patch patch, double amplitude, double flips, std::mt19937& rando
   }
   for (std::size_t v = 0; v < patch.points.size(); ++v) {
     const double r = amplitude * shortest[v];
-    patch.points[v] = patch.points[v] + Kernel::Vector_3(r * (2 * in_0_1() - 1), r * (2 * in_0_1() - 1),
-                                                         r * (2 * in_0_1() - 1));
+    patch.points[v] =
+        patch.points[v] + Kernel::Vector_3(r * (2 * in_0_1() - 1), r * (2 * in_0_1() - 1), r * (2 * in_0_1() - 1));
   }
   return patch;
 }
@@ -282,8 +282,8 @@ TEST(Parameterization, A_cylinder_goes_onto_a_ring_by_the_exponential) {
     EXPECT_EQ(map.number_of_flips(), 0u);
     expect_bijective(map);
     const bool from_bottom = patch.points[std::size_t(patch.loops[map.outer_loop()][0])].z() == 0;
-    const double error = error_of_ring(
-        map, [&](const Point& p) { return std::exp(from_bottom ? -p.z() : p.z() - 2 * aspect_ratio); });
+    const double error =
+        error_of_ring(map, [&](const Point& p) { return std::exp(from_bottom ? -p.z() : p.z() - 2 * aspect_ratio); });
     EXPECT_LT(error, 0.01 * std::max(1., aspect_ratio)) << aspect_ratio;
     EXPECT_LT(anisotropy_at_vertices(map), 0.01) << aspect_ratio;
   }
@@ -299,10 +299,11 @@ TEST(Parameterization, A_catenoid_and_a_cone_go_onto_the_rings_of_their_moduli) 
       80, 40));
   expect_bijective(catenoid);
   EXPECT_EQ(catenoid.method(), Method::conformal);
-  const bool from_bottom = catenoid.patch().points[std::size_t(catenoid.patch().loops[catenoid.outer_loop()][0])].z() < 0;
-  EXPECT_LT(error_of_ring(catenoid,
-                          [&](const Point& p) { return std::exp(from_bottom ? -p.z() - reach : p.z() - reach); }),
-            0.01);
+  const bool from_bottom =
+      catenoid.patch().points[std::size_t(catenoid.patch().loops[catenoid.outer_loop()][0])].z() < 0;
+  EXPECT_LT(
+      error_of_ring(catenoid, [&](const Point& p) { return std::exp(from_bottom ? -p.z() - reach : p.z() - reach); }),
+      0.01);
 
   const double slope = 0.5, half_angle_sine = slope / std::hypot(1, slope); // radius r: modulus r^(1 / sin)
   const Map cone = tubular::parameterize_patch(tube(
@@ -313,8 +314,7 @@ TEST(Parameterization, A_catenoid_and_a_cone_go_onto_the_rings_of_their_moduli) 
       80, 40));
   expect_bijective(cone);
   EXPECT_LT(error_of_ring(
-                cone,
-                [&](const Point& p) { return std::pow(std::hypot(p.x(), p.y()) / 2.5, 1 / half_angle_sine); }),
+                cone, [&](const Point& p) { return std::pow(std::hypot(p.x(), p.y()) / 2.5, 1 / half_angle_sine); }),
             0.01);
   EXPECT_LT(anisotropy_at_vertices(cone), 0.01);
 }
@@ -362,6 +362,42 @@ TEST(Parameterization, The_map_does_not_depend_on_unit_and_place) {
   }
 }
 
+TEST(Parameterization, Wide_triangles_are_divided_without_a_change_of_the_surface) {
+  for (int sides : {4, 5, 6}) {
+    const Patch patch = tube(cylinder(7), sides, 1);
+    const Map map = tubular::parameterize_patch(patch);
+    expect_bijective(map);
+    EXPECT_EQ(map.method(), Method::conformal) << sides;
+    EXPECT_GT(map.number_of_triangles(), patch.triangles.size());
+    EXPECT_LT(map.number_of_triangles(), 2000u);
+    std::vector<double> ratio, area(patch.triangles.size(), 0.);
+    for (int t = 0; t < int(map.number_of_triangles()); ++t) {
+      ratio.push_back(map.stretch_ratio(t));
+      const auto& c = patch.triangles[std::size_t(map.input_triangle(t))];
+      const Kernel::Plane_3 plane(patch.points[std::size_t(c[0])], patch.points[std::size_t(c[1])],
+                                  patch.points[std::size_t(c[2])]);
+      for (int v : map.patch().triangles[std::size_t(t)])
+        EXPECT_LT(CGAL::squared_distance(plane, map.patch().points[std::size_t(v)]), 1e-28);
+      const auto& d = map.patch().triangles[std::size_t(t)];
+      area[std::size_t(map.input_triangle(t))] +=
+          std::sqrt(CGAL::squared_area(map.patch().points[std::size_t(d[0])], map.patch().points[std::size_t(d[1])],
+                                       map.patch().points[std::size_t(d[2])]));
+    }
+    for (std::size_t t = 0; t < area.size(); ++t) {
+      const auto& c = patch.triangles[t];
+      EXPECT_NEAR(area[t],
+                  std::sqrt(CGAL::squared_area(patch.points[std::size_t(c[0])], patch.points[std::size_t(c[1])],
+                                               patch.points[std::size_t(c[2])])),
+                  1e-12);
+    }
+    std::sort(ratio.begin(), ratio.end());
+    EXPECT_LT(ratio[ratio.size() / 2], 1.5) << sides;
+    EXPECT_LT(ratio[ratio.size() * 9 / 10], 2.) << sides;
+    for (std::size_t v = 0; v < patch.points.size(); ++v)
+      EXPECT_EQ(map.patch().points[v], patch.points[v]);
+  }
+}
+
 // --- flips ---
 
 TEST(Parameterization, Coarse_tubes) {
@@ -393,6 +429,20 @@ TEST(Parameterization, Flipped_triangles_are_mended_or_another_method_is_taken) 
   EXPECT_GT(provoked, 0u);
 }
 
+TEST(Parameterization, Each_method_gives_a_bijection) {
+  std::mt19937 random(6);
+  for (const Patch& patch : {tube(cylinder(5), 20, 16), half_sphere(20, 8), junction(3, 30, 40, 6)})
+    for (Method first : {Method::conformal, Method::conformal_mended, Method::harmonic, Method::mean_value,
+                         Method::uniform, Method::shortened}) {
+      const Map map = tubular::parameterize_patch(patch, first);
+      EXPECT_EQ(map.method(), first);
+      expect_bijective(map, tubular::name_of(first));
+      const Map other = tubular::parameterize_patch(perturbed(patch, 0.3, 0.3, random), first);
+      EXPECT_GE(other.method(), first);
+      expect_bijective(other, tubular::name_of(first));
+    }
+}
+
 TEST(Parameterization, A_thousand_random_patches_are_mapped_one_to_one) {
   std::mt19937 random(2026);
   std::map<Method, int> taken;
@@ -401,11 +451,12 @@ TEST(Parameterization, A_thousand_random_patches_are_mapped_one_to_one) {
     const int sides = 5 + int(random() % 12), rings = 2 + int(random() % 12);
     Patch patch;
     if (i % 3 == 0)
-      patch = tube([&](double a, double t) { return cylinder(length, 1 + bend * std::sin(7 * t))(a, t); }, sides, rings);
+      patch =
+          tube([&](double a, double t) { return cylinder(length, 1 + bend * std::sin(7 * t))(a, t); }, sides, rings);
     else if (i % 3 == 1)
       patch = half_sphere(sides, rings);
     else
-      patch = junction(1 + i % 2, 16 + sides, 3 * rings + 8, length + 2);
+      patch = junction(1 + i % 2, 16 + sides, 2 * rings + 8, length + 2);
     const Map map =
         tubular::parameterize_patch(perturbed(patch, 0.05 * (i % 10), i % 4 == 0 ? 0 : 0.2 * (i % 5), random));
     expect_bijective(map, "patch " + std::to_string(i));
@@ -416,6 +467,42 @@ TEST(Parameterization, A_thousand_random_patches_are_mapped_one_to_one) {
   for (const auto& t : taken)
     RecordProperty(tubular::name_of(t.first), t.second);
   EXPECT_GT(taken[Method::conformal], 300);
+}
+
+TEST(Parameterization, A_long_blind_branch_is_mapped_one_to_one) {
+  for (int rings : {40, 200, 600}) { // about 8, 40, 120 of its diameters
+    Patch patch = junction(1, 40, 30, 4);
+    const auto is_collar = [&](const std::vector<int>& loop) {
+      return std::abs(patch.points[std::size_t(loop[0])].z() - 2) < 1;
+    };
+    std::vector<int> loop = *std::find_if(patch.loops.begin(), patch.loops.end(), is_collar);
+    const std::size_t n = loop.size();
+    for (int ring = 0; ring <= rings; ++ring) {
+      const int first = int(patch.points.size());
+      for (std::size_t i = 0; i < n; ++i) {
+        const Point p = patch.points[std::size_t(loop[i])];
+        patch.points.push_back(Point(p.x() + 0.16 * std::cos(2.1), p.y() + 0.16 * std::sin(2.1), p.z()));
+      }
+      for (std::size_t i = 0; i < n; ++i) {
+        const std::size_t j = (i + 1) % n;
+        patch.triangles.push_back({{loop[j], loop[i], first + int(i)}});
+        patch.triangles.push_back({{loop[j], first + int(i), first + int(j)}});
+      }
+      for (std::size_t i = 0; i < n; ++i)
+        loop[i] = first + int(i);
+    }
+    Kernel::Vector_3 sum(0, 0, 0);
+    for (int v : loop)
+      sum = sum + (patch.points[std::size_t(v)] - CGAL::ORIGIN) / double(n);
+    for (std::size_t i = 0; i < n; ++i)
+      patch.triangles.push_back({{loop[(i + 1) % n], loop[i], int(patch.points.size())}});
+    patch.points.push_back(CGAL::ORIGIN + sum);
+    patch.loops = tubular::border_loops(patch);
+    ASSERT_EQ(patch.loops.size(), 2u);
+    const Map map = tubular::parameterize_patch(patch);
+    expect_bijective(map, std::to_string(rings));
+    RecordProperty("method_" + std::to_string(rings), tubular::name_of(map.method()));
+  }
 }
 
 TEST(Parameterization, Points_on_top_of_each_other) {
@@ -443,9 +530,9 @@ TEST(Parameterization, Locations_and_points) {
     at.triangle = t;
     at.barycentric = {{1 - a - b, a, b}};
     const tubular::Patch_location found = map.locate(map.uv(at), hint);
-    const double size = std::sqrt(
-        CGAL::area(map.uv(map.patch().triangles[std::size_t(t)][0]), map.uv(map.patch().triangles[std::size_t(t)][1]),
-                   map.uv(map.patch().triangles[std::size_t(t)][2])));
+    const double size = std::sqrt(CGAL::area(map.uv(map.patch().triangles[std::size_t(t)][0]),
+                                             map.uv(map.patch().triangles[std::size_t(t)][1]),
+                                             map.uv(map.patch().triangles[std::size_t(t)][2])));
     ASSERT_LT(std::sqrt(found.squared_distance), 1e-9 * size);
     ASSERT_LT(std::sqrt(CGAL::squared_distance(map.point(found), map.point(at))), 1e-9);
     if (i % 2)
@@ -462,8 +549,8 @@ TEST(Parameterization, Points_outside_get_the_nearest_point) {
     double nearest = 1e300;
     for (const auto& loop : map.patch().loops)
       for (std::size_t k = 0; k < loop.size(); ++k)
-        nearest = std::min(nearest, CGAL::squared_distance(p, Kernel::Segment_2(map.uv(loop[k]),
-                                                                               map.uv(loop[(k + 1) % loop.size()]))));
+        nearest = std::min(nearest, CGAL::squared_distance(
+                                        p, Kernel::Segment_2(map.uv(loop[k]), map.uv(loop[(k + 1) % loop.size()]))));
     for (int hint : {-1, 0, 70}) {
       const tubular::Patch_location at = map.locate(p, hint);
       ASSERT_NEAR(at.squared_distance, nearest, 1e-12);
@@ -472,29 +559,41 @@ TEST(Parameterization, Points_outside_get_the_nearest_point) {
   }
 }
 
-TEST(Parameterization, Loops_by_arc_length) {
-  const Map map = tubular::parameterize_patch(junction(1, 40, 30, 4));
+/* By the given loops, whose edges may have been halved. */
+void expect_loops_by_arc_length(const Patch& patch) {
+  const Map map = tubular::parameterize_patch(patch);
   for (std::size_t l = 0; l < map.number_of_loops(); ++l) {
-    const auto& loop = map.patch().loops[l];
+    const auto& loop = patch.loops[l];
     const double total = map.loop_length(l);
     double s = 0;
     for (std::size_t k = 0; k < loop.size(); ++k) {
-      const Point &p = map.patch().points[std::size_t(loop[k])],
-                  &q = map.patch().points[std::size_t(loop[(k + 1) % loop.size()])];
+      const Point &p = patch.points[std::size_t(loop[k])], &q = patch.points[std::size_t(loop[(k + 1) % loop.size()])];
       const double length = std::sqrt(CGAL::squared_distance(p, q));
       for (double t : {0., 0.25, 0.9}) {
         const Point expected = p + t * (q - p);
         EXPECT_LT(CGAL::squared_distance(map.point(map.on_loop(l, s + t * length)), expected), 1e-20 * total * total);
         EXPECT_LT(CGAL::squared_distance(map.point(map.on_loop(l, s + t * length - total)), expected),
                   1e-20 * total * total);
-        const Point_2 uv = map.uv(map.on_loop_edge(l, k, t)), a = map.uv(loop[k]),
-                      b = map.uv(loop[(k + 1) % loop.size()]);
-        EXPECT_LT(CGAL::squared_distance(uv, a + t * (b - a)), 1e-30);
+        const tubular::Patch_location at = map.on_loop_edge(l, k, t);
+        EXPECT_LT(CGAL::squared_distance(map.point(at), expected), 1e-28 * total * total);
+        // on a chord of the polygon in the plane
+        const auto& parts = map.patch().loops[l];
+        double nearest = 1e300;
+        for (std::size_t i = 0; i < parts.size(); ++i)
+          nearest = std::min(
+              nearest, CGAL::squared_distance(
+                           map.uv(at), Kernel::Segment_2(map.uv(parts[i]), map.uv(parts[(i + 1) % parts.size()]))));
+        EXPECT_LT(nearest, 1e-30);
       }
       s += length;
     }
     EXPECT_NEAR(s, total, 1e-12 * total);
   }
+}
+
+TEST(Parameterization, Loops_by_arc_length) {
+  for (const Patch& patch : {junction(1, 40, 30, 4), tube(cylinder(5), 5, 3)})
+    expect_loops_by_arc_length(patch);
 }
 
 // --- metrics ---
@@ -572,10 +671,12 @@ TEST(Parameterization, Patches_that_are_no_spheres_with_holes_are_refused) {
   two.loops = tubular::border_loops(two);
   EXPECT_THROW(tubular::parameterize_patch(two), tubular::Meshing_error);
 
-  Patch torus = tube([](double a, double t) {
-    const double b = 2 * pi * t, r = 3 + std::cos(a);
-    return Point(r * std::cos(b), r * std::sin(b), std::sin(a));
-  }, 10, 20);
+  Patch torus = tube(
+      [](double a, double t) {
+        const double b = 2 * pi * t, r = 3 + std::cos(a);
+        return Point(r * std::cos(b), r * std::sin(b), std::sin(a));
+      },
+      10, 20);
   for (auto& t : torus.triangles)
     for (int& v : t)
       v = v % 200;

@@ -108,11 +108,10 @@ make_indexed_patch(const CGAL::Surface_mesh<Point_3>& surface,
  * and edge n − 1 − i, the other way round, of the loop that has it on the right.
  */
 template <class Point_3>
-Indexed_patch<Point_3> make_indexed_patch(const CGAL::Surface_mesh<Point_3>& surface,
-                                          const Surface_patch<Point_3>& patch,
-                                          const std::vector<Cut_curve<Point_3>>& curves,
-                                          std::vector<typename CGAL::Surface_mesh<Point_3>::Vertex_index>* vertices =
-                                              nullptr) {
+Indexed_patch<Point_3>
+make_indexed_patch(const CGAL::Surface_mesh<Point_3>& surface, const Surface_patch<Point_3>& patch,
+                   const std::vector<Cut_curve<Point_3>>& curves,
+                   std::vector<typename CGAL::Surface_mesh<Point_3>::Vertex_index>* vertices = nullptr) {
   typedef typename CGAL::Surface_mesh<Point_3>::Vertex_index Vertex;
   std::vector<Vertex> own;
   Indexed_patch<Point_3> result = make_indexed_patch(surface, patch.faces, &own);

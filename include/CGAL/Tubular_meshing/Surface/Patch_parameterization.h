@@ -7,6 +7,7 @@
 #include <CGAL/Tubular_meshing/Surface/Indexed_patch.h>
 #include <CGAL/Tubular_meshing/Surface/Parameterization_method.h>
 #include <CGAL/Tubular_meshing/Surface/Plane_metric.h>
+#include <CGAL/Tubular_meshing/Surface/internal/parameterization/Edge_halver.h>
 #include <CGAL/Tubular_meshing/Surface/internal/parameterization/Plane_triangle_tree.h>
 #include <CGAL/Tubular_meshing/Surface/internal/parameterization/Triangle_adjacency.h>
 #include <CGAL/Tubular_meshing/exceptions.h>
@@ -38,8 +39,8 @@ struct Patch_location {
 
 /*! \ingroup PkgTubularMeshingRef
  *
- * A patch with a bijection u(x) onto a domain of the plane, linear on each triangle (equation (1) of the paper); and its
- * inverse x(u), with its derivatives. parameterize_patch() makes it.
+ * A patch with a bijection u(x) onto a domain of the plane, linear on each triangle (equation (1) of the paper); and
+ * its inverse x(u), with its derivatives. parameterize_patch() makes it.
  *
  * The domain is inside the unit circle. The longest loop is its outer border, a polygon inscribed in the circle, the
  * other loops are holes. Triangles are counterclockwise. A conformal map shrinks along a tube exponentially: by
@@ -57,12 +58,12 @@ public:
   /// An empty one, to be assigned to.
   Patch_parameterization() = default;
 
-  /// Of a patch whose points have the given places in the plane, and whose triangles are parts of those with the given
-  /// numbers. O(n log n).
-  Patch_parameterization(Indexed_patch<Point_3> patch, std::vector<int> input_triangles,
-                         std::vector<Eigen::Vector2d> uv, Parameterization_method method, std::size_t number_of_flips)
-      : patch_(std::move(patch))
-      , input_triangles_(std::move(input_triangles))
+  /// Of a patch whose points have the given places in the plane. O(n log n).
+  Patch_parameterization(internal::Divided_patch<Point_3> divided, std::vector<Eigen::Vector2d> uv,
+                         Parameterization_method method, std::size_t number_of_flips)
+      : patch_(std::move(divided.patch))
+      , input_triangles_(std::move(divided.origin))
+      , loop_positions_(std::move(divided.positions))
       , uv_(std::move(uv))
       , method_(method)
       , number_of_flips_(number_of_flips)
@@ -75,8 +76,8 @@ public:
   /// \name The map
   /// @{
 
-  /// The patch as it was given, but that wide triangles may be divided: new points come after the given ones. Loops are
-  /// as they were.
+  /// The patch as it was given, but that wide edges may be halved: new points come after the given ones, and are on
+  /// loops too.
   const Indexed_patch<Point_3>& patch() const { return patch_; }
   /// The triangle of the given patch that a triangle is part of.
   int input_triangle(int triangle) const { return input_triangles_[std::size_t(triangle)]; }
@@ -137,11 +138,10 @@ public:
   /// The ratio of the largest to the smallest stretch of a triangle: 1 where the map is conformal.
   double stretch_ratio(int triangle) const {
     double ratio = 1;
-    internal::with_eigenvalues(induced_metric(triangle, Eigen::Matrix3d::Identity()),
-                               [&](double& larger, double& smaller) {
-                                 ratio = smaller > 0 ? std::sqrt(larger / smaller)
-                                                     : (std::numeric_limits<double>::infinity)();
-                               });
+    internal::with_eigenvalues(
+        induced_metric(triangle, Eigen::Matrix3d::Identity()), [&](double& larger, double& smaller) {
+          ratio = smaller > 0 ? std::sqrt(larger / smaller) : (std::numeric_limits<double>::infinity)();
+        });
     return ratio;
   }
 
@@ -199,29 +199,17 @@ public:
   /// The length of a loop on the surface.
   double loop_length(std::size_t loop) const { return arc_length_[loop].back(); }
 
-  /// The point of edge `edge` of a loop that divides it as t : 1 − t, t in [0, 1]; its place in the plane is on the
-  /// edge's chord.
+  /// The point of edge `edge` of a loop, as it was given, that divides the edge as t : 1 − t, t in [0, 1]. Its place in
+  /// the plane is on the chord of the edge, or of a part of it. O(log n).
   Patch_location on_loop_edge(std::size_t loop, std::size_t edge, double t) const {
-    const int h = loop_halfedge_[loop][edge];
-    Patch_location at;
-    at.triangle = internal::triangle_of(h);
-    at.barycentric = {{0, 0, 0}};
-    at.barycentric[std::size_t(h % 3)] = 1 - t;
-    at.barycentric[std::size_t(internal::next_halfedge(h) % 3)] = t;
-    return at;
+    return on_loop_part(loop, loop_positions_[loop], double(edge) + t);
   }
 
   /// The point of a loop at an arc length from its first vertex, on the surface; lengths count modulo loop_length().
   /// O(log n).
   Patch_location on_loop(std::size_t loop, double arc_length) const {
-    const std::vector<double>& s = arc_length_[loop];
-    const double total = s.back();
-    double rest = total > 0 ? arc_length - total * std::floor(arc_length / total) : 0;
-    rest = (std::min)((std::max)(rest, 0.), total);
-    std::size_t edge = std::size_t(std::upper_bound(s.begin(), s.end(), rest) - s.begin());
-    edge = (std::min)((std::max)(edge, std::size_t(1)), s.size() - 1) - 1;
-    const double length = s[edge + 1] - s[edge];
-    return on_loop_edge(loop, edge, length > 0 ? (std::min)((rest - s[edge]) / length, 1.) : 0);
+    const double total = arc_length_[loop].back();
+    return on_loop_part(loop, arc_length_[loop], total > 0 ? arc_length - total * std::floor(arc_length / total) : 0);
   }
 
   /// @}
@@ -239,6 +227,21 @@ private:
   double area_of(int triangle) const {
     const Eigen::Vector3d a = eigen_point(triangle, 0);
     return (eigen_point(triangle, 1) - a).cross(eigen_point(triangle, 2) - a).norm() / 2;
+  }
+
+  // On the edge of a loop over whose ends' values x is.
+  Patch_location on_loop_part(std::size_t loop, const std::vector<double>& values, double x) const {
+    std::size_t i = std::size_t(std::upper_bound(values.begin(), values.end(), x) - values.begin());
+    i = (std::min)((std::max)(i, std::size_t(1)), values.size() - 1) - 1;
+    const double length = values[i + 1] - values[i];
+    const double t = length > 0 ? (std::min)((std::max)((x - values[i]) / length, 0.), 1.) : 0;
+    const int h = loop_halfedge_[loop][i];
+    Patch_location at;
+    at.triangle = internal::triangle_of(h);
+    at.barycentric = {{0, 0, 0}};
+    at.barycentric[std::size_t(h % 3)] = 1 - t;
+    at.barycentric[std::size_t(internal::next_halfedge(h) % 3)] = t;
+    return at;
   }
 
   // From triangle to triangle, each time over the side that p is farthest beyond. False if it leaves the patch or is
@@ -284,14 +287,15 @@ private:
 
   Indexed_patch<Point_3> patch_;
   std::vector<int> input_triangles_;
+  std::vector<std::vector<double>> loop_positions_; // of the vertices of each loop, on the given one, and its end
   std::vector<Eigen::Vector2d> uv_;
   Parameterization_method method_ = Parameterization_method::conformal;
   std::size_t number_of_flips_ = 0;
   std::size_t outer_loop_ = 0;
   std::vector<int> opposite_;
   internal::Plane_triangle_tree tree_;
-  std::vector<Plane_metric> log_of_shape_;       // of the vertices, for M = I
-  std::vector<std::vector<double>> arc_length_;  // of each loop, at its vertices and at its end
+  std::vector<Plane_metric> log_of_shape_;      // of the vertices, for M = I
+  std::vector<std::vector<double>> arc_length_; // of each loop, at its vertices and at its end
   std::vector<std::vector<int>> loop_halfedge_; // of each edge of each loop
 };
 

@@ -20,7 +20,6 @@
 
 #include <cmath>
 #include <cstddef>
-#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -70,50 +69,52 @@ template <class Point_3> void check_patch(const Indexed_patch<Point_3>& patch) {
  * - *Disks* (one loop) go onto the unit disk: the ring without the triangles around an inner vertex tells where the
  *   border goes on the circle, and coordinates are harmonic inside.
  *
- * Edges of tubes and junctions that reach further than an eighth of the way around, or as far along, are halved first,
- * but for those of loops: on triangles that wide, no linear map is near the conformal one. The surface stays what it is.
+ * Edges of tubes and junctions that reach further than an eighth of the way around, or as far along, are halved first:
+ * on triangles that wide, no linear map is near the conformal one. The surface stays what it is.
  *
  * Then every triangle must be counterclockwise in the plane, decided exactly, and no loop may meet itself; which makes
  * the map a bijection. Where triangles are very obtuse or tubes have few sides, some may be flipped. Then the vertices
  * around them are moved into means of their neighbours (mean value coordinates). If that fails, all vertices inside of
  * the circle are, with holes filled, by cotangent weights bounded from below, by mean value coordinates, or by equal
- * weights; and at last by weights under which long blind branches, which shrink exponentially, do so less. Each of these
- * is a bijection in exact arithmetic, as the circle is convex (M. S. Floater, *One-to-one piecewise linear mappings over
- * triangulations*, Math. Comp. 72, 2003). The result says which method was taken.
+ * weights; and at last by weights under which long blind branches, which shrink exponentially, do so less. Each of
+ * these is a bijection in exact arithmetic, as the circle is convex (M. S. Floater, *One-to-one piecewise linear
+ * mappings over triangulations*, Math. Comp. 72, 2003). The result says which method was taken.
  *
  * About O(n^1.5). Several threads may call it at once, for different patches or the same one.
  *
  * \param patch its loops must be all of its border: those of border_loops()
+ * \param first_method the method to begin with; those before it are left out
  *
  * \throws Input_error if the triangles are no oriented manifold, or refer to points that are not there
  * \throws Meshing_error if the patch is closed or no sphere with holes, or no method gives a bijection in floating
  *   point arithmetic
  */
-template <class Point_3> Patch_parameterization<Point_3> parameterize_patch(Indexed_patch<Point_3> patch) {
+template <class Point_3>
+Patch_parameterization<Point_3>
+parameterize_patch(Indexed_patch<Point_3> patch,
+                   Parameterization_method first_method = Parameterization_method::conformal) {
   internal::check_patch(patch);
-  std::vector<int> origin(patch.triangles.size());
-  std::iota(origin.begin(), origin.end(), 0);
-  const std::size_t most_triangles = 1000 + 8 * patch.triangles.size();
+  internal::Divided_patch<Point_3> divided(std::move(patch));
+  const std::size_t most_triangles = 1000 + 8 * divided.patch.triangles.size();
   for (int most_divisions = 6;; --most_divisions) {
-    const internal::Filled_patch filled(patch);
+    const internal::Filled_patch filled(divided.patch);
     internal::Patch_mapper mapper(filled);
     mapper.map_conformally();
     const std::vector<char> wide = mapper.wide_halfedges();
-    if (!wide.empty() && most_divisions > 0 && patch.triangles.size() < most_triangles) {
-      internal::Edge_halver<Point_3>(patch, origin).run(filled.opposite, wide);
+    if (!wide.empty() && most_divisions > 0 && filled.own_triangles < most_triangles) {
+      internal::Edge_halver<Point_3>(divided).run(filled.opposite, wide);
       continue;
     }
-    const Parameterization_method method = mapper.make_bijective();
-    std::vector<Eigen::Vector2d> uv(mapper.uv().begin(), mapper.uv().begin() + std::ptrdiff_t(patch.points.size()));
-    return Patch_parameterization<Point_3>(std::move(patch), std::move(origin), std::move(uv), method,
-                                           mapper.number_of_flips());
+    const Parameterization_method method = mapper.make_bijective(first_method);
+    std::vector<Eigen::Vector2d> uv(mapper.uv().begin(), mapper.uv().begin() + std::ptrdiff_t(filled.own_points));
+    return Patch_parameterization<Point_3>(std::move(divided), std::move(uv), method, mapper.number_of_flips());
   }
 }
 
 /*! \ingroup PkgTubularMeshingRef
  *
- * Maps all patches of a cut surface onto the plane, each by parameterize_patch() of its make_indexed_patch(): loop i of a
- * parameterization is the patch's loop i, and the input triangle i its face i.
+ * Maps all patches of a cut surface onto the plane, each by parameterize_patch() of its make_indexed_patch(): loop i of
+ * a parameterization is the patch's loop i, and the input triangle i its face i.
  *
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{number_of_threads} \cgalParamDescription{threads that map patches at the same time; 0: as many as
@@ -128,10 +129,9 @@ std::vector<Patch_parameterization<Point_3>>
 parameterize_patches(const CGAL::Surface_mesh<Point_3>& surface, const Surface_cut<Point_3>& cut,
                      const NamedParameters& np = CGAL::parameters::default_values()) {
   std::vector<Patch_parameterization<Point_3>> result(cut.patches.size());
-  internal::for_each_patch(cut.patches.size(), internal::choose(np, internal_np::number_of_threads, 0),
-                           [&](std::size_t i) {
-                             result[i] = parameterize_patch(make_indexed_patch(surface, cut.patches[i], cut.curves));
-                           });
+  internal::for_each_patch(
+      cut.patches.size(), internal::choose(np, internal_np::number_of_threads, 0),
+      [&](std::size_t i) { result[i] = parameterize_patch(make_indexed_patch(surface, cut.patches[i], cut.curves)); });
   return result;
 }
 

@@ -34,45 +34,41 @@ public:
   // First step. Whether there is a map; it may be no bijection.
   bool map_conformally() { return is_mapped_ = find_conformal_map(); }
 
-  // For each halfedge of the patch whether it has two triangles and, on the ring, reaches further than an eighth of the
-  // way around, or as far inwards: too far for a linear map to be near the conformal one. Empty if there are none.
+  // For each halfedge of the patch whether, on the ring, it reaches further than an eighth of the way around, or as far
+  // inwards: too far for a linear map to be near the conformal one. Empty if none does.
   std::vector<char> wide_halfedges() const {
     std::vector<char> is_wide;
     if (!is_mapped_ || patch_.loops.size() == 1)
       return is_wide;
     const double pi = 3.14159265358979323846;
-    for (int h = 0; h < int(3 * patch_.own_triangles); ++h) {
-      const int o = patch_.opposite[std::size_t(h)];
-      if (o < 0 || o >= int(3 * patch_.own_triangles) || !(length_on_ring(h) > pi / 4))
-        continue;
-      is_wide.resize(3 * patch_.own_triangles, 0);
-      is_wide[std::size_t(h)] = is_wide[std::size_t(o)] = 1;
-    }
+    for (int h = 0; h < int(3 * patch_.own_triangles); ++h)
+      if (length_on_ring(h) > pi / 4) {
+        is_wide.resize(3 * patch_.own_triangles, 0);
+        is_wide[std::size_t(h)] = 1;
+      }
     return is_wide;
   }
 
-  // Second step. Returns the method; uv() and number_of_flips() are there then.
-  Parameterization_method make_bijective() {
-    if (is_mapped_) {
-      const std::vector<int> flipped = flipped_triangles(patch_, uv_);
-      flips_ = flipped.size();
-      if (flips_ == 0 && are_loops_simple(patch_, uv_))
-        return Parameterization_method::conformal;
-      if (is_outer_loop_in_order() && mend(flipped))
-        return Parameterization_method::conformal_mended;
-    } else
-      flips_ = patch_.own_triangles;
+  // Second step. Returns the method, `first` or a later one; uv() and number_of_flips() are there then.
+  Parameterization_method make_bijective(Parameterization_method first) {
+    typedef Parameterization_method Method;
+    const std::vector<int> flipped = is_mapped_ ? flipped_triangles(patch_, uv_) : std::vector<int>();
+    flips_ = is_mapped_ ? flipped.size() : patch_.own_triangles;
+    if (is_mapped_ && first <= Method::conformal && flips_ == 0 && are_loops_simple(patch_, uv_))
+      return Method::conformal;
+    if (is_mapped_ && first <= Method::conformal_mended && is_outer_loop_in_order() && mend(flipped))
+      return Method::conformal_mended;
     put_on_circle(true);
-    if (map_inside(Edge_weights::clamped_cotangent))
-      return Parameterization_method::harmonic;
+    if (first <= Method::harmonic && map_inside(Edge_weights::clamped_cotangent))
+      return Method::harmonic;
     put_on_circle(false);
-    if (map_inside(Edge_weights::mean_value))
-      return Parameterization_method::mean_value;
-    if (map_inside(Edge_weights::uniform))
-      return Parameterization_method::uniform;
+    if (first <= Method::mean_value && map_inside(Edge_weights::mean_value))
+      return Method::mean_value;
+    if (first <= Method::uniform && map_inside(Edge_weights::uniform))
+      return Method::uniform;
     for (double shortening : {4., 16., 64., 256.})
       if (map_inside(Edge_weights::shortened, shortening))
-        return Parameterization_method::shortened;
+        return Method::shortened;
     throw Meshing_error("A patch of " + std::to_string(patch_.own_triangles) + " triangles near (" +
                         std::to_string(patch_.points[0].x) + ", " + std::to_string(patch_.points[0].y) + ", " +
                         std::to_string(patch_.points[0].z) +
@@ -105,8 +101,8 @@ private:
 
   // In the plane of the logarithm.
   double length_on_ring(int h) const {
-    const Eigen::Vector2d &a = uv_[std::size_t(source_of(patch_.triangles, h))],
-                          &b = uv_[std::size_t(target_of(patch_.triangles, h))];
+    const auto ends = std::minmax({source_of(patch_.triangles, h), target_of(patch_.triangles, h)}); // same both ways
+    const Eigen::Vector2d &a = uv_[std::size_t(ends.first)], &b = uv_[std::size_t(ends.second)];
     const double angle = std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b));
     return std::hypot(angle, std::log(b.norm() / a.norm()));
   }

@@ -79,8 +79,7 @@ public:
   }
 
   // The triangle with the point nearest to p.
-  int nearest(const Points& uv, const Triangles& triangles, const Eigen::Vector2d& p,
-              Nearest_in_triangle& best) const {
+  int nearest(const Points& uv, const Triangles& triangles, const Eigen::Vector2d& p, Nearest_in_triangle& best) const {
     best = Nearest_in_triangle();
     int triangle = order_[0];
     visit(0, uv, triangles, p, best, triangle);
@@ -146,7 +145,8 @@ private:
       return;
     }
     int near = index + 1, far = node.right;
-    double to_near = nodes_[std::size_t(near)].squared_distance(p), to_far = nodes_[std::size_t(far)].squared_distance(p);
+    double to_near = nodes_[std::size_t(near)].squared_distance(p),
+           to_far = nodes_[std::size_t(far)].squared_distance(p);
     if (to_far < to_near) {
       std::swap(near, far);
       std::swap(to_near, to_far);

@@ -160,8 +160,7 @@ private:
       return false;
     energy = 0;
     for (std::size_t i = 0; i < edges_.size(); ++i)
-      energy += edges_[i].of_a *
-                std::pow(angle_(edges_[i].b, 0) - angle_(edges_[i].a, 0) + jump(halfedges_[i]), 2);
+      energy += edges_[i].of_a * std::pow(angle_(edges_[i].b, 0) - angle_(edges_[i].a, 0) + jump(halfedges_[i]), 2);
     return true;
   }
 

@@ -99,8 +99,7 @@ private:
 };
 
 /* Of all edges. */
-inline std::vector<Weighted_edge> edge_weights(const Filled_patch& patch, Edge_weights kind,
-                                               double shortening = 1) {
+inline std::vector<Weighted_edge> edge_weights(const Filled_patch& patch, Edge_weights kind, double shortening = 1) {
   const Edge_weigher weigher(patch, kind, shortening);
   std::vector<Weighted_edge> edges;
   edges.reserve(patch.opposite.size() / 2 + patch.outer_loop().size());
