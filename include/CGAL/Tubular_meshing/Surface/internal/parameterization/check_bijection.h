@@ -42,21 +42,23 @@ inline std::vector<int> flipped_triangles(const Filled_patch& patch, const Plane
   return flipped;
 }
 
-/* Whether each loop is a polygon that does not meet itself. */
+/* Whether each loop is a polygon that does not meet itself, the outer one counterclockwise, the others clockwise. */
 inline bool are_loops_simple(const Filled_patch& patch, const Plane_points& uv) {
-  for (const std::vector<int>& loop : patch.loops) {
+  for (std::size_t l = 0; l < patch.loops.size(); ++l) {
     std::vector<CGAL::Exact_predicates_inexact_constructions_kernel::Point_2> polygon;
-    for (int v : loop)
+    for (int v : patch.loops[l])
       polygon.push_back(exact_point(uv[std::size_t(v)]));
-    if (!CGAL::is_simple_2(polygon.begin(), polygon.end()))
+    if (!CGAL::is_simple_2(polygon.begin(), polygon.end()) ||
+        CGAL::orientation_2(polygon.begin(), polygon.end()) !=
+            (l == patch.outer ? CGAL::COUNTERCLOCKWISE : CGAL::CLOCKWISE))
       return false;
   }
   return true;
 }
 
-/* Whether a map is one to one, given that no triangle is flipped: if all loops are simple. For as many triangles cover
- * a point as the loops together wind around it: the outer one at most once, the others, which run clockwise, at most
- * once less; and that is no more than 1. Where it is 0, nothing is covered: so loops do not cross either. */
+/* Whether a map is one to one: no triangle is flipped, and all loops are simple. For as many triangles cover a point as
+ * the loops together wind around it: the outer one at most once, each of the others, which run clockwise, at most once
+ * less. So at most one does; and as their number is not negative, loops do not cross each other either. */
 inline bool is_bijective(const Filled_patch& patch, const Plane_points& uv) {
   return flipped_triangles(patch, uv).empty() && are_loops_simple(patch, uv);
 }
