@@ -132,7 +132,7 @@ public:
     x << eigen_point(triangle, 1) - eigen_point(triangle, 0), eigen_point(triangle, 2) - eigen_point(triangle, 0);
     Eigen::Matrix2d adjugate;
     adjugate << e(1, 1), -e(0, 1), -e(1, 0), e(0, 0);
-    return (1 / internal::cross_product(e.col(0), e.col(1))) * (x * adjugate);
+    return (1 / internal::plane_cross_product(e.col(0), e.col(1))) * (x * adjugate);
   }
 
   /// The ratio of the largest to the smallest stretch of a triangle: 1 where the map is conformal.

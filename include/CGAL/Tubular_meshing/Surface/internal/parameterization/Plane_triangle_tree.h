@@ -25,13 +25,14 @@ struct Nearest_in_triangle {
   double squared_distance = (std::numeric_limits<double>::infinity)();
 };
 
-inline double cross_product(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+inline double plane_cross_product(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
   return a.x() * b.y() - a.y() * b.x();
 }
 
 /* Twice the areas of the triangles that p makes with the sides, each opposite to its corner. */
 inline std::array<double, 3> side_areas(const std::array<Eigen::Vector2d, 3>& c, const Eigen::Vector2d& p) {
-  return {{cross_product(c[1] - p, c[2] - p), cross_product(c[2] - p, c[0] - p), cross_product(c[0] - p, c[1] - p)}};
+  return {{plane_cross_product(c[1] - p, c[2] - p), plane_cross_product(c[2] - p, c[0] - p),
+           plane_cross_product(c[0] - p, c[1] - p)}};
 }
 
 inline Nearest_in_triangle nearest_in_triangle(const std::array<Eigen::Vector2d, 3>& c, const Eigen::Vector2d& p) {
