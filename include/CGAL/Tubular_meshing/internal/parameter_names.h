@@ -19,13 +19,13 @@ CGAL_TUBULAR_MESHING_PARAMETER(seeds)
 CGAL_TUBULAR_MESHING_PARAMETER(inlet)
 CGAL_TUBULAR_MESHING_PARAMETER(centerline_graph)
 
-// cutting
-CGAL_TUBULAR_MESHING_PARAMETER(aspect_ratio)
-
 // flow extensions
 CGAL_TUBULAR_MESHING_PARAMETER(extension_length)
 CGAL_TUBULAR_MESHING_PARAMETER(min_extension_length)
 CGAL_TUBULAR_MESHING_PARAMETER(extended_openings)
+
+// cutting
+CGAL_TUBULAR_MESHING_PARAMETER(aspect_ratio)
 
 // filling
 CGAL_TUBULAR_MESHING_PARAMETER(facet_distance)
