@@ -28,12 +28,22 @@ template <class Point_2> struct Plane_triangulation {
 
 namespace internal {
 
+// Points from the front inwards, again where edges turn out to be long after all.
+template <class Plane> void insert_points(Plane& plane) {
+  Plane_flips<Plane>(plane).make_delaunay();
+  Plane_size_control<Plane> sizes(plane);
+  std::size_t added = 1;
+  for (int round = 0; round < 8 && added > 0; ++round) {
+    Frontal_delaunay<Plane>(plane).run();
+    added = sizes.split_long_edges();
+  }
+}
+
 template <class Plane> void optimize_plane(Plane& plane, int passes) {
   Plane_flips<Plane> flips(plane);
   Plane_size_control<Plane> sizes(plane);
   for (int pass = 0; pass < passes; ++pass) {
-    sizes.split_long_edges();
-    sizes.collapse_short_edges();
+    sizes.remove_crowded_vertices();
     flips.improve();
     Plane_smoothing<Plane> smoothing(plane);
     for (int k = 0; k < 3; ++k)
@@ -73,8 +83,7 @@ auto triangulate_in_metric(const PolygonRange& polygons, const Metric_field& met
       rings.back().emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()));
   }
   Plane plane(internal::Polygon_triangulator(rings).store(), rings, metric, embedding);
-  internal::Plane_flips<Plane>(plane).make_delaunay();
-  internal::Frontal_delaunay<Plane>(plane).run();
+  internal::insert_points(plane);
   internal::optimize_plane(plane, internal::choose(np, internal_np::optimization_passes, 2));
   return internal::triangulation_of<Point_2>(plane);
 }

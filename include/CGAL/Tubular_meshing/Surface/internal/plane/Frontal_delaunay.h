@@ -53,7 +53,8 @@ private:
   static double tune(const char* n, double d) { const char* s = getenv(n); return s ? atof(s) : d; }
   double largest_radius = tune("LR", 0.75); // of accepted triangles
   double smallest_distance = tune("SD", 0.6);
-  double smallest_height = tune("SH", 0.4); // over a boundary edge
+  static constexpr double growth = 1.3; // of sizes from a boundary finer than the metric, a row
+static constexpr double smallest_height = Plane::smallest_height;
 
   struct Entry {
     float size;
@@ -114,12 +115,13 @@ private:
     typename Insertion::Place place = insertion_.locate(h, p);
     if (place.half_edge == Plane_store::none)
       return false;
-    Node node = plane_.node_at(p);
+    const double scale = (std::min)(1., growth * (plane_.origin(h).scale + plane_.target(h).scale) / 2);
+    Node node = plane_.node_at(p, scale);
     if (correct(h, node, p)) {
       place = insertion_.locate(h, p);
       if (place.half_edge == Plane_store::none)
         return false;
-      node = plane_.node_at(p);
+      node = plane_.node_at(p, scale);
     }
     if (!has_room(place, node))
       return false;
@@ -141,7 +143,6 @@ private:
       return false;
     const double half = length / 2;
     double height = std::sqrt((std::max)(1 - half * half, 0.25 * half * half));
-    is_circumcenter_ = height > to_center;
     height = (std::min)(height, to_center);
     side_ = std::sqrt(half * half + height * height);
     const double s = height / length;
@@ -175,17 +176,7 @@ private:
   bool has_room(const typename Insertion::Place& place, const Node& x) {
     return insertion_.all_neighbors(
         place, x, [&](Index v) { return Plane::length(x, plane_.nodes[v]) >= smallest_distance; },
-        [&](Index h) { return is_clear_of(h, x); });
-  }
-
-  bool is_clear_of(Index h, const Node& x) const {
-    const Metric_tensor_2& m = x.metric;
-    const Plane_vector e = plane_.target(h).point - plane_.origin(h).point;
-    const Plane_vector f = x.point - plane_.origin(h).point;
-    const double along = dot(m, e, f), ee = dot(m, e, e);
-    if (along <= 0 || along >= ee) // nearer to its ends, which are looked at anyway
-      return true;
-    return cross(e, f) * std::sqrt(m.determinant()) >= smallest_height * std::sqrt(ee);
+        [&](Index h) { return plane_.is_clear_of(h, x); });
   }
 
   void commit(Index x) {
@@ -207,7 +198,6 @@ private:
   std::priority_queue<Entry> queue_;
   std::size_t budget_ = 0;
   double side_ = 1;
-  bool is_circumcenter_ = false;
 };
 
 } // namespace internal

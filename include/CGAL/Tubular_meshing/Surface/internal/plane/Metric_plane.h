@@ -43,6 +43,7 @@ struct Plane_node {
   Metric_tensor_2 metric;
   Metric_tensor_2 shape; // the metric scaled to determinant one: sums of shapes do not depend on sizes
   Vector_3d image;       // under the embedding, if there is one
+  double scale = 1;      // the size aimed at, in the field's; `metric` is the field's over its square
 };
 
 /* A triangulation of the plane with the metric at its vertices, and the measures that the mesher decides by. */
@@ -59,16 +60,19 @@ public:
     for (const auto& polygon : polygons)
       for (const Plane_point& p : polygon)
         nodes.push_back(node_at(p));
+    grade_from_boundary();
   }
 
   Plane_store store;
   std::vector<Node> nodes;
 
-  Node node_at(const Plane_point& p) const {
+  Node node_at(const Plane_point& p, double scale = 1) const {
+    const Metric_tensor_2 m = metric_at(p);
     Node node;
     node.point = p;
-    node.metric = metric_at(p);
-    node.shape = node.metric.normalized();
+    node.scale = scale;
+    node.metric = 1 / (scale * scale) * m;
+    node.shape = m.normalized();
     if constexpr (is_embedded)
       node.image = Vector_3d(embedding_(p));
     return node;
@@ -155,6 +159,17 @@ public:
            -1e-12 * (std::abs(dot(m, ca, cb) * sin_d) + std::abs(dot(m, da, db) * sin_c));
   }
 
+  static constexpr double smallest_height = 0.4;
+
+  // Is a new vertex x not too near to the edge of h, on the boundary? Ends of edges are vertices and not looked at.
+  bool is_clear_of(Index h, const Node& x) const {
+    const Plane_vector e = target(h).point - origin(h).point, f = x.point - origin(h).point;
+    const double along = dot(x.metric, e, f), ee = dot(x.metric, e, e);
+    if (along <= 0 || along >= ee)
+      return true;
+    return cross(e, f) * std::sqrt(x.metric.determinant()) >= smallest_height * std::sqrt(ee);
+  }
+
   // May the edge of h be flipped: is its quadrilateral strictly convex?
   bool is_flippable(Index h) const {
     const Index g = store.twin(h);
@@ -170,6 +185,24 @@ public:
   }
 
 private:
+  // Where the boundary, which is kept, is finer than the metric asks for, the mesh starts at its size.
+  void grade_from_boundary() {
+    std::vector<double> length_sum(nodes.size(), 0);
+    for (Index h = 0; h < 3 * store.number_of_triangles(); ++h)
+      if (store.twin(h) == Plane_store::none) {
+        const double l = length(h);
+        length_sum[store.origin(h)] += l;
+        length_sum[store.target(h)] += l;
+      }
+    for (Index v = 0; v < nodes.size(); ++v) {
+      Node& node = nodes[v];
+      node.scale = (std::min)(1., length_sum[v] / (2 * quasi_unit));
+      node.metric = 1 / (node.scale * node.scale) * node.metric;
+    }
+  }
+
+  static constexpr double quasi_unit = 0.8; // shorter boundary edges are meant to be short
+
   static double logarithmic_mean(double a, double b) {
     const double r = std::abs(a - b), sum = a + b;
     if (r <= 0.1 * sum) // a + b over two, but for a term of second order: without a logarithm

@@ -63,7 +63,7 @@ private:
       const Plane_point p(old.point.x() + s * step.x, old.point.y() + s * step.y);
       if (!is_inside_star(v, p))
         continue;
-      const Node moved = plane_.node_at(p);
+      const Node moved = plane_.node_at(p, old.scale);
       const Star after = star(v, moved);
       if (after.worst >= before.worst && after.sum > before.sum + worth_it) {
         plane_.nodes[v] = moved;
