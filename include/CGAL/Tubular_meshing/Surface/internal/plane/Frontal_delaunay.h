@@ -54,7 +54,7 @@ private:
   double largest_radius = tune("LR", 0.75); // of accepted triangles
   double smallest_distance = tune("SD", 0.6);
   static constexpr double growth = 1.3; // of sizes from a boundary finer than the metric, a row
-static constexpr double smallest_height = Plane::smallest_height;
+static constexpr double smallest_height = 0.4; // of a point over its front edge
 
   struct Entry {
     float size;
@@ -153,13 +153,9 @@ static constexpr double smallest_height = Plane::smallest_height;
   // One step of Newton's method towards equal lengths of the new edges, in the metrics of both their ends.
   bool correct(Index h, const Node& x, Plane_point& p) const {
     const Node &a = plane_.origin(h), &b = plane_.target(h);
-    const double la = Plane::length(a, x), lb = Plane::length(b, x);
-    const double ra = (side_ - la) * la, rb = (side_ - lb) * lb;
-    const Plane_vector u = gradient(a, x), v = gradient(b, x);
-    const double d = cross(u, v);
-    if (!(d > 0))
+    Plane_vector step;
+    if (!Plane::step_to_apex(a, b, x, side_, step))
       return false;
-    const Plane_vector step = {(ra * v.y - rb * u.y) / d, (u.x * rb - v.x * ra) / d};
     const double size = x.metric.length(step.x, step.y);
     if (!(size > 0.02))
       return false;
@@ -167,16 +163,10 @@ static constexpr double smallest_height = Plane::smallest_height;
     p = Plane_point(x.point.x() + s * step.x, x.point.y() + s * step.y);
     return CGAL::orientation(a.point, b.point, p) == CGAL::LEFT_TURN;
   }
-  static Plane_vector gradient(const Node& from, const Node& to) {
-    const Metric_tensor_2 m = 0.5 * (from.metric + to.metric);
-    const Plane_vector e = to.point - from.point;
-    return {m.xx * e.x + m.xy * e.y, m.xy * e.x + m.yy * e.y};
-  }
-
   bool has_room(const typename Insertion::Place& place, const Node& x) {
     return insertion_.all_neighbors(
         place, x, [&](Index v) { return Plane::length(x, plane_.nodes[v]) >= smallest_distance; },
-        [&](Index h) { return plane_.is_clear_of(h, x); });
+        [&](Index h) { return plane_.sees_at_good_angle(x, h); });
   }
 
   void commit(Index x) {

@@ -159,15 +159,25 @@ public:
            -1e-12 * (std::abs(dot(m, ca, cb) * sin_d) + std::abs(dot(m, da, db) * sin_c));
   }
 
-  static constexpr double smallest_height = 0.4;
+  // Would a new vertex x see the edge of h, on the boundary, under a good angle? A wide one makes a flat triangle that no
+  // flip can mend.
+  bool sees_at_good_angle(const Node& x, Index h) const {
+    const Plane_vector u = origin(h).point - x.point, v = target(h).point - x.point;
+    const Metric_tensor_2& m = x.metric;
+    return dot(m, u, v) >= widest_angle_cosine * std::sqrt(dot(m, u, u) * dot(m, v, v));
+  }
 
-  // Is a new vertex x not too near to the edge of h, on the boundary? Ends of edges are vertices and not looked at.
-  bool is_clear_of(Index h, const Node& x) const {
-    const Plane_vector e = target(h).point - origin(h).point, f = x.point - origin(h).point;
-    const double along = dot(x.metric, e, f), ee = dot(x.metric, e, e);
-    if (along <= 0 || along >= ee)
-      return true;
-    return cross(e, f) * std::sqrt(x.metric.determinant()) >= smallest_height * std::sqrt(ee);
+  // Where x would have to go, to first order, for |xa| and |xb| to become `side`, all lengths in the metric at both
+  // their ends (one step of Newton's method). False if a, b and x are too flat for that.
+  static bool step_to_apex(const Node& a, const Node& b, const Node& x, double side, Plane_vector& step) {
+    const double la = length(a, x), lb = length(b, x);
+    const Plane_vector u = length_gradient(a, x), v = length_gradient(b, x);
+    const double d = cross(u, v);
+    if (!(d * d > least_sine * least_sine * la * la * lb * lb * x.metric.determinant()))
+      return false;
+    const double ra = (side - la) * la, rb = (side - lb) * lb;
+    step = {(ra * v.y - rb * u.y) / d, (u.x * rb - v.x * ra) / d};
+    return true;
   }
 
   // May the edge of h be flipped: is its quadrilateral strictly convex?
@@ -202,6 +212,16 @@ private:
   }
 
   static constexpr double quasi_unit = 0.8; // shorter boundary edges are meant to be short
+
+  static constexpr double widest_angle_cosine = -0.22;
+  static constexpr double least_sine = 0.3;
+
+  // of half the squared length, by q
+  static Plane_vector length_gradient(const Node& p, const Node& q) {
+    const Metric_tensor_2 m = 0.5 * (p.metric + q.metric);
+    const Plane_vector e = q.point - p.point;
+    return {m.xx * e.x + m.xy * e.y, m.xy * e.x + m.yy * e.y};
+  }
 
   static double logarithmic_mean(double a, double b) {
     const double r = std::abs(a - b), sum = a + b;

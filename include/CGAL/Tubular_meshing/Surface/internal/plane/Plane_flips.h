@@ -23,10 +23,12 @@ public:
       : plane_(plane)
       , store_(plane.store) {}
 
-  // Until all edges are Delaunay in the metric. Where that varies this need not end: hence the bound.
+  // Until all edges are Delaunay in the metric. In a constant metric that takes at most a number of flips quadratic in
+  // the edges; in a varying one it need not end: hence the bounds.
   void make_delaunay() {
     push_all();
-    run(20 * stack_.size() + 100, [&](Index h) { return !plane_.is_locally_delaunay(h); });
+    const std::size_t n = stack_.size();
+    run(100 * n + (std::min)(n * n, std::size_t(4000000)), [&](Index h) { return !plane_.is_locally_delaunay(h); });
   }
 
   // Until no flip raises the worse quality of its two triangles. Ends: sorted qualities only ever rise.

@@ -63,7 +63,8 @@ private:
     if (place.half_edge == Plane_store::none)
       return;
     const auto far_enough = [&](Index v) { return Plane::length(middle, plane_.nodes[v]) >= least_distance; };
-    if (insertion_.all_neighbors(place, middle, far_enough, [&](Index k) { return plane_.is_clear_of(k, middle); }))
+    if (insertion_.all_neighbors(place, middle, far_enough,
+                                 [&](Index k) { return plane_.sees_at_good_angle(middle, k); }))
       insertion_.insert(place, middle);
   }
 

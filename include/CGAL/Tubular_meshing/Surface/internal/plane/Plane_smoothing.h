@@ -75,17 +75,24 @@ private:
 
   Plane_vector step_to_target(Index v) const {
     const Node& x = plane_.nodes[v];
-    double sx = 0, sy = 0, weights = 0;
+    Plane_vector sum = {0, 0};
+    std::size_t n = 0;
     store_.for_each_outgoing(v, [&](Index h) {
-      const Node &a = plane_.target(h), &b = plane_.apex(h);
-      const Plane_vector e = b.point - a.point;
-      const auto turn = (a.shape + b.shape + x.shape).quarter_turn(e.x, e.y);
-      const Plane_vector to_a = a.point - x.point;
-      sx += to_a.x + e.x / 2 + half_root_three * turn[0];
-      sy += to_a.y + e.y / 2 + half_root_three * turn[1];
-      weights += 1;
+      const Plane_vector step = step_to_apex(plane_.target(h), plane_.apex(h), x);
+      sum.x += step.x;
+      sum.y += step.y;
+      ++n;
     });
-    return {sx / weights, sy / weights};
+    return {sum.x / double(n), sum.y / double(n)};
+  }
+
+  static Plane_vector step_to_apex(const Node& a, const Node& b, const Node& x) {
+    Plane_vector step;
+    if (!getenv("OLD") && Plane::step_to_apex(a, b, x, Plane::length(a, b), step))
+      return step;
+    const Plane_vector e = b.point - a.point, to_a = a.point - x.point;
+    const auto turn = (a.shape + b.shape + x.shape).quarter_turn(e.x, e.y);
+    return {to_a.x + e.x / 2 + half_root_three * turn[0], to_a.y + e.y / 2 + half_root_three * turn[1]};
   }
 
   struct Star {
