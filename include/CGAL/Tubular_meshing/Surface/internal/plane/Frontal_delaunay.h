@@ -11,7 +11,7 @@
 #include <cmath>
 #include <cstdint>
 #include <queue>
-#include <string>
+#include <sstream>
 #include <vector>
 
 namespace CGAL {
@@ -49,12 +49,15 @@ public:
   }
 
 private:
-  static constexpr double equilateral_radius = 0.57735026918962576; // of edge length one
-  static double tune(const char* n, double d) { const char* s = getenv(n); return s ? atof(s) : d; }
-  double largest_radius = tune("LR", 0.75); // of accepted triangles
-  double smallest_distance = tune("SD", 0.6);
-  static constexpr double growth = 1.3; // of sizes from a boundary finer than the metric, a row
-static constexpr double smallest_height = 0.4; // of a point over its front edge
+  static constexpr double largest_radius = 0.78; // of accepted triangles; the equilateral one has 0.577
+  static constexpr double smallest_distance = 0.6;
+  static constexpr double smallest_height = 0.4; // of a point over its front edge
+  static constexpr double growth = 1.3; // of sizes, a row, from a boundary that is finer than the metric
+
+  static constexpr double least_correction = 0.02; // of a point's place, in the metric
+  static constexpr double most_correction = 0.4;
+  static constexpr double most_area = 1e8;
+  static constexpr double unit_triangle_area = 0.43301270189221932;
 
   struct Entry {
     float size;
@@ -88,14 +91,18 @@ static constexpr double smallest_height = 0.4; // of a point over its front edge
       queue_.push({radius_[t], t, stamp_[t]});
   }
 
-  // Points are as many as the metric's area asks for, as seen by the triangulation so far, with much to spare.
+  // Points are at most as many as the metric's area asks for, as the triangulation sees it so far, with much to spare.
+  // Asked for again when they are used up: false if the area has not grown with them. So the method ends in any metric.
   bool raise_budget() {
     double area = 0;
     for (Index t = 0; t < store_.number_of_triangles(); ++t)
-      area += plane_.density_of(t) / 2;
-    if (!(area < 1e9))
-      throw Parameter_error("The metric asks for about " + std::to_string(area) +
-                            " times the area of a unit triangle, which no computer can hold; give larger sizes.");
+      area += plane_.least_area(t);
+    if (!(area < most_area)) {
+      std::ostringstream sentence;
+      sentence << "The metric asks for about " << area / unit_triangle_area
+               << " triangles, which is more than fit into memory; give larger sizes.";
+      throw Parameter_error(sentence.str());
+    }
     const std::size_t before = budget_;
     budget_ = store_.boundary_size() + 100 + std::size_t(8 * area);
     return budget_ > before + before / 4;
@@ -147,7 +154,7 @@ static constexpr double smallest_height = 0.4; // of a point over its front edge
     side_ = std::sqrt(half * half + height * height);
     const double s = height / length;
     p = Plane_point(a.point.x() + e.x / 2 + s * normal[0], a.point.y() + e.y / 2 + s * normal[1]);
-    return true;
+    return std::isfinite(p.x()) && std::isfinite(p.y());
   }
 
   // One step of Newton's method towards equal lengths of the new edges, in the metrics of both their ends.
@@ -157,9 +164,9 @@ static constexpr double smallest_height = 0.4; // of a point over its front edge
     if (!Plane::step_to_apex(a, b, x, side_, step))
       return false;
     const double size = x.metric.length(step.x, step.y);
-    if (!(size > 0.02))
+    if (!(size > least_correction && std::isfinite(size)))
       return false;
-    const double s = (std::min)(1., 0.4 / size);
+    const double s = (std::min)(1., most_correction / size);
     p = Plane_point(x.point.x() + s * step.x, x.point.y() + s * step.y);
     return CGAL::orientation(a.point, b.point, p) == CGAL::LEFT_TURN;
   }

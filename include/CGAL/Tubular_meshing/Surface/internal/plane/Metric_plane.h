@@ -123,12 +123,12 @@ public:
   }
   double quality(Index t) const { return quality(origin(3 * t), origin(3 * t + 1), origin(3 * t + 2)); }
 
-  // Twice the area in the mean metric of the corners.
-  double density_of(Index t) const {
+  // The area in the metric of the corner where it is least: a bound from below in a triangle that reaches from small
+  // sizes to large ones.
+  double least_area(Index t) const {
     const Node &a = origin(3 * t), &b = origin(3 * t + 1), &c = origin(3 * t + 2);
-    const double d = std::sqrt(a.metric.determinant()) + std::sqrt(b.metric.determinant()) +
-                     std::sqrt(c.metric.determinant());
-    return cross(b.point - a.point, c.point - a.point) * d / 3;
+    const double d = (std::min)({a.metric.determinant(), b.metric.determinant(), c.metric.determinant()});
+    return cross(b.point - a.point, c.point - a.point) / 2 * std::sqrt(d);
   }
 
   // The circle through the corners of a triangle in metric m: from `a`, and its squared radius.

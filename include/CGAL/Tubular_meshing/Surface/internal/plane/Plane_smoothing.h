@@ -88,7 +88,7 @@ private:
 
   static Plane_vector step_to_apex(const Node& a, const Node& b, const Node& x) {
     Plane_vector step;
-    if (!getenv("OLD") && Plane::step_to_apex(a, b, x, Plane::length(a, b), step))
+    if (Plane::step_to_apex(a, b, x, Plane::length(a, b), step))
       return step;
     const Plane_vector e = b.point - a.point, to_a = a.point - x.point;
     const auto turn = (a.shape + b.shape + x.shape).quarter_turn(e.x, e.y);

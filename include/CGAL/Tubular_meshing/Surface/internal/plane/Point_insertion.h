@@ -34,6 +34,9 @@ public:
   // Walks from the middle of h to x, on the left of h, straight on: not past the boundary, hence outside is `none`.
   Place locate(Index h, const Plane_point& x) const {
     const Plane_point start = CGAL::midpoint(plane_.origin(h).point, plane_.target(h).point);
+    if (CGAL::orientation(start, x, plane_.origin(h).point) != CGAL::LEFT_TURN ||
+        CGAL::orientation(start, x, plane_.target(h).point) != CGAL::RIGHT_TURN)
+      return {}; // edges of a few units in the last place: the way would not be straight
     for (;;) {
       // the line enters across h, leaving its origin on the left
       const bool apex_on_right = CGAL::orientation(start, x, plane_.apex(h).point) == CGAL::RIGHT_TURN;
