@@ -161,8 +161,8 @@ Report report(const Mesh& mesh, const Field& field, const Embedding& embedding =
   for (const auto& t : mesh.triangles) {
     const Point &p = mesh.points[t[0]], &q = mesh.points[t[1]], &s = mesh.points[t[2]];
     const Metric mean = 1. / 3 * (field(p) + field(q) + field(s));
-    const double gamma = embedding ? tubular::triangle_gamma(embedding(p), embedding(q), embedding(s))
-                                   : gamma_in_metric(mean, p, q, s);
+    const double gamma =
+        embedding ? tubular::triangle_gamma(embedding(p), embedding(q), embedding(s)) : gamma_in_metric(mean, p, q, s);
     r.mean_gamma += gamma / double(mesh.triangles.size());
     r.min_gamma = (std::min)(r.min_gamma, gamma);
     area += CGAL::area(p, q, s) * std::sqrt(field(CGAL::centroid(p, q, s)).determinant());
@@ -277,7 +277,7 @@ TEST(PlaneMesher, same_mesh_in_any_unit_and_place) {
 
 TEST(PlaneMesher, constant_anisotropic_metric) {
   const Field field = [](const Point&) { return Metric::from_sizes(0.2, 0.002, pi / 6); };
-  expect_unit(checked_mesh({circle(1, field)}, field), 0.4); // the tips of the disk are sharp in the metric
+  expect_unit(checked_mesh({circle(1, field)}, field), 0.4);       // the tips of the disk are sharp in the metric
   const Report square = checked_mesh({unit_square(field)}, field); // its corners are of 1.3 degrees in the metric
   EXPECT_NEAR(square.number_ratio, 1, 0.1);
   EXPECT_GE(square.tau, 0.92);
@@ -326,7 +326,8 @@ TEST(PlaneMesher, stretched_parameterization_of_a_cylinder) {
     const Polygon side = unit_edges([&](double t) { return between(corner[i], corner[(i + 1) % 4], t); }, field);
     rectangle.insert(rectangle.end(), side.begin(), side.end());
   }
-  const Mesh mesh = tubular::triangulate_in_metric(Polygons{rectangle}, field, tubular::parameters::embedding(cylinder));
+  const Mesh mesh =
+      tubular::triangulate_in_metric(Polygons{rectangle}, field, tubular::parameters::embedding(cylinder));
   expect_valid(mesh, {rectangle});
   expect_unit(report(mesh, field, cylinder));
 }

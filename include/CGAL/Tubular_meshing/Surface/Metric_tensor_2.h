@@ -40,9 +40,7 @@ public:
    * \param x_u derivative of the embedding by the first coordinate, a vector with `x()`, `y()`, `z()`
    * \param x_v derivative by the second coordinate */
   template <class Vector_3> static Metric_tensor_2 induced(const Vector_3& x_u, const Vector_3& x_v, double h) {
-    const auto dot = [](const Vector_3& a, const Vector_3& b) {
-      return a.x() * b.x() + a.y() * b.y() + a.z() * b.z();
-    };
+    const auto dot = [](const Vector_3& a, const Vector_3& b) { return a.x() * b.x() + a.y() * b.y() + a.z() * b.z(); };
     const double s = 1 / (h * h);
     return {s * dot(x_u, x_u), s * dot(x_u, x_v), s * dot(x_v, x_v)};
   }
@@ -81,9 +79,7 @@ public:
   }
 
   /// The angle, in \f$ (-\pi/2, \pi/2] \f$, of the direction in which the size is larger.
-  double angle_of_larger_size() const {
-    return xx == yy && xy == 0 ? 0 : std::atan2(-2 * xy, yy - xx) / 2;
-  }
+  double angle_of_larger_size() const { return xx == yy && xy == 0 ? 0 : std::atan2(-2 * xy, yy - xx) / 2; }
 
   /*! The log-Euclidean mean \f$ \exp((1-t) \log M_0 + t \log M_1) \f$: interpolates sizes geometrically, and is
    * positive definite whenever both are. */

@@ -121,9 +121,9 @@ template <class Point_2, class Function> auto on_plane_points(const Function& f)
  * of a crowded vertex, which leaves 0.7 at least, or what there was. Quality is measured in the mean metric of a
  * triangle's corners, or, if an embedding is given, on the triangle in space.
  *
- * The edges of the polygons are kept: they should have a length of about one in the metric. Where they are much shorter,
- * sizes grow gradually from theirs; where they are longer, triangles beside them are larger. Angles between them that are
- * acute in the metric give triangles as bad as the angle, but valid.
+ * The edges of the polygons are kept: they should have a length of about one in the metric. Where they are much
+ * shorter, sizes grow gradually from theirs; where they are longer, triangles beside them are larger. Angles between
+ * them that are acute in the metric give triangles as bad as the angle, but valid.
  *
  * The metric is asked for at points in the closed domain only: about three times a triangle. Sizes should not change
  * by more than a factor of two or so over an edge: the mesh follows a sudden change, but with worse triangles, and a
@@ -148,18 +148,17 @@ template <class Point_2, class Function> auto on_plane_points(const Function& f)
  *   \cgalParamNBegin{optimization_passes} \cgalParamDescription{number of passes} \cgalParamDefault{2} \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
- * \throws Input_error if there is no polygon, if one has fewer than three points, coordinates that are not finite or all
- *         its points on a line, if polygons touch or cross, or if a hole is not inside the outer polygon and outside
- *         the other holes
- * \throws Parameter_error if the metric is not symmetric positive definite and finite somewhere, if it asks for more
- *         than some 10<sup>8</sup> triangles, or if the number of passes is negative
+ * \throws Input_error if there is no polygon, if one has fewer than three points, coordinates that are not finite or
+ * all its points on a line, if polygons touch or cross, or if a hole is not inside the outer polygon and outside the
+ * other holes \throws Parameter_error if the metric is not symmetric positive definite and finite somewhere, if it asks
+ * for more than some 10<sup>8</sup> triangles, or if the number of passes is negative
  */
 template <class PolygonRange, class MetricField_2, class NamedParameters = CGAL::parameters::Default_named_parameters>
 auto triangulate_in_metric(const PolygonRange& polygons, const MetricField_2& metric,
                            const NamedParameters& np = CGAL::parameters::default_values()) {
   typedef typename std::decay<decltype(*std::begin(*std::begin(polygons)))>::type Point_2;
-  const auto embedding = CGAL::parameters::choose_parameter(
-      CGAL::parameters::get_parameter(np, internal_np::embedding), internal::No_embedding());
+  const auto embedding = CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(np, internal_np::embedding),
+                                                            internal::No_embedding());
   const int passes = internal::choose(np, internal_np::optimization_passes, 2);
   if (passes < 0)
     throw Parameter_error("The number of optimization passes must not be negative, but is " + std::to_string(passes) +

@@ -52,7 +52,7 @@ private:
   static constexpr double largest_radius = 0.78; // of accepted triangles; the equilateral one has 0.577
   static constexpr double smallest_distance = 0.6;
   static constexpr double smallest_height = 0.4; // of a point over its front edge
-  static constexpr double growth = 1.3; // of sizes, a row, from a boundary that is finer than the metric
+  static constexpr double growth = 1.3;          // of sizes, a row, from a boundary that is finer than the metric
 
   static constexpr double least_correction = 0.02; // of a point's place, in the metric
   static constexpr double most_correction = 0.4;
@@ -63,9 +63,7 @@ private:
     float size;
     Index triangle;
     std::uint32_t stamp;
-    bool operator<(const Entry& e) const {
-      return size != e.size ? size < e.size : triangle > e.triangle;
-    }
+    bool operator<(const Entry& e) const { return size != e.size ? size < e.size : triangle > e.triangle; }
   };
 
   bool is_done(Index t) const { return radius_[t] <= largest_radius; }

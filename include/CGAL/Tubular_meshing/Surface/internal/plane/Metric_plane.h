@@ -159,8 +159,8 @@ public:
            -1e-12 * (std::abs(dot(m, ca, cb) * sin_d) + std::abs(dot(m, da, db) * sin_c));
   }
 
-  // Would a new vertex x see the edge of h, on the boundary, under a good angle? A wide one makes a flat triangle that no
-  // flip can mend.
+  // Would a new vertex x see the edge of h, on the boundary, under a good angle? A wide one makes a flat triangle that
+  // no flip can mend.
   bool sees_at_good_angle(const Node& x, Index h) const {
     const Plane_vector u = origin(h).point - x.point, v = target(h).point - x.point;
     const Metric_tensor_2& m = x.metric;
@@ -190,9 +190,7 @@ public:
   }
 
   // Is the edge of h, which is flippable, not Delaunay in the metric?
-  bool is_locally_delaunay(Index h) const {
-    return !is_in_circle(origin(h), target(h), apex(h), apex(store.twin(h)));
-  }
+  bool is_locally_delaunay(Index h) const { return !is_in_circle(origin(h), target(h), apex(h), apex(store.twin(h))); }
 
 private:
   // Where the boundary, which is kept, is finer than the metric asks for, the mesh starts at its size.

@@ -18,6 +18,7 @@
 
 #include <boost/iterator/counting_iterator.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <string>
@@ -124,6 +125,8 @@ private:
       vertices_[j] = v;
       hint = v->face();
     }
+    if (cdt_.dimension() < 2)
+      throw Input_error("All vertices of the polygons lie on one line: there is no domain to triangulate.");
   }
 
   void insert_edges() {
@@ -151,8 +154,6 @@ private:
   }
 
   void mark_depths() {
-    if (cdt_.dimension() < 2)
-      throw Input_error("All vertices of the polygons lie on one line: there is no domain to triangulate.");
     std::vector<Face_handle> level{cdt_.infinite_face()}, next_level;
     for (int depth = 0; !level.empty(); ++depth, level.swap(next_level)) {
       next_level.clear();
@@ -178,7 +179,7 @@ private:
       cdt_.is_edge(vertices_[first], vertices_[first + 1], f, side);
       const int depth = (std::min)(f->info().depth, f->neighbor(side)->info().depth);
       if (depth != (k == 0 ? 0 : 1))
-        throw Input_error(k == 0     ? "The outer polygon must come first, but it lies inside another polygon."
+        throw Input_error(k == 0       ? "The outer polygon must come first, but it lies inside another polygon."
                           : depth == 0 ? "Holes must lie inside the outer polygon, but " + name(k) + " is outside."
                                        : "Holes must not be nested, but " + name(k) + " lies inside another one.");
       first += polygons_[k].size();
