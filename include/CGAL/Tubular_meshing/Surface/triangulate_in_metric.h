@@ -125,7 +125,7 @@ template <class Point_2, class Function> auto on_plane_points(const Function& f)
  * shorter, sizes grow gradually from theirs; where they are longer, triangles beside them are larger. Angles between
  * them that are acute in the metric give triangles as bad as the angle, but valid.
  *
- * The metric is asked for at points in the closed domain only: about three times a triangle. Sizes should not change
+ * The metric is asked for at points in the closed domain only: some four to seven times a triangle. Sizes should not change
  * by more than a factor of two or so over an edge: the mesh follows a sudden change, but with worse triangles, and a
  * spot that is finer than its surroundings, and smaller than their size, may pass unseen.
  *

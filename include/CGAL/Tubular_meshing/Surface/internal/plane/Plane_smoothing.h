@@ -41,7 +41,7 @@ public:
   }
 
 private:
-  static constexpr double least_step = 0.003; // of the unit length
+  static constexpr double least_step = 0.01; // of the unit length
   static constexpr double worth_it = 1e-5;
 
   bool is_awake(Index v) const {
@@ -63,9 +63,10 @@ private:
       const Plane_point p(old.point.x() + s * step.x, old.point.y() + s * step.y);
       if (!is_inside_star(v, p))
         continue;
+      if (!is_promising(v, p, before))
+        continue;
       const Node moved = plane_.node_at(p, old.scale);
-      const Star after = star(v, moved);
-      if (after.worst >= before.worst && after.sum > before.sum + worth_it) {
+      if (star(v, moved).is_better_than(before)) {
         plane_.nodes[v] = moved;
         return true;
       }
@@ -97,6 +98,7 @@ private:
 
   struct Star {
     double worst = 1, sum = 0;
+    bool is_better_than(const Star& other) const { return worst >= other.worst && sum > other.sum + worth_it; }
   };
   Star star(Index v, const Node& x) const {
     Star s;
@@ -106,6 +108,15 @@ private:
       s.sum += q;
     });
     return s;
+  }
+
+  // The field may be slow: it is asked at places only that would be better if it were constant around the vertex.
+  bool is_promising(Index v, const Plane_point& p, const Star& before) const {
+    if (Plane::is_embedded)
+      return true;
+    Node moved = plane_.nodes[v];
+    moved.point = p;
+    return star(v, moved).is_better_than(before);
   }
 
   bool is_inside_star(Index v, const Plane_point& p) const {
