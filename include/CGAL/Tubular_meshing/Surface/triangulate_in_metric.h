@@ -39,7 +39,7 @@ namespace internal {
 
 // Points from the front inwards; again, where edges turn out to be too long after all.
 template <class Plane> void insert_points(Plane& plane) {
-  const int most_rounds = 8;
+  const int most_rounds = 4;
   Plane_flips<Plane>(plane).make_delaunay();
   Plane_size_control<Plane> sizes(plane);
   std::size_t added = 1;
@@ -125,9 +125,9 @@ template <class Point_2, class Function> auto on_plane_points(const Function& f)
  * shorter, sizes grow gradually from theirs; where they are longer, triangles beside them are larger. Angles between
  * them that are acute in the metric give triangles as bad as the angle, but valid.
  *
- * The metric is asked for at points in the closed domain only: some four to seven times a triangle. Sizes should not change
- * by more than a factor of two or so over an edge: the mesh follows a sudden change, but with worse triangles, and a
- * spot that is finer than its surroundings, and smaller than their size, may pass unseen.
+ * The metric is asked for at points in the closed domain only: some four to seven times a triangle. Sizes should not
+ * change by more than a factor of two or so over an edge: the mesh follows a sudden change, but with worse triangles,
+ * and a spot that is finer than its surroundings, and smaller than their size, may pass unseen.
  *
  * O(n log n) in the number of triangles; 10<sup>5</sup> take about half a second. The result depends on the arguments
  * alone. Predicates are exact: triangles are positively oriented whatever the metric.
