@@ -8,6 +8,10 @@
 #include <CGAL/Tubular_meshing/Generators/tubular_shapes.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
 
 namespace {
 
@@ -20,13 +24,32 @@ double diagonal(const Mesh& mesh) {
   return distance(Point(box.xmin(), box.ymin(), box.zmin()), Point(box.xmax(), box.ymax(), box.zmax()));
 }
 
-void expect_same(const Graph& a, const Graph& b, const Transformation& t, double tolerance) {
-  ASSERT_EQ(a.points().size(), b.points().size());
-  ASSERT_EQ(a.branches().size(), b.branches().size());
+// How far the points of one graph are from the other, at most.
+double distance_to(const Graph& from, const Transformation& t, const std::vector<Kernel::Segment_3>& to) {
   double largest = 0;
-  for (std::size_t i = 0; i < a.points().size(); ++i)
-    largest = std::max(largest, distance(t(a.points()[i]), b.points()[i]));
-  EXPECT_LE(largest, tolerance);
+  for (const Point& p : from.points()) {
+    double nearest = (std::numeric_limits<double>::infinity)();
+    for (const auto& s : to)
+      nearest = std::min(nearest, CGAL::squared_distance(t(p), s));
+    largest = std::max(largest, std::sqrt(nearest));
+  }
+  return largest;
+}
+
+std::vector<Kernel::Segment_3> segments_of(const Graph& graph, const Transformation& t) {
+  std::vector<Kernel::Segment_3> segments;
+  for (const auto& b : graph.branches())
+    for (std::size_t i = 1; i < b.points.size(); ++i)
+      segments.emplace_back(t(graph.points()[b.points[i - 1]]), t(graph.points()[b.points[i]]));
+  return segments;
+}
+
+void expect_same(const Graph& a, const Graph& b, const Transformation& t, double tolerance) {
+  const Transformation none(CGAL::IDENTITY);
+  ASSERT_EQ(a.branches().size(), b.branches().size());
+  EXPECT_EQ(a.number_of_ends(), b.number_of_ends());
+  EXPECT_LE(distance_to(a, t, segments_of(b, none)), tolerance);
+  EXPECT_LE(distance_to(b, none, segments_of(a, t)), tolerance);
 }
 
 /* Within 1e-6 of the size, wherever the surface lies: moved by 100 diagonals, double precision still tells points apart
