@@ -66,12 +66,19 @@ public:
 
   /* The faces; apart, since the poles tell whether there are samples enough. */
   void make_faces(const Sampled_surface& surface) {
+    std::vector<std::vector<Index>> outlines;
+    for (auto e = delaunay_.finite_edges_begin(); e != delaunay_.finite_edges_end(); ++e)
+      if (runs_inside(surface, e->first->vertex(e->second)->info(), e->first->vertex(e->third)->info())) {
+        std::vector<Index> outline = outline_of(*e, delaunay_);
+        if (!outline.empty())
+          outlines.push_back(std::move(outline));
+      }
+    delaunay_.clear();
+    std::sort(outlines.begin(), outlines.end()); // as for the vertices, memory is not to decide
     faces_of.assign(points.size(), {{none, none, none, none, none, none}});
     face_begin.assign(1, 0);
-    for (auto e = delaunay_.finite_edges_begin(); e != delaunay_.finite_edges_end(); ++e)
-      if (runs_inside(surface, e->first->vertex(e->second)->info(), e->first->vertex(e->third)->info()))
-        add_face(*e);
-    delaunay_.clear();
+    for (const std::vector<Index>& outline : outlines)
+      add_face(outline);
   }
 
   /* The sample nearest to a point; before make_faces(). */
@@ -88,17 +95,48 @@ private:
   typedef CGAL::Delaunay_triangulation_3<Kernel, Data_structure> Delaunay;
   typedef typename Delaunay::Cell_handle Cell;
 
+  /* A vertex before it has its number. Numbers follow places, not the triangulation's memory, in which cells lie as a
+   * random walk has found them: where the front has a choice, among equals, it is the same one each time. */
+  struct Candidate {
+    std::array<std::int64_t, 3> place; // rounded, so that places that differ by rounding errors are one
+    Point center;
+    double radius;
+    Cell cell;
+  };
+
+  static std::array<std::int64_t, 3> rounded(const Point& p) {
+    const double unit = 1e-9; // of the surface's extent
+    return {{std::llround(p.x() / unit), std::llround(p.y() / unit), std::llround(p.z() / unit)}};
+  }
+
+  // Of cells with one centre, their corners' places tell which is first.
+  static std::array<std::array<std::int64_t, 3>, 4> corners(const Sampled_surface& surface, Cell c) {
+    std::array<std::array<std::int64_t, 3>, 4> result;
+    for (int k = 0; k < 4; ++k)
+      result[std::size_t(k)] = rounded(surface.points[c->vertex(k)->info()]);
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+
   void make_vertices(const Sampled_surface& surface) {
     for (auto c = delaunay_.all_cells_begin(); c != delaunay_.all_cells_end(); ++c)
       c->info() = none;
+    std::vector<Candidate> candidates;
     for (auto c = delaunay_.finite_cells_begin(); c != delaunay_.finite_cells_end(); ++c) {
-      Point center;
-      double radius;
-      if (!circumsphere(surface, c, center, radius) || !is_inside(surface, c, center))
+      Candidate v;
+      v.cell = c;
+      if (!circumsphere(surface, c, v.center, v.radius) || !is_inside(surface, c, v.center))
         continue;
-      c->info() = Index(points.size());
-      points.push_back(center);
-      radii.push_back(radius);
+      v.place = rounded(v.center);
+      candidates.push_back(v);
+    }
+    std::sort(candidates.begin(), candidates.end(), [&](const Candidate& a, const Candidate& b) {
+      return a.place != b.place ? a.place < b.place : corners(surface, a.cell) < corners(surface, b.cell);
+    });
+    for (const Candidate& v : candidates) {
+      v.cell->info() = Index(points.size());
+      points.push_back(v.center);
+      radii.push_back(v.radius);
     }
   }
 
@@ -146,20 +184,27 @@ private:
         }
   }
 
-  void add_face(const typename Delaunay::Edge& edge) {
-    const std::size_t begin = face_vertices.size();
-    auto c = delaunay_.incident_cells(edge);
+  // From its smallest vertex, on towards the smaller neighbour; empty if one is outside.
+  static std::vector<Index> outline_of(const typename Delaunay::Edge& edge, const Delaunay& delaunay) {
+    std::vector<Index> outline;
+    auto c = delaunay.incident_cells(edge);
     const auto first = c;
     do {
-      if (c->info() == none) {
-        face_vertices.resize(begin);
-        return;
-      }
-      face_vertices.push_back(c->info());
+      if (c->info() == none)
+        return {};
+      outline.push_back(c->info());
     } while (++c != first);
+    std::rotate(outline.begin(), std::min_element(outline.begin(), outline.end()), outline.end());
+    if (outline.size() > 2 && outline.back() < outline[1])
+      std::reverse(outline.begin() + 1, outline.end());
+    return outline;
+  }
+
+  void add_face(const std::vector<Index>& outline) {
     const Index face = Index(face_begin.size() - 1);
-    for (std::size_t i = begin; i < face_vertices.size(); ++i)
-      *std::find(faces_of[face_vertices[i]].begin(), faces_of[face_vertices[i]].end(), none) = face;
+    for (Index v : outline)
+      *std::find(faces_of[v].begin(), faces_of[v].end(), none) = face;
+    face_vertices.insert(face_vertices.end(), outline.begin(), outline.end());
     face_begin.push_back(Index(face_vertices.size()));
   }
 
