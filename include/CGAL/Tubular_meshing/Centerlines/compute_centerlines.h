@@ -130,6 +130,7 @@ void compute_centerlines(const CGAL::Surface_mesh<Point_3>& surface, const FaceP
  * \param patch a readable property map from face to int: `labels::wall`, or the label of the face's opening
  * \param openings two or more; the first is the inlet
  * \param graph is replaced; its root is at the inlet
+ * \param np an optional sequence of named parameters among the ones listed below
  *
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{loops} \cgalParamDescription{whether vessels that split and rejoin keep all their branches, not
@@ -156,6 +157,8 @@ void compute_centerlines(const CGAL::Surface_mesh<Point_3>& surface, FacePatchMa
  *
  * \param surface a closed triangle mesh, turned outwards; all of it is wall
  * \param ends two points or more, the source first
+ * \param graph is replaced; its root is at the source
+ * \param np the named parameters `loops` and `merge_tolerance`, as above
  */
 template <class Point_3, class NamedParameters = CGAL::parameters::Default_named_parameters>
 void compute_centerlines(const CGAL::Surface_mesh<Point_3>& surface, const std::vector<Point_3>& ends,

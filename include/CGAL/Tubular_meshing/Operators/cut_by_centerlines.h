@@ -170,6 +170,7 @@ private:
  * \param graph its centerlines, with their radii, the ends at the openings: those of a Tubular_model
  * \param patch a property map from face to int: `labels::wall`, or the label of the face's opening. New faces get the
  *   label of the face that they are part of
+ * \param np an optional sequence of named parameters among the ones listed below
  *
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{aspect_ratio} \cgalParamDescription{the largest aspect ratio of a patch, length over mean
