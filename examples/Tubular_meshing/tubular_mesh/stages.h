@@ -11,7 +11,7 @@
 
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Tubular_meshing/Mixed_mesh.h>
-#include <CGAL/Tubular_meshing/Operators/Opening.h>
+#include <CGAL/Tubular_meshing/Opening.h>
 #include <CGAL/Tubular_meshing/Operators/Repair_report.h>
 #include <CGAL/Tubular_meshing/Tubular_model.h>
 

@@ -10,7 +10,7 @@
 #include <CGAL/Tubular_meshing/Centerlines/check_centerlines.h>
 #include <CGAL/Tubular_meshing/Centerlines/clip_to_openings.h>
 #include <CGAL/Tubular_meshing/Centerlines/compute_centerlines.h>
-#include <CGAL/Tubular_meshing/Operators/Opening.h>
+#include <CGAL/Tubular_meshing/Opening.h>
 #include <CGAL/Tubular_meshing/Operators/close_openings.h>
 #include <CGAL/Tubular_meshing/Operators/internal/check_meshable.h>
 #include <CGAL/Tubular_meshing/Operators/internal/seeds.h>

@@ -7,7 +7,7 @@
 #include <CGAL/Tubular_meshing/Centerlines/Centerline_graph.h>
 #include <CGAL/Tubular_meshing/internal/Nearest_tree.h>
 #include <CGAL/Tubular_meshing/Centerlines/internal/graph_segments.h>
-#include <CGAL/Tubular_meshing/Operators/Opening.h>
+#include <CGAL/Tubular_meshing/Opening.h>
 
 #include <algorithm>
 #include <cmath>

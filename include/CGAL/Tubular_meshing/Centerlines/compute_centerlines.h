@@ -8,7 +8,7 @@
 #include <CGAL/Tubular_meshing/Centerlines/build_centerline_graph.h>
 #include <CGAL/Tubular_meshing/Centerlines/internal/Canonical_frame.h>
 #include <CGAL/Tubular_meshing/Centerlines/internal/Centerline_tracer.h>
-#include <CGAL/Tubular_meshing/Operators/Opening.h>
+#include <CGAL/Tubular_meshing/Opening.h>
 #include <CGAL/Tubular_meshing/exceptions.h>
 #include <CGAL/Tubular_meshing/labels.h>
 #include <CGAL/Tubular_meshing/parameters.h>

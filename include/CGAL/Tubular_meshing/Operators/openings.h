@@ -4,7 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_OPERATORS_OPENINGS_H
 #define CGAL_TUBULAR_MESHING_OPERATORS_OPENINGS_H
 
-#include <CGAL/Tubular_meshing/Operators/Opening.h>
+#include <CGAL/Tubular_meshing/Opening.h>
 #include <CGAL/Tubular_meshing/Operators/internal/Opening_site.h>
 #include <CGAL/Tubular_meshing/Operators/internal/flat_ends.h>
 #include <CGAL/Tubular_meshing/Operators/internal/match_centerlines.h>

@@ -5,7 +5,7 @@
 #define CGAL_TUBULAR_MESHING_OPERATORS_INTERNAL_MATCH_CENTERLINES_H
 
 #include <CGAL/Tubular_meshing/internal/Nearest_tree.h>
-#include <CGAL/Tubular_meshing/Operators/Opening.h>
+#include <CGAL/Tubular_meshing/Opening.h>
 #include <CGAL/Tubular_meshing/Operators/internal/Opening_site.h>
 
 #include <algorithm>

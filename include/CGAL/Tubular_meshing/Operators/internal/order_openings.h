@@ -4,7 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_OPERATORS_INTERNAL_ORDER_OPENINGS_H
 #define CGAL_TUBULAR_MESHING_OPERATORS_INTERNAL_ORDER_OPENINGS_H
 
-#include <CGAL/Tubular_meshing/Operators/Opening.h>
+#include <CGAL/Tubular_meshing/Opening.h>
 #include <CGAL/Tubular_meshing/Operators/internal/Rim_shape.h>
 #include <CGAL/Tubular_meshing/labels.h>
 

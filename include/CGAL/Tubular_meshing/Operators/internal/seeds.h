@@ -7,7 +7,7 @@
 // Where centerlines begin and end: at openings, and at points (seeds) that stand for vessels' ends without one.
 
 #include <CGAL/Tubular_meshing/Centerlines/Centerline_graph.h>
-#include <CGAL/Tubular_meshing/Operators/Opening.h>
+#include <CGAL/Tubular_meshing/Opening.h>
 #include <CGAL/Tubular_meshing/Operators/internal/order_openings.h>
 #include <CGAL/Tubular_meshing/Operators/openings.h>
 #include <CGAL/Tubular_meshing/exceptions.h>

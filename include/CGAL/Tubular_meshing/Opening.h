@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tubular_meshing authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_TUBULAR_MESHING_OPERATORS_OPENING_H
-#define CGAL_TUBULAR_MESHING_OPERATORS_OPENING_H
+#ifndef CGAL_TUBULAR_MESHING_OPENING_H
+#define CGAL_TUBULAR_MESHING_OPENING_H
 
 #include <CGAL/Kernel_traits.h>
 
@@ -35,4 +35,4 @@ template <class Point_3> struct Opening {
 } // namespace Tubular_meshing
 } // namespace CGAL
 
-#endif // CGAL_TUBULAR_MESHING_OPERATORS_OPENING_H
+#endif // CGAL_TUBULAR_MESHING_OPENING_H
