@@ -10,8 +10,8 @@
 #include <CGAL/Tubular_meshing/Surface/internal/parameterization/Filled_patch.h>
 #include <CGAL/Tubular_meshing/Surface/internal/parameterization/Patch_mapper.h>
 #include <CGAL/Tubular_meshing/Surface/internal/parameterization/Edge_halver.h>
-#include <CGAL/Tubular_meshing/Surface/internal/parameterization/for_each_patch.h>
 #include <CGAL/Tubular_meshing/internal/Vector_3d.h>
+#include <CGAL/Tubular_meshing/internal/parallel.h>
 #include <CGAL/Tubular_meshing/parameters.h>
 
 #include <CGAL/Surface_mesh.h>
@@ -129,7 +129,7 @@ std::vector<Patch_parameterization<Point_3>>
 parameterize_patches(const CGAL::Surface_mesh<Point_3>& surface, const Surface_cut<Point_3>& cut,
                      const NamedParameters& np = CGAL::parameters::default_values()) {
   std::vector<Patch_parameterization<Point_3>> result(cut.patches.size());
-  internal::for_each_patch(
+  internal::for_each_task(
       cut.patches.size(), internal::choose(np, internal_np::number_of_threads, 0),
       [&](std::size_t i) { result[i] = parameterize_patch(make_indexed_patch(surface, cut.patches[i], cut.curves)); });
   return result;

@@ -10,6 +10,7 @@
 #include <CGAL/Tubular_meshing/Surface/internal/plane/Plane_flips.h>
 #include <CGAL/Tubular_meshing/Surface/internal/plane/Plane_size_control.h>
 #include <CGAL/Tubular_meshing/Surface/internal/plane/Plane_smoothing.h>
+#include <CGAL/Tubular_meshing/Surface/internal/plane/Point_insertion.h>
 #include <CGAL/Tubular_meshing/Surface/internal/plane/triangulate_polygons.h>
 #include <CGAL/Tubular_meshing/exceptions.h>
 #include <CGAL/Tubular_meshing/parameters.h>
@@ -37,10 +38,22 @@ template <class Point_2> struct Plane_triangulation {
 
 namespace internal {
 
+// The points that the caller wants, into the few triangles that there are yet. One on the boundary, or outside, is
+// none.
+template <class Plane> void insert_given_points(Plane& plane, const std::vector<Plane_point>& points) {
+  Point_insertion<Plane> insertion(plane);
+  for (const Plane_point& p : points) {
+    const auto place = insertion.find(p);
+    if (place.half_edge != Plane_store::none)
+      insertion.insert(place, plane.node_at(p));
+  }
+}
+
 // Points from the front inwards; again, where edges turn out to be too long after all.
-template <class Plane> void insert_points(Plane& plane) {
+template <class Plane> void insert_points(Plane& plane, const std::vector<Plane_point>& given) {
   const int most_rounds = 4;
   Plane_flips<Plane>(plane).make_delaunay();
+  insert_given_points(plane, given);
   Plane_size_control<Plane> sizes(plane);
   std::size_t added = 1;
   for (int round = 0; round < most_rounds && added > 0; ++round) {
@@ -84,13 +97,17 @@ Plane_triangulation<Point_2> triangulation_of(const Plane& plane, const PolygonR
   return result;
 }
 
+template <class PointRange> std::vector<Plane_point> plane_points(const PointRange& points) {
+  std::vector<Plane_point> result;
+  for (const auto& p : points)
+    result.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()));
+  return result;
+}
+
 template <class PolygonRange> Plane_polygons plane_polygons(const PolygonRange& polygons) {
   Plane_polygons result;
-  for (const auto& polygon : polygons) {
-    result.emplace_back();
-    for (const auto& p : polygon)
-      result.back().emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()));
-  }
+  for (const auto& polygon : polygons)
+    result.push_back(plane_points(polygon));
   return result;
 }
 
@@ -127,7 +144,7 @@ template <class Point_2, class Function> auto on_plane_points(const Function& f)
  *
  * The metric is asked for at points in the closed domain only: some four to seven times a triangle. Sizes should not
  * change by more than a factor of two or so over an edge: the mesh follows a sudden change, but with worse triangles,
- * and a spot that is finer than its surroundings, and smaller than their size, may pass unseen.
+ * and a spot that is finer than its surroundings, and smaller than their size, may pass unseen: give a point in it.
  *
  * O(n log n) in the number of triangles; 10<sup>5</sup> take about half a second. The result depends on the arguments
  * alone. Predicates are exact: triangles are positively oriented whatever the metric.
@@ -145,6 +162,8 @@ template <class Point_2, class Function> auto on_plane_points(const Function& f)
  *     (anything with `x()`, `y()` and `z()`) on the surface of which the plane is a parameterization: flips and moves
  *     are then judged by \f$ \gamma_T \f$ of the triangles in space. Give it with the metric induced by an isotropic
  *     size only} \cgalParamDefault{none} \cgalParamNEnd
+ *   \cgalParamNBegin{interior_points} \cgalParamDescription{a `std::vector<Point_2>`: points to begin with, inside,
+ *     where the metric is much finer than around. They may be moved later on} \cgalParamDefault{none} \cgalParamNEnd
  *   \cgalParamNBegin{optimization_passes} \cgalParamDescription{number of passes} \cgalParamDefault{2} \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
@@ -169,7 +188,8 @@ auto triangulate_in_metric(const PolygonRange& polygons, const MetricField_2& me
 
   const internal::Plane_polygons rings = internal::plane_polygons(polygons);
   Plane plane(internal::Polygon_triangulator(rings).store(), rings, field, image);
-  internal::insert_points(plane);
+  const auto given = internal::choose(np, internal_np::interior_points, std::vector<Point_2>());
+  internal::insert_points(plane, internal::plane_points(given));
   internal::optimize_plane(plane, passes);
   return internal::triangulation_of<Point_2>(plane, polygons);
 }

@@ -6,8 +6,8 @@
 
 #include <CGAL/Tubular_meshing/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/Volume/internal/mesh_complex_to_mixed_mesh.h>
-#include <CGAL/Tubular_meshing/Volume/internal/rim_corners.h>
 #include <CGAL/Tubular_meshing/exceptions.h>
+#include <CGAL/Tubular_meshing/internal/rim_corners.h>
 #include <CGAL/Tubular_meshing/labels.h>
 #include <CGAL/Tubular_meshing/parameters.h>
 

@@ -33,6 +33,28 @@ template <class Body> void for_each_range(std::size_t n, int threads, const Body
     body(std::size_t(0), n);
 }
 
+/* Calls body(i) for each i < n: unlike the pieces of for_each_range(), each is work enough to be a task of its own. */
+template <class Body> void for_each_task(std::size_t n, int threads, const Body& body) {
+#ifdef CGAL_LINKED_WITH_TBB
+  if (threads != 1 && n > 1) {
+    tbb::task_arena arena(threads > 0 ? threads : int(tbb::task_arena::automatic));
+    arena.execute([&] {
+      tbb::parallel_for(
+          tbb::blocked_range<std::size_t>(0, n, 1),
+          [&](const tbb::blocked_range<std::size_t>& r) {
+            for (std::size_t i = r.begin(); i < r.end(); ++i)
+              body(i);
+          },
+          tbb::simple_partitioner());
+    });
+    return;
+  }
+#endif
+  static_cast<void>(threads);
+  for (std::size_t i = 0; i < n; ++i)
+    body(i);
+}
+
 } // namespace internal
 } // namespace Tubular_meshing
 } // namespace CGAL

@@ -52,6 +52,27 @@ public:
     }
   }
 
+  // The same without a hint, by a look at every triangle.
+  Place find(const Plane_point& x) const {
+    for (Index t = 0; t < store_.number_of_triangles(); ++t) {
+      if (!store_.is_alive(t))
+        continue;
+      int sides_left = 0;
+      Place on_edge;
+      for (Index h = 3 * t; h < 3 * t + 3; ++h) {
+        const auto side = CGAL::orientation(plane_.origin(h).point, plane_.target(h).point, x);
+        sides_left += side == CGAL::LEFT_TURN;
+        if (side == CGAL::COLLINEAR)
+          on_edge = {h, true};
+      }
+      if (sides_left == 3)
+        return {3 * t, false};
+      if (sides_left == 2 && on_edge.is_on_edge && store_.twin(on_edge.half_edge) != Plane_store::none)
+        return on_edge;
+    }
+    return {};
+  }
+
   Index insert(const Place& place, const Node& node) {
     const Index x =
         place.is_on_edge ? store_.insert_on_edge(place.half_edge) : store_.insert_in_triangle(place.half_edge / 3);

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tubular_meshing authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_RIM_CORNERS_H
-#define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_RIM_CORNERS_H
+#ifndef CGAL_TUBULAR_MESHING_INTERNAL_RIM_CORNERS_H
+#define CGAL_TUBULAR_MESHING_INTERNAL_RIM_CORNERS_H
 
 #include <CGAL/Tubular_meshing/internal/Vector_3d.h>
 
@@ -20,11 +20,11 @@ inline bool is_rim_corner(const Vector_3d& before, const Vector_3d& at, const Ve
   return dot(u, v) < 0.866 * norm(u) * norm(v);
 }
 
-/* Splits a closed polyline (its first point comes again at the end) at its corners, but for those closer than
- * `spacing(point)` to the one before. Left in one piece where there are fewer than two. */
+/* The corners of a closed polyline (its first point does not come again), but for those closer than `spacing(point)` to
+ * the one before. O(n). */
 template <class Point, class Spacing>
-std::vector<std::vector<Point>> split_at_corners(const std::vector<Point>& rim, const Spacing& spacing) {
-  const std::size_t n = rim.size() - 1;
+std::vector<std::size_t> rim_corners(const std::vector<Point>& rim, const Spacing& spacing) {
+  const std::size_t n = rim.size();
   std::vector<std::size_t> corners;
   const auto position = [&](std::size_t i) { return Vector_3d(rim[i % n]); };
   const auto far_enough = [&](std::size_t i, std::size_t j) {
@@ -34,8 +34,21 @@ std::vector<std::vector<Point>> split_at_corners(const std::vector<Point>& rim, 
     if (is_rim_corner(position(i + n - 1), position(i), position(i + 1)) &&
         (corners.empty() || (far_enough(i, corners.back()) && far_enough(i, corners.front()))))
       corners.push_back(i);
-  if (corners.size() < 2)
+  return corners;
+}
+
+/* Splits a closed polyline (its first point comes again at the end) at its corners. Left in one piece where there are
+ * fewer than two. */
+template <class Point, class Spacing>
+std::vector<std::vector<Point>> split_at_corners(std::vector<Point> rim, const Spacing& spacing) {
+  const Point first = rim.front();
+  rim.pop_back();
+  const std::vector<std::size_t> corners = rim_corners(rim, spacing);
+  if (corners.size() < 2) {
+    rim.push_back(first);
     return {rim};
+  }
+  const std::size_t n = rim.size();
   std::vector<std::vector<Point>> pieces;
   for (std::size_t k = 0; k < corners.size(); ++k) {
     const std::size_t end = k + 1 < corners.size() ? corners[k + 1] : corners[0] + n;
@@ -51,4 +64,4 @@ std::vector<std::vector<Point>> split_at_corners(const std::vector<Point>& rim, 
 } // namespace Tubular_meshing
 } // namespace CGAL
 
-#endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_RIM_CORNERS_H
+#endif // CGAL_TUBULAR_MESHING_INTERNAL_RIM_CORNERS_H

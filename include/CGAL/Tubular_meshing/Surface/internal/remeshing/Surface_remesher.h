@@ -1,0 +1,231 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_SURFACE_INTERNAL_SURFACE_REMESHER_H
+#define CGAL_TUBULAR_MESHING_SURFACE_INTERNAL_SURFACE_REMESHER_H
+
+#include <CGAL/Tubular_meshing/Operators/Surface_patch.h>
+#include <CGAL/Tubular_meshing/Surface/Patch_parameterization.h>
+#include <CGAL/Tubular_meshing/Surface/Remeshed_surface.h>
+#include <CGAL/Tubular_meshing/Surface/internal/remeshing/Piece_mesher.h>
+#include <CGAL/Tubular_meshing/Surface/internal/remeshing/Triangle_improver.h>
+#include <CGAL/Tubular_meshing/exceptions.h>
+#include <CGAL/Tubular_meshing/internal/Nearest_tree.h>
+#include <CGAL/Tubular_meshing/labels.h>
+
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/tags.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Tubular_meshing {
+namespace internal {
+
+/* The steps of remesh_patches().
+ *
+ * Where the outcome is no surface, as pieces touch themselves or each other in meshes that are too coarse for them, the
+ * pieces concerned are meshed again, finer. */
+template <class Point_3, class Size> class Surface_remesher {
+public:
+  typedef CGAL::Surface_mesh<Point_3> Surface;
+  typedef Patch_parameterization<Point_3> Map;
+  typedef std::size_t size_type;
+
+  Surface_remesher(const Surface& surface, const Surface_cut<Point_3>& cut, const std::vector<Map>& maps,
+                   const Size& size, bool even, int threads)
+      : surface_(surface)
+      , cut_(cut)
+      , mesher_(surface, cut, maps, size, even, threads) {}
+
+  Remeshed_surface<Point_3> run() {
+    const int most_rounds = 6;
+    mesher_.mesh_all();
+    for (int round = 0;; ++round) {
+      std::vector<size_type> failed = pieces_that_do_not_fit();
+      if (failed.empty()) {
+        build();
+        improve();
+        failed = crossing_pieces();
+      }
+      if (failed.empty())
+        break;
+      if (round == most_rounds)
+        throw Meshing_error("The new triangles of " + mesher_.name_of(failed.front()) +
+                            " meet each other or their neighbours, however fine they are: the surface may intersect "
+                            "itself there; see repair_surface().");
+      mesher_.mesh_finer(failed);
+    }
+    result_.refined_patches = mesher_.number_of_refined_pieces();
+    return std::move(result_);
+  }
+
+private:
+  typedef typename Surface::Vertex_index Vertex;
+  typedef typename Surface::Halfedge_index Halfedge;
+  typedef typename Surface::Face_index Face;
+
+  std::vector<size_type> pieces_that_do_not_fit() const {
+    std::vector<char> failed;
+    for (const auto& piece : mesher_.pieces())
+      failed.push_back(piece.triangles.empty());
+    mark_pieces_that_share_an_edge(failed);
+    return marked(failed);
+  }
+
+  static std::vector<size_type> marked(const std::vector<char>& marks) {
+    std::vector<size_type> result;
+    for (size_type k = 0; k < marks.size(); ++k)
+      if (marks[k])
+        result.push_back(k);
+    return result;
+  }
+
+  // Two pieces on the same curve may both have an edge between two of its points that are no neighbours on it.
+  void mark_pieces_that_share_an_edge(std::vector<char>& failed) const {
+    struct Chord {
+      size_type curve, i, j, piece;
+      bool operator<(const Chord& c) const { return std::tie(curve, i, j) < std::tie(c.curve, c.i, c.j); }
+      bool operator==(const Chord& c) const { return std::tie(curve, i, j) == std::tie(c.curve, c.i, c.j); }
+    };
+    std::vector<Chord> chords;
+    for (size_type k = 0; k < mesher_.pieces().size(); ++k) {
+      size_type first = 0;
+      std::vector<std::pair<size_type, size_type>> place; // curve and number on it, of the points on curves
+      for (const auto& side : mesher_.pieces()[k].sides) {
+        const size_type n = mesher_.curve_points()[side.curve].size();
+        for (size_type i = 0; i < n; ++i)
+          place.emplace_back(side.curve, side.forward ? i : n - 1 - i);
+        first += n;
+      }
+      for (const auto& t : mesher_.pieces()[k].triangles)
+        for (size_type e = 0; e < 3; ++e) {
+          const size_type a = t[e], b = t[(e + 1) % 3];
+          if (a >= first || b >= first || place[a].first != place[b].first)
+            continue;
+          const size_type n = mesher_.curve_points()[place[a].first].size();
+          const size_type i = (std::min)(place[a].second, place[b].second);
+          const size_type j = (std::max)(place[a].second, place[b].second);
+          if (a < b && j != i + 1 && !(i == 0 && j == n - 1)) // inside, it is seen from both of its sides
+            chords.push_back({place[a].first, i, j, k});
+        }
+    }
+    std::sort(chords.begin(), chords.end());
+    for (size_type i = 1; i < chords.size(); ++i)
+      if (chords[i] == chords[i - 1] && chords[i].piece != chords[i - 1].piece)
+        failed[chords[i].piece] = failed[chords[i - 1].piece] = 1;
+  }
+
+  void build() {
+    Surface& surface = result_.surface;
+    size_type points = 0, triangles = 0;
+    for (const auto& curve : mesher_.curve_points())
+      points += curve.size();
+    for (const auto& piece : mesher_.pieces()) {
+      points += piece.inner_points.size();
+      triangles += piece.triangles.size();
+    }
+    surface.clear_without_removing_property_maps();
+    surface.reserve(typename Surface::size_type(points), typename Surface::size_type(points + triangles),
+                    typename Surface::size_type(triangles));
+    result_.curves.assign(mesher_.curve_points().size(), {});
+    for (size_type c = 0; c < result_.curves.size(); ++c)
+      for (const auto& p : mesher_.curve_points()[c])
+        result_.curves[c].push_back(surface.add_vertex(p.point));
+    piece_of_face_.clear();
+    for (size_type k = 0; k < mesher_.pieces().size(); ++k)
+      add_piece(k);
+  }
+
+  void add_piece(size_type k) {
+    const auto& piece = mesher_.pieces()[k];
+    std::vector<Vertex> vertices;
+    for (const auto& side : piece.sides) {
+      const std::vector<Vertex>& curve = result_.curves[side.curve];
+      side.forward ? vertices.insert(vertices.end(), curve.begin(), curve.end())
+                   : vertices.insert(vertices.end(), curve.rbegin(), curve.rend());
+    }
+    for (const Point_3& p : piece.inner_points)
+      vertices.push_back(result_.surface.add_vertex(p));
+    const int opening = mesher_.opening(k);
+    for (const auto& t : piece.triangles) {
+      const Face f = result_.surface.add_face(vertices[t[0]], vertices[t[1]], vertices[t[2]]);
+      if (f == Surface::null_face())
+        throw Meshing_error("The triangles of " + mesher_.name_of(k) + " do not fit together with their neighbours.");
+      result_.patch[f] = opening == 0 ? labels::wall : opening;
+      result_.patch_of_face[f] = opening == 0 ? int(k) : -1;
+      piece_of_face_.push_back(k);
+    }
+  }
+
+  void improve() {
+    Surface& surface = result_.surface;
+    Triangle_improver<Point_3> improver(surface);
+    const std::vector<Face> bad = improver.bad_triangles();
+    if (bad.empty())
+      return;
+    std::vector<char> fixed(surface.number_of_vertices(), 0);
+    for (size_type c = 0; c < cut_.curves.size(); ++c)
+      if (cut_.curves[c].is_rim())
+        for (Vertex v : result_.curves[c])
+          fixed[size_type(v)] = 1;
+    const auto is_cap = [&](Vertex v) { return result_.patch_of_face[surface.face(surface.halfedge(v))] < 0; };
+    const auto same_piece = [&](Halfedge h) {
+      return piece_of_face_[size_type(surface.face(h))] == piece_of_face_[size_type(surface.face(surface.opposite(h)))];
+    };
+    improver.improve(
+        bad, old_triangles_around(bad), [&](Vertex v) { return !fixed[size_type(v)] && !is_cap(v); }, same_piece);
+  }
+
+  // Those of the patches with bad triangles, and of their neighbours.
+  Nearest_tree<Double_kernel::Triangle_3> old_triangles_around(const std::vector<Face>& bad) const {
+    std::vector<char> is_near(cut_.patches.size(), 0);
+    for (Face f : bad) {
+      const int k = result_.patch_of_face[f];
+      if (k < 0)
+        continue;
+      is_near[size_type(k)] = 1;
+      for (const Patch_loop& loop : cut_.patches[size_type(k)].loops)
+        if (loop.neighbour != Cut_curve<Point_3>::none)
+          is_near[loop.neighbour] = 1;
+    }
+    std::vector<Double_kernel::Triangle_3> triangles;
+    for (size_type k : marked(is_near))
+      for (Face f : cut_.patches[k].faces) {
+        const Halfedge h = surface_.halfedge(f);
+        triangles.emplace_back(to_double_point(surface_.point(surface_.source(h))),
+                               to_double_point(surface_.point(surface_.target(h))),
+                               to_double_point(surface_.point(surface_.target(surface_.next(h)))));
+      }
+    return Nearest_tree<Double_kernel::Triangle_3>(std::move(triangles));
+  }
+
+  std::vector<size_type> crossing_pieces() const {
+    std::vector<std::pair<Face, Face>> crossings;
+    CGAL::Polygon_mesh_processing::self_intersections<CGAL::Parallel_if_available_tag>(result_.surface,
+                                                                                       std::back_inserter(crossings));
+    std::vector<char> failed(mesher_.pieces().size(), 0);
+    for (const auto& c : crossings)
+      failed[piece_of_face_[size_type(c.first)]] = failed[piece_of_face_[size_type(c.second)]] = 1;
+    return marked(failed);
+  }
+
+  const Surface& surface_;
+  const Surface_cut<Point_3>& cut_;
+  Piece_mesher<Point_3, Size> mesher_;
+  Remeshed_surface<Point_3> result_;
+  std::vector<size_type> piece_of_face_;
+};
+
+} // namespace internal
+} // namespace Tubular_meshing
+} // namespace CGAL
+
+#endif // CGAL_TUBULAR_MESHING_SURFACE_INTERNAL_SURFACE_REMESHER_H

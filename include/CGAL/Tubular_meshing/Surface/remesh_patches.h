@@ -1,0 +1,72 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_SURFACE_REMESH_PATCHES_H
+#define CGAL_TUBULAR_MESHING_SURFACE_REMESH_PATCHES_H
+
+#include <CGAL/Tubular_meshing/Operators/Surface_patch.h>
+#include <CGAL/Tubular_meshing/Surface/Patch_parameterization.h>
+#include <CGAL/Tubular_meshing/Surface/Remeshed_surface.h>
+#include <CGAL/Tubular_meshing/Surface/internal/remeshing/Surface_remesher.h>
+#include <CGAL/Tubular_meshing/exceptions.h>
+#include <CGAL/Tubular_meshing/parameters.h>
+
+#include <CGAL/Surface_mesh.h>
+
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Tubular_meshing {
+
+/*! \ingroup PkgTubularMeshingRef
+ *
+ * meshes a cut surface anew with triangles of a given size, patch by patch in the parametric plane (section 3.1 of the
+ * paper).
+ *
+ * The curves between patches are divided first, each once, by the size along them; then every patch is meshed by
+ * triangulate_in_metric() in the metric (11) that its parameterization induces, and mapped back onto the surface it was
+ * cut from: all vertices are on it. Caps are meshed likewise, in their planes. As patches share the points of their
+ * curves, the result is conforming.
+ *
+ * Where new triangles meet others than their neighbours, as they do if they are too large for the gap between two
+ * vessels, the patches concerned are meshed again with smaller sizes. What is returned is closed, manifold and free of
+ * self-intersections, as CGAL's `Polygon_mesh_processing::does_self_intersect()` sees them.
+ *
+ * \param surface the surface that was cut
+ * \param cut its patches, see cut_by_centerlines()
+ * \param maps their parameterizations, see parameterize_patches()
+ * \param size a function object: the wanted length of edges at a `Point_3`, such as a Centerline_sizing_field. Several
+ *   threads call it at once
+ * \param np an optional sequence of named parameters among the ones listed below
+ *
+ * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{even_curves} \cgalParamDescription{whether each curve gets an even number of points, as meshes
+ *     of quads need} \cgalParamDefault{`false`} \cgalParamNEnd
+ *   \cgalParamNBegin{number_of_threads} \cgalParamDescription{threads that mesh patches at the same time; 0: as many as
+ *     there are cores. The result does not depend on it} \cgalParamDefault{0} \cgalParamNEnd
+ * \cgalNamedParamsEnd
+ *
+ * O(n log n) in the number of new triangles, and that of old ones on curves.
+ *
+ * \throws Input_error if there is not one parameterization a patch
+ * \throws Meshing_error if the new triangles meet each other even where they are eight times finer
+ */
+template <class Point_3, class SizingField, class NamedParameters = CGAL::parameters::Default_named_parameters>
+Remeshed_surface<Point_3> remesh_patches(const CGAL::Surface_mesh<Point_3>& surface, const Surface_cut<Point_3>& cut,
+                                         const std::vector<Patch_parameterization<Point_3>>& maps,
+                                         const SizingField& size,
+                                         const NamedParameters& np = CGAL::parameters::default_values()) {
+  if (maps.size() != cut.patches.size())
+    throw Input_error("There are " + std::to_string(maps.size()) + " parameterizations of " +
+                      std::to_string(cut.patches.size()) + " patches; pass what parameterize_patches() returns.");
+  return internal::Surface_remesher<Point_3, SizingField>(surface, cut, maps, size,
+                                                          internal::choose(np, internal_np::even_curves, false),
+                                                          internal::choose(np, internal_np::number_of_threads, 0))
+      .run();
+}
+
+} // namespace Tubular_meshing
+} // namespace CGAL
+
+#endif // CGAL_TUBULAR_MESHING_SURFACE_REMESH_PATCHES_H
