@@ -13,6 +13,7 @@
 #include <CGAL/Tubular_meshing/Opening.h>
 #include <CGAL/Tubular_meshing/Operators/close_openings.h>
 #include <CGAL/Tubular_meshing/Operators/internal/check_meshable.h>
+#include <CGAL/Tubular_meshing/Operators/internal/follow_blind_vessels.h>
 #include <CGAL/Tubular_meshing/Operators/internal/seeds.h>
 #include <CGAL/Tubular_meshing/Operators/openings.h>
 #include <CGAL/Tubular_meshing/labels.h>
@@ -125,7 +126,8 @@ Tubular_model<Point_3> make_tubular_model(const TriangleMesh& surface, const Cen
 
 /*! \ingroup PkgTubularMeshingRef
  *
- * the same for a surface alone: its centerlines are computed, by compute_centerlines(), from the inlet to each outlet.
+ * the same for a surface alone: its centerlines are computed, by compute_centerlines(), from the inlet to each outlet,
+ * and to the tips of vessels that end blind.
  *
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{inlet} \cgalParamDescription{a `Point_3`: the nearest opening is the inlet}
@@ -133,6 +135,8 @@ Tubular_model<Point_3> make_tubular_model(const TriangleMesh& surface, const Cen
  *   \cgalParamNBegin{seeds} \cgalParamDescription{a `std::vector<Point_3>`: where vessels end without an opening or a
  *     flat cap; the lines begin at the first. One that lies at an opening stands for the opening}
  *     \cgalParamDefault{none} \cgalParamNEnd
+ *   \cgalParamNBegin{blind_vessels} \cgalParamDescription{whether lines lead into vessels that end without an opening,
+ *     and are at least one and a half times longer than wide} \cgalParamDefault{`true`} \cgalParamNEnd
  *   \cgalParamNBegin{loops, merge_tolerance} \cgalParamDescription{see compute_centerlines()} \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
@@ -147,8 +151,13 @@ Tubular_model<Point_3> make_tubular_model(const CGAL::Surface_mesh<Point_3>& sur
   model.openings = internal::find_openings_or_seeds(model.surface, seeds, np);
   close_openings(model.surface, model.openings, model.patch);
   internal::check_no_crossings(model.surface);
-  internal::compute_centerlines(model.surface, model.patch, internal::ends_of_lines(model.openings, seeds),
-                                model.centerlines, np);
+  const bool blind_vessels = internal::choose(np, internal_np::blind_vessels, true);
+  internal::Centerline_computation<Point_3> computation(model.surface, model.patch,
+                                                        internal::ends_of_lines(model.openings, seeds),
+                                                        internal::choose(np, internal_np::loops, false), blind_vessels);
+  computation.make_graph(model.centerlines, np);
+  if (blind_vessels)
+    internal::follow_blind_vessels(model.surface, model.patch, computation, model.centerlines, np);
   internal::connect(model, internal::nodes_at(model.centerlines, model.openings));
   return model;
 }

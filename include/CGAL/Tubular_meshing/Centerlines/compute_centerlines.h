@@ -75,36 +75,74 @@ Centerline_graph<Point_3> from_canonical(const Centerline_graph<Double_kernel::P
   return result;
 }
 
+/* The computation of compute_centerlines(), to which further ends can be added at little cost. */
+template <class Point_3> class Centerline_computation {
+public:
+  /* `ends` are points, each with the label of the faces around it. Further ends can be added if `everywhere`. */
+  template <class FacePatchMap>
+  Centerline_computation(const CGAL::Surface_mesh<Point_3>& surface, const FacePatchMap& patch,
+                         const std::vector<std::pair<Point_3, int>>& ends, bool loops, bool everywhere)
+      : frame_(points_of(surface, ends.size()))
+      , root_(ends.front().first)
+      , tracer_(Sampled_surface(surface, patch, frame_), canonical(ends))
+      , wall_(tracer_.wall_triangles()) {
+    tracer_.trace(loops ? genus(surface) : 0, everywhere);
+  }
+
+  // Adds a line to a vertex of the wall; false if none leads there.
+  bool add_end(typename CGAL::Surface_mesh<Point_3>::Vertex_index v) { return tracer_.add_end(std::size_t(v)); }
+
+  // Merges the lines into branches.
+  template <class NamedParameters> void make_graph(Centerline_graph<Point_3>& graph, const NamedParameters& np) const {
+    Centerline_polylines<Double_kernel::Point_3> polylines;
+    for (const Sampled_line& line : tracer_.lines()) {
+      polylines.lines.emplace_back();
+      for (const Line_point& p : line) {
+        polylines.lines.back().push_back(polylines.points.size());
+        polylines.points.push_back(p.point);
+      }
+    }
+    const auto radius = [&](const Double_kernel::Point_3& p) { return std::sqrt(wall_.nearest(p).squared_distance); };
+    Centerline_graph<Double_kernel::Point_3> merged;
+    build_centerline_graph(polylines, radius, merged, np);
+    graph = from_canonical(merged, frame_, root_);
+  }
+
+private:
+  static std::vector<Double_kernel::Point_3> points_of(const CGAL::Surface_mesh<Point_3>& surface,
+                                                       std::size_t number_of_ends) {
+    check_closed_surface(surface);
+    if (number_of_ends < 2)
+      throw Input_error("Centerlines lead from an inlet to outlets, but the surface has only " +
+                        std::to_string(number_of_ends) + " opening; name further ends, by points.");
+    std::vector<Double_kernel::Point_3> points;
+    for (auto v : surface.vertices())
+      points.push_back(to_double_point(surface.point(v)));
+    return points;
+  }
+
+  std::vector<Centerline_end> canonical(const std::vector<std::pair<Point_3, int>>& ends) const {
+    std::vector<Centerline_end> result;
+    for (const auto& e : ends)
+      result.push_back(Centerline_end{frame_.to_canonical(to_double_point(e.first)), e.second});
+    return result;
+  }
+
+  const Canonical_frame frame_;
+  const Point_3 root_;
+  Centerline_tracer tracer_;
+  const Nearest_tree<Double_kernel::Triangle_3> wall_;
+};
+
 template <class Point_3, class FacePatchMap, class NamedParameters>
 void compute_centerlines(const CGAL::Surface_mesh<Point_3>& surface, const FacePatchMap& patch,
                          const std::vector<std::pair<Point_3, int>>& ends, Centerline_graph<Point_3>& graph,
                          const NamedParameters& np) {
-  check_closed_surface(surface);
-  if (ends.size() < 2)
-    throw Input_error("Centerlines lead from an inlet to outlets, but the surface has only " +
-                      std::to_string(ends.size()) + " opening; name further ends, by points.");
-  std::vector<Double_kernel::Point_3> vertices;
-  for (auto v : surface.vertices())
-    vertices.push_back(to_double_point(surface.point(v)));
-  const Canonical_frame frame(vertices);
-  std::vector<Centerline_end> canonical_ends;
-  for (const auto& e : ends)
-    canonical_ends.push_back(Centerline_end{frame.to_canonical(to_double_point(e.first)), e.second});
-
-  const Centerline_tracer tracer(Sampled_surface(surface, patch, frame), std::move(canonical_ends));
-  Centerline_polylines<Double_kernel::Point_3> polylines;
-  for (const Sampled_line& line : tracer.lines(choose(np, internal_np::loops, false) ? genus(surface) : 0)) {
-    polylines.lines.emplace_back();
-    for (const Line_point& p : line) {
-      polylines.lines.back().push_back(polylines.points.size());
-      polylines.points.push_back(p.point);
-    }
-  }
-  const Nearest_tree<Double_kernel::Triangle_3> wall(tracer.wall_triangles());
-  const auto radius = [&](const Double_kernel::Point_3& p) { return std::sqrt(wall.nearest(p).squared_distance); };
-  Centerline_graph<Double_kernel::Point_3> merged;
-  build_centerline_graph(polylines, radius, merged, np);
-  graph = from_canonical(merged, frame, ends.front().first);
+  if (ends.empty()) // before one is taken for the root
+    throw Input_error("Centerlines lead from an inlet to outlets, but the surface has no opening; name its ends, by "
+                      "points.");
+  Centerline_computation<Point_3>(surface, patch, ends, choose(np, internal_np::loops, false), false)
+      .make_graph(graph, np);
 }
 
 } // namespace internal

@@ -16,6 +16,7 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -50,22 +51,36 @@ public:
     diagram_.make_faces(surface_);
   }
 
-  /* One line to each end but the first; and, of up to `loops` loops, one line or two each. */
-  std::vector<Sampled_line> lines(int loops) const {
+  /* Traces one line to each end but the first; and, of up to `loops` loops, one line or two each. Further ends can be
+   * added afterwards if the front is to run everywhere, not only as far as the ends. */
+  void trace(int loops, bool everywhere) {
     const std::vector<Index> outlets(poles_.begin() + 1, poles_.end());
-    const Voronoi_front front(diagram_, poles_[0], loops > 0 ? std::vector<Index>() : outlets);
-    std::vector<Sampled_line> result;
+    front_.reset(new Voronoi_front(diagram_, poles_[0], loops > 0 || everywhere ? std::vector<Index>() : outlets));
     for (std::size_t i = 1; i < ends_.size(); ++i) {
-      if (!front.has_reached(poles_[i]))
+      if (!front_->has_reached(poles_[i]))
         throw Input_error("The inside of the surface does not connect its inlet with " + name(i) +
                           ": the surface is in several pieces, or closed in between.");
-      result.push_back(finished(reversed(front.path_from(poles_[i])), i));
+      trace_to(i);
     }
     if (loops > 0)
-      for (const auto& meeting : essential_meetings(diagram_, front, std::size_t(loops)))
-        add_loop(front, meeting[0], meeting[1], result);
-    return result;
+      for (const auto& meeting : essential_meetings(diagram_, *front_, std::size_t(loops)))
+        add_loop(*front_, meeting[0], meeting[1], lines_);
   }
+
+  /* Traces a line to a vertex of the wall, by its number; false if none leads there. */
+  bool add_end(std::size_t vertex) {
+    const std::size_t sample = surface_.sample_of(vertex);
+    const Index pole = diagram_.poles[sample];
+    if (pole == Diagram::none || pole == poles_[0] || !front_->has_reached(pole))
+      return false;
+    ends_.push_back(Centerline_end{surface_.points[sample], labels::wall});
+    centers_.push_back(std::size_t(-1));
+    poles_.push_back(pole);
+    trace_to(ends_.size() - 1);
+    return true;
+  }
+
+  const std::vector<Sampled_line>& lines() const { return lines_; }
 
   /* The triangles of the wall. */
   const std::vector<Double_kernel::Triangle_3>& wall_triangles() const { return surface_.wall_triangles; }
@@ -101,6 +116,8 @@ private:
       poles_.push_back(pole);
     }
   }
+
+  void trace_to(std::size_t end) { lines_.push_back(finished(reversed(front_->path_from(poles_[end])), end)); }
 
   bool is_cap(std::size_t end) const { return centers_[end] != std::size_t(-1); }
 
@@ -179,6 +196,8 @@ private:
   std::vector<std::size_t> centers_; // samples, or -1
   std::vector<Index> poles_;
   Diagram diagram_;
+  std::unique_ptr<Voronoi_front> front_;
+  std::vector<Sampled_line> lines_;
 };
 
 } // namespace internal

@@ -123,6 +123,9 @@ public:
     return result;
   }
 
+  /* The sample at a vertex of the mesh, by number, that is on the wall. */
+  std::size_t sample_of(std::size_t vertex) const { return sample_of_[vertex]; }
+
   static Vector unit(const Vector& v) {
     const double l = std::sqrt(v.squared_length());
     return l > 0 ? v / l : Vector(0, 0, 0);
