@@ -68,7 +68,7 @@ void fill_with_tetgen(const TriangleMesh& surface, FacePatchMap patch, const Siz
     return internal::run_tetgen(boundary, size_in_frame, most_points, filling);
   };
   const double seconds = internal::choose(np, internal_np::time_limit, 600 + 0.01 * double(num_faces(surface)));
-  internal::fill_in_child_process(surface, patch, size, seconds, tetgen, mesh);
+  internal::fill_in_child_process(surface, patch, size, {seconds}, tetgen, mesh);
 #else
   (void)surface, (void)patch, (void)size, (void)mesh, (void)np;
   throw Meshing_error(

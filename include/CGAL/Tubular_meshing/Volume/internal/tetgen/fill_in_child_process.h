@@ -24,10 +24,16 @@ namespace CGAL {
 namespace Tubular_meshing {
 namespace internal {
 
-// With the memory of this machine; TetGen takes about 2 kB for a point and the tetrahedra around it.
-inline std::size_t most_points_in_memory() {
-  return std::size_t(double(sysconf(_SC_PHYS_PAGES)) * double(sysconf(_SC_PAGE_SIZE)) / 2000);
-}
+// What a filling may take before it is given up.
+struct Filling_limits {
+  double seconds; // of processor time
+  std::size_t most_points = in_memory();
+
+  // TetGen takes about 2 kB for a point and the tetrahedra around it.
+  static std::size_t in_memory() {
+    return std::size_t(double(sysconf(_SC_PHYS_PAGES)) * double(sysconf(_SC_PAGE_SIZE)) / 2000);
+  }
+};
 
 template <class Point> Boundary_arrays boundary_in_frame(const Mixed_mesh<Point>& mesh, const Unit_frame& frame) {
   Boundary_arrays boundary;
@@ -61,28 +67,27 @@ template <class Point> void check_boundary_kept(const Mixed_mesh<Point>& mesh) {
  * with the size as a function of a `std::array<double, 3>`, and returns 0 or one of TetGen's numbers for what went
  * wrong. */
 template <class TriangleMesh, class FacePatchMap, class SizingField, class Mesher, class Point>
-void fill_in_child_process(const TriangleMesh& surface, FacePatchMap patch, const SizingField& size, double seconds,
-                           const Mesher& mesher, Mixed_mesh<Point>& result) {
+void fill_in_child_process(const TriangleMesh& surface, FacePatchMap patch, const SizingField& size,
+                           const Filling_limits& limits, const Mesher& mesher, Mixed_mesh<Point>& result) {
   Mixed_mesh<Point> mesh;
   surface_to_mixed_mesh(surface, patch, mesh);
   const Unit_frame frame(mesh.points);
-  const std::size_t most_points = most_points_in_memory();
   Filling_arrays filling;
   const auto work = [&](const Pipe_writer& pipe) {
     const auto size_in_frame = [&](const std::array<double, 3>& x) {
       return size(frame.template from_frame<Point>(x.data()), 3, 0) / frame.scale();
     };
-    const int code = mesher(boundary_in_frame(mesh, frame), size_in_frame, most_points, filling);
+    const int code = mesher(boundary_in_frame(mesh, frame), size_in_frame, limits.most_points, filling);
     if (code != 0)
       return code;
-    if (filling.inner_points.size() >= most_points)
+    if (filling.inner_points.size() >= limits.most_points)
       return out_of_memory_code;
     return pipe.write(filling.inner_points) && pipe.write(filling.tetrahedra) ? 0 : 255;
   };
   const auto read = [&](const Pipe_reader& pipe) {
     return pipe.read(filling.inner_points) && pipe.read(filling.tetrahedra);
   };
-  const Child_ending ending = run_in_child_process(work, read, seconds);
+  const Child_ending ending = run_in_child_process(work, read, limits.seconds);
   if (ending.kind != Child_ending::done)
     throw Meshing_error(failure_sentence(ending, surface));
 
