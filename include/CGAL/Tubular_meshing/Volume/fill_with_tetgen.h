@@ -44,7 +44,7 @@ constexpr bool has_tetgen() {
  *
  * \param surface a closed triangle mesh without self-intersections, its faces turned outward
  * \param patch a readable property map from its faces to `int`
- * \param size a model of `MeshDomainField_3`: the wanted length of edges. Inside, edges are 1.08 times as long on
+ * \param size a model of `MeshDomainField_3`: the wanted length of edges. Inside, edges are 1.05 times as long on
  *   average. Must outlive the call only.
  * \param mesh is replaced: tetrahedra of region labels::lumen, and the surface's triangles. Its first points are the
  *   surface's, its triangles the surface's faces, both in their order and bit for bit.

@@ -11,6 +11,7 @@
 #include <CGAL/Tubular_meshing/Volume/internal/tetgen/Filling_arrays.h>
 #include <CGAL/Tubular_meshing/Volume/internal/tetgen/Unit_frame.h>
 #include <CGAL/Tubular_meshing/Volume/internal/tetgen/failure_sentence.h>
+#include <CGAL/Tubular_meshing/Volume/internal/tetgen/sort_in_space.h>
 #include <CGAL/Tubular_meshing/Volume/internal/tetgen/surface_to_mixed_mesh.h>
 #include <CGAL/Tubular_meshing/exceptions.h>
 #include <CGAL/Tubular_meshing/internal/Vector_3d.h>
@@ -94,6 +95,7 @@ void fill_in_child_process(const TriangleMesh& surface, FacePatchMap patch, cons
   mesh.points.reserve(mesh.points.size() + filling.inner_points.size());
   for (const auto& x : filling.inner_points)
     mesh.points.push_back(frame.template from_frame<Point>(x.data()));
+  sort_in_space(mesh.points, filling.tetrahedra);
   mesh.tetrahedra.label.assign(filling.tetrahedra.size(), labels::lumen);
   mesh.tetrahedra.vertices = std::move(filling.tetrahedra);
   orient_tetrahedra(mesh);
