@@ -8,6 +8,8 @@
 #include <CGAL/Tubular_meshing/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/Quality/quality_report.h>
 #include <CGAL/Tubular_meshing/Quality/validity_report.h>
+#include <CGAL/Tubular_meshing/Volume/internal/Vertex_insertion.h>
+#include <CGAL/Tubular_meshing/Volume/internal/Vertex_removal.h>
 #include <CGAL/Tubular_meshing/Volume/optimize_tetrahedra.h>
 
 #include <gtest/gtest.h>
@@ -215,6 +217,126 @@ TEST(Optimize_tetrahedra, WorksInAnyUnit) {
     EXPECT_NEAR(tubular::quality_report(scaled).gamma_tau.mean(), unit.mean(), 1e-3);
     EXPECT_TRUE(tubular::validity_report(scaled).is_valid());
   }
+}
+
+TEST(Optimize_tetrahedra, KeepsTheBoundaryBitForBitWhereAsked) {
+  const Mesh before = make_cube(8, 0.25);
+  Mesh after = before;
+  const Cube_surface cube;
+  tubular::optimize_tetrahedra(after, cube.surface, cube.patch, tubular::parameters::keep_boundary(true));
+  const auto r = tubular::validity_report(after);
+  EXPECT_TRUE(r.is_valid()) << r.defects();
+  EXPECT_NEAR(volume(after), 1, 1e-12);
+  ASSERT_EQ(after.triangles.label, before.triangles.label);
+  for (std::size_t i = 0; i < before.triangles.size(); ++i)
+    for (int k = 0; k < 3; ++k)
+      ASSERT_EQ(after.points[after.triangles.vertices[i][k]], before.points[before.triangles.vertices[i][k]]);
+  const auto worse = tubular::quality_report(before), better = tubular::quality_report(after);
+  EXPECT_GT(better.gamma_tau.min(), worse.gamma_tau.min() + 0.15);
+  EXPECT_GT(better.gamma_tau.mean(), worse.gamma_tau.mean() + 0.05);
+}
+
+TEST(Optimize_tetrahedra, KeepsAnInterfaceOfRegionsWithTheBoundary) {
+  Mesh before = make_cube(6, 0.);
+  std::map<std::array<std::uint32_t, 3>, int> seen;
+  for (std::size_t i = 0; i < before.tetrahedra.size(); ++i) {
+    const auto& t = before.tetrahedra.vertices[i];
+    double x = 0;
+    for (std::uint32_t v : t)
+      x += before.points[v].x() / 4;
+    before.tetrahedra.label[i] = x < 0.5 ? 1 : 2;
+    for (int f = 0; f < 4 && x < 0.5; ++f) {
+      const auto& c = Tetrahedron_store::facet_corners(f);
+      if (std::all_of(c.begin(), c.end(), [&](int k) { return before.points[t[k]].x() == 0.5; }))
+        before.triangles.push_back({t[c[0]], t[c[1]], t[c[2]]}, 7);
+    }
+  }
+  ASSERT_EQ(std::count(before.triangles.label.begin(), before.triangles.label.end(), 7), 72);
+  for (Point& p : before.points) // shaken inside, but for the interface
+    if (common_side(std::array<Point, 1>{p}) == 0 && p.x() != 0.5)
+      p = Point(p.x() + 0.04 * std::sin(50 * p.y()), p.y() + 0.04 * std::sin(70 * p.z()), p.z());
+  Mesh after = before;
+  const Cube_surface cube;
+  tubular::optimize_tetrahedra(after, cube.surface, cube.patch, tubular::parameters::keep_boundary(true));
+  EXPECT_EQ(tubular::validity_report(after).inverted_cells, 0u);
+  EXPECT_EQ(tubular::validity_report(after).misplaced_facets, 0u);
+  for (std::size_t i = 0; i < before.triangles.size(); ++i)
+    for (int k = 0; k < 3; ++k)
+      ASSERT_EQ(after.points[after.triangles.vertices[i][k]], before.points[before.triangles.vertices[i][k]]);
+  double half = 0;
+  for (std::size_t i = 0; i < after.tetrahedra.size(); ++i) {
+    const auto& t = after.tetrahedra.vertices[i];
+    if (after.tetrahedra.label[i] == 1)
+      half += tubular::internal::signed_volume(Vector_3d(after.points[t[0]]), Vector_3d(after.points[t[1]]),
+                                               Vector_3d(after.points[t[2]]), Vector_3d(after.points[t[3]]));
+  }
+  EXPECT_NEAR(half, 0.5, 1e-12);
+}
+
+double worst_quality(const Mesh& m) {
+  return tubular::quality_report(m).gamma_tau.min();
+}
+
+TEST(Vertex_insertion, MendsATetrahedronOfBoundaryVertices) {
+  Mesh m;
+  // four tetrahedra around the long axis of an octahedron, of which it lies at the side: two are thin
+  m.points = {Point(0, 0, -1), Point(0, 0, 1),    Point(1, 0, 0.05),
+              Point(0, 1, 0),  Point(-1, 0, .05), Point(0, -0.08, 0)};
+  m.tetrahedra.push_back({0, 1, 2, 3}, 1);
+  m.tetrahedra.push_back({0, 1, 3, 4}, 1);
+  m.tetrahedra.push_back({0, 1, 4, 5}, 1);
+  m.tetrahedra.push_back({0, 1, 5, 2}, 1);
+  for (const auto& t : std::vector<std::array<std::uint32_t, 4>>(m.tetrahedra.vertices))
+    for (int f : {0, 1}) {
+      const auto& c = Tetrahedron_store::facet_corners(f);
+      m.triangles.push_back({t[c[0]], t[c[1]], t[c[2]]}, 1);
+    }
+  ASSERT_TRUE(tubular::validity_report(m).is_valid()) << tubular::validity_report(m).defects();
+  const double before = worst_quality(m), v = volume(m);
+  ASSERT_LT(before, 0.15);
+  Tetrahedron_store store(m);
+  Tetrahedron_store::Index_list come;
+  ASSERT_TRUE(tubular::internal::Vertex_insertion(store)(2, come));
+  EXPECT_FALSE(come.empty());
+  Mesh after = m;
+  store.write_to(after);
+  EXPECT_TRUE(tubular::validity_report(after).is_valid()) << tubular::validity_report(after).defects();
+  EXPECT_EQ(after.points.size(), m.points.size() + 1);
+  EXPECT_EQ(after.triangles.size(), m.triangles.size());
+  EXPECT_NEAR(volume(after), v, 1e-14);
+  EXPECT_GT(worst_quality(after), 1.5 * before);
+}
+
+TEST(Vertex_removal, TakesAwayAVertexThatCrowdsAnother) {
+  Mesh m = make_cube(4, 0);
+  const std::uint32_t middle = (2 * 5 + 2) * 5 + 2, beside = (2 * 5 + 2) * 5 + 1;
+  const Point& p = m.points[middle];
+  m.points[beside] = Point(p.x() - 0.004, p.y() - 0.004, p.z() - 0.01);
+  ASSERT_TRUE(tubular::validity_report(m).is_valid()) << tubular::validity_report(m).defects();
+  const double before = worst_quality(m);
+  Tetrahedron_store store(m);
+  Tetrahedron_store::Index_list come;
+  tubular::internal::Vertex_removal remove(store);
+  std::size_t removed = 0;
+  for (Tetrahedron_store::Index t = 0; t < store.number_of_slots(); ++t)
+    if (store.is_alive(t) && std::count(store[t].v.begin(), store[t].v.end(), beside) != 0)
+      removed += remove(t, come);
+  EXPECT_GT(removed, 0u);
+  Mesh after = m;
+  store.write_to(after);
+  EXPECT_TRUE(tubular::validity_report(after).is_valid()) << tubular::validity_report(after).defects();
+  EXPECT_LT(after.points.size(), m.points.size());
+  EXPECT_NEAR(volume(after), 1, 1e-12);
+  EXPECT_GT(worst_quality(after), before);
+}
+
+TEST(Vertex_removal, LeavesTheBoundaryAlone) {
+  const Mesh m = make_cube(1, 0); // no vertex inside
+  Tetrahedron_store store(m);
+  Tetrahedron_store::Index_list come;
+  tubular::internal::Vertex_removal remove(store);
+  for (Tetrahedron_store::Index t = 0; t < store.number_of_slots(); ++t)
+    EXPECT_FALSE(remove(t, come));
 }
 
 } // namespace

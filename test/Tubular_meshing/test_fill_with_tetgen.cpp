@@ -1,0 +1,479 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// TetGen on a cube and on tubes, whose volume and labels are known; and what happens when it fails.
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/Tubular_meshing/Mixed_mesh.h>
+#include <CGAL/Tubular_meshing/Quality/quality_report.h>
+#include <CGAL/Tubular_meshing/Quality/validity_report.h>
+#include <CGAL/Tubular_meshing/Volume/fill_with_tetgen.h>
+#include <CGAL/Tubular_meshing/Volume/optimize_tetrahedra.h>
+#include <CGAL/Tubular_meshing/internal/parallel.h>
+
+#include "test_surfaces.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <csignal>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <memory>
+#include <set>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+namespace {
+
+namespace tubular = CGAL::Tubular_meshing;
+using test_surfaces::Point;
+using tubular::internal::Child_ending;
+using tubular::internal::Vector_3d;
+typedef CGAL::Surface_mesh<Point> Surface;
+typedef Surface::Property_map<Surface::Face_index, int> Patch_map;
+typedef tubular::Mixed_mesh<Point> Mesh;
+
+#ifdef REAL
+#error "TetGen's macros must not leak"
+#endif
+
+class Fill_with_tetgen : public ::testing::Test {
+protected:
+  void SetUp() override {
+    if (!tubular::has_tetgen())
+      GTEST_SKIP() << "built without TetGen";
+  }
+};
+
+template <class Function> struct Size {
+  Function function;
+  typedef double FT;
+  template <class P, class Index> double operator()(const P& p, int, const Index&) const { return function(p); }
+};
+template <class Function> Size<Function> size_field(const Function& f) {
+  return {f};
+}
+auto constant_size(double h) {
+  return size_field([h](const Point&) { return h; });
+}
+
+Patch_map no_patch(Surface& surface) {
+  return surface.add_property_map<Surface::Face_index, int>("f:patch", tubular::labels::wall).first;
+}
+
+/* A tube of radius 1 along z with triangles that are nearly equilateral: rows of an even number of sides, each turned
+ * by half a side, and caps of concentric circles. Patches 1 (wall), 2 (z = 0) and 3 (top). */
+struct Labelled_tube {
+  Surface surface;
+  Patch_map patch;
+
+  explicit Labelled_tube(int sides = 24, double length = 4, double scale = 1, const Point& origin = Point(0, 0, 0)) {
+    const double side = 2 * CGAL_PI / sides;
+    const int rows = int(std::lround(length / (side * std::sqrt(0.75))));
+    std::vector<std::vector<Surface::Vertex_index>> ring(rows + 1);
+    const auto add = [&](double x, double y, double z) {
+      return surface.add_vertex(Point(origin.x() + scale * x, origin.y() + scale * y, origin.z() + scale * z));
+    };
+    for (int k = 0; k <= rows; ++k)
+      for (int i = 0; i < sides; ++i) {
+        const double angle = side * (i + 0.5 * (k % 2));
+        ring[k].push_back(add(std::cos(angle), std::sin(angle), length * k / rows));
+      }
+    patch = surface.add_property_map<Surface::Face_index, int>("f:patch", 0).first;
+    for (int k = 0; k < rows; ++k)
+      for (int i = 0; i < sides; ++i) {
+        const int j = (i + 1) % sides;
+        const auto &low = ring[k], &high = ring[k + 1];
+        if (k % 2 == 0) {
+          label(surface.add_face(low[i], low[j], high[i]), 1);
+          label(surface.add_face(low[j], high[j], high[i]), 1);
+        } else {
+          label(surface.add_face(low[i], high[j], high[i]), 1);
+          label(surface.add_face(low[i], low[j], high[j]), 1);
+        }
+      }
+    cap(ring.front(), side, 0, true, 2, add);
+    cap(ring.back(), side, length, false, 3, add);
+  }
+
+private:
+  void label(Surface::Face_index f, int l) {
+    ASSERT_NE(f, Surface::null_face());
+    patch[f] = l;
+  }
+
+  // Circles of fewer and fewer vertices, sewn two by two.
+  template <class Add>
+  void cap(std::vector<Surface::Vertex_index> outer, double side, double z, bool bottom, int l, const Add& add) {
+    const int circles = int(std::lround(1 / side));
+    const auto face = [&](Surface::Vertex_index a, Surface::Vertex_index b, Surface::Vertex_index c) {
+      label(bottom ? surface.add_face(a, c, b) : surface.add_face(a, b, c), l);
+    };
+    double outer_turn = 0.5 * side * ((bottom ? 0 : 1) * (std::lround(z / (side * std::sqrt(0.75))) % 2));
+    for (int c = circles - 1; c >= 1; --c) {
+      const double radius = double(c) / circles;
+      const int n = std::max(5, int(std::lround(2 * CGAL_PI * radius / side)));
+      std::vector<Surface::Vertex_index> inner;
+      for (int i = 0; i < n; ++i)
+        inner.push_back(add(radius * std::cos(outer_turn + 2 * CGAL_PI * i / n),
+                            radius * std::sin(outer_turn + 2 * CGAL_PI * i / n), z));
+      const int m = int(outer.size());
+      for (int i = 0, j = 0; i < m || j < n;)
+        if (j == n || (i < m && double(i + 0.5) / m <= double(j + 0.5) / n)) {
+          face(outer[i % m], outer[(i + 1) % m], inner[j % n]);
+          ++i;
+        } else {
+          face(outer[i % m], inner[(j + 1) % n], inner[j % n]);
+          ++j;
+        }
+      outer = inner;
+    }
+    const auto center = add(0, 0, z);
+    for (std::size_t i = 0; i < outer.size(); ++i)
+      face(outer[i], outer[(i + 1) % outer.size()], center);
+  }
+};
+
+double volume(const Mesh& m) {
+  double v = 0;
+  for (const auto& t : m.tetrahedra.vertices)
+    v += tubular::internal::signed_volume(Vector_3d(m.points[t[0]]), Vector_3d(m.points[t[1]]),
+                                          Vector_3d(m.points[t[2]]), Vector_3d(m.points[t[3]]));
+  return v;
+}
+
+double enclosed_volume(const Surface& s) {
+  const Vector_3d origin(s.point(*s.vertices().begin()));
+  double v = 0;
+  for (auto f : s.faces()) {
+    std::vector<Vector_3d> p;
+    for (auto u : vertices_around_face(s.halfedge(f), s))
+      p.push_back(Vector_3d(s.point(u)));
+    v += tubular::internal::signed_volume(p[2], p[1], p[0], origin);
+  }
+  return v;
+}
+
+// Point for point, triangle for triangle, label for label, bit for bit.
+void expect_kept(const Surface& surface, const Patch_map& patch, const Mesh& mesh) {
+  ASSERT_GE(mesh.points.size(), surface.number_of_vertices());
+  for (auto v : surface.vertices())
+    for (int k = 0; k < 3; ++k)
+      ASSERT_EQ(mesh.points[v.idx()][k], surface.point(v)[k]);
+  ASSERT_EQ(mesh.triangles.size(), surface.number_of_faces());
+  for (auto f : surface.faces()) {
+    int k = 0;
+    for (auto v : vertices_around_face(surface.halfedge(f), surface))
+      ASSERT_EQ(mesh.triangles.vertices[f.idx()][k++], v.idx());
+    ASSERT_EQ(mesh.triangles.label[f.idx()], patch[f]);
+  }
+  const auto report = tubular::validity_report(mesh);
+  EXPECT_TRUE(report.is_valid()) << report.defects();
+}
+
+TEST_F(Fill_with_tetgen, KeepsTheSurfaceBitForBit) {
+  const Labelled_tube tube(24, 4, 1, Point(0.1, -7.7, 1000.3));
+  Mesh mesh;
+  tubular::fill_with_tetgen(tube.surface, tube.patch, constant_size(2 * CGAL_PI / 24), mesh);
+  expect_kept(tube.surface, tube.patch, mesh);
+  EXPECT_GT(mesh.points.size(), tube.surface.number_of_vertices() + 100);
+  EXPECT_NEAR(volume(mesh), enclosed_volume(tube.surface), 1e-9);
+  EXPECT_EQ(std::set<int>(mesh.tetrahedra.label.begin(), mesh.tetrahedra.label.end()),
+            std::set<int>{tubular::labels::lumen});
+  EXPECT_EQ(mesh.region_names.at(tubular::labels::lumen), "lumen");
+}
+
+// A cap's coplanar triangles could be taken for one polygon, and be triangulated otherwise.
+TEST_F(Fill_with_tetgen, KeepsPlanarPatchesTriangleByTriangle) {
+  Surface cube = test_surfaces::make_square_duct();
+  const Patch_map patch = no_patch(cube);
+  Mesh mesh;
+  tubular::fill_with_tetgen(cube, patch, constant_size(0.5), mesh);
+  expect_kept(cube, patch, mesh);
+  EXPECT_NEAR(volume(mesh), enclosed_volume(cube), 1e-9);
+}
+
+TEST_F(Fill_with_tetgen, SizesFollowAGradedField) {
+  // coarse at one end, fine at the other, inside a surface that is fine everywhere
+  const Labelled_tube tube(40, 4);
+  const double side = 2 * CGAL_PI / 40;
+  const auto h = [side](const Point& p) { return side * (1 + 0.5 * std::min(1., std::max(0., p.z() - 1) / 2)); };
+  Mesh mesh;
+  tubular::fill_with_tetgen(tube.surface, tube.patch, size_field(h), mesh);
+  const std::uint32_t boundary = std::uint32_t(tube.surface.number_of_vertices());
+  double sum[2] = {0, 0};
+  std::size_t count[2] = {0, 0};
+  std::set<std::pair<std::uint32_t, std::uint32_t>> seen;
+  for (const auto& t : mesh.tetrahedra.vertices)
+    for (int i = 0; i < 4; ++i)
+      for (int j = 0; j < i; ++j) {
+        const auto edge = std::minmax(t[i], t[j]);
+        if (edge.first < boundary || !seen.insert(edge).second)
+          continue;
+        const Point &p = mesh.points[t[i]], &q = mesh.points[t[j]], middle = CGAL::midpoint(p, q);
+        const int zone = middle.z() < 1 ? 0 : middle.z() > 3 ? 1 : -1;
+        if (zone < 0)
+          continue;
+        sum[zone] += std::sqrt(CGAL::squared_distance(p, q)) / h(middle);
+        ++count[zone];
+      }
+  for (int zone = 0; zone < 2; ++zone) {
+    EXPECT_GT(count[zone], 300u);
+    EXPECT_NEAR(sum[zone] / double(count[zone]), 1.05, 0.12) << "zone " << zone;
+  }
+}
+
+TEST_F(Fill_with_tetgen, IsGoodAfterOptimization) {
+  const Labelled_tube tube(24, 6);
+  Mesh mesh;
+  tubular::fill_with_tetgen(tube.surface, tube.patch, constant_size(2 * CGAL_PI / 24), mesh);
+  const auto before = tubular::quality_report(mesh).gamma_tau;
+  tubular::optimize_tetrahedra(mesh, tube.surface, tube.patch, tubular::parameters::keep_boundary(true));
+  expect_kept(tube.surface, tube.patch, mesh);
+  EXPECT_NEAR(volume(mesh), enclosed_volume(tube.surface), 1e-9);
+  const auto after = tubular::quality_report(mesh).gamma_tau;
+  EXPECT_GT(after.min(), 0.3);
+  EXPECT_GT(after.mean(), 0.73);
+  EXPECT_GT(after.mean(), before.mean());
+}
+
+TEST_F(Fill_with_tetgen, IsTheSameInAnyUnitAndFarFromTheOrigin) {
+  Mesh unit;
+  const double side = 2 * CGAL_PI / 16;
+  {
+    const Labelled_tube tube(16, 3);
+    tubular::fill_with_tetgen(tube.surface, tube.patch, constant_size(side), unit);
+  }
+  for (double scale : {1e-3, 1e6, 1e-9})
+    for (double away : {0., 1e4}) {
+      const Labelled_tube tube(16, 3, scale, Point(away * scale, -2 * away * scale, 3 * away * scale));
+      Mesh mesh;
+      tubular::fill_with_tetgen(tube.surface, tube.patch, constant_size(side * scale), mesh);
+      expect_kept(tube.surface, tube.patch, mesh);
+      EXPECT_NEAR(volume(mesh) / enclosed_volume(tube.surface), 1, 1e-6);
+      EXPECT_NEAR(double(mesh.tetrahedra.size()) / double(unit.tetrahedra.size()), 1, 0.05);
+    }
+}
+
+TEST_F(Fill_with_tetgen, IsTheSameEachTime) {
+  const Labelled_tube tube;
+  Mesh a, b;
+  tubular::fill_with_tetgen(tube.surface, tube.patch, constant_size(0.3), a);
+  tubular::fill_with_tetgen(tube.surface, tube.patch, constant_size(0.3), b);
+  EXPECT_EQ(a.points, b.points);
+  EXPECT_EQ(a.tetrahedra.vertices, b.tetrahedra.vertices);
+}
+
+TEST_F(Fill_with_tetgen, WorksBesideThreadsThatAllocate) {
+  const Labelled_tube tube(16, 3);
+  tubular::internal::for_each_range(10000, 0, [](std::size_t, std::size_t) {}); // the workers of oneTBB are there now
+  std::atomic<bool> stop(false);
+  std::vector<std::thread> threads;
+  for (int i = 0; i < 3; ++i)
+    threads.emplace_back([&] {
+      while (!stop)
+        std::vector<std::unique_ptr<int>>(1000).resize(2000);
+    });
+  for (int run = 0; run < 20; ++run) {
+    Mesh mesh;
+    tubular::fill_with_tetgen(tube.surface, tube.patch, constant_size(0.5), mesh);
+    EXPECT_FALSE(mesh.tetrahedra.empty());
+  }
+  stop = true;
+  for (std::thread& t : threads)
+    t.join();
+}
+
+std::string error_of(const Surface& surface, const Patch_map& patch) {
+  Mesh mesh;
+  mesh.points.push_back(Point(1, 2, 3));
+  try {
+    tubular::fill_with_tetgen(surface, patch, constant_size(0.3), mesh);
+  } catch (const tubular::Meshing_error& e) {
+    EXPECT_EQ(mesh.points.size(), 1u) << "a mesh stays as it was where there is no other";
+    return e.what();
+  }
+  return "";
+}
+
+TEST_F(Fill_with_tetgen, SaysWhereASurfaceCrossesItself) {
+  Labelled_tube tube;
+  for (auto v : tube.surface.vertices()) { // the bottom's middle comes out through the wall
+    const Point& p = tube.surface.point(v);
+    if (p.z() == 0 && CGAL::square(p.x()) + CGAL::square(p.y()) < 0.01)
+      tube.surface.point(v) = Point(2, 0, 2);
+  }
+  testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
+  const std::string sentence = error_of(tube.surface, tube.patch);
+  EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+  EXPECT_NE(sentence.find("crosses itself at "), std::string::npos) << sentence;
+  EXPECT_NE(sentence.find("the first at ("), std::string::npos) << sentence;
+  EXPECT_NE(sentence.find("fill_with_mesh_3()"), std::string::npos) << sentence;
+}
+
+TEST_F(Fill_with_tetgen, RefusesAnOpenSurface) {
+  Labelled_tube tube;
+  CGAL::Euler::remove_face(tube.surface.halfedge(*tube.surface.faces().begin()), tube.surface);
+  EXPECT_NE(error_of(tube.surface, tube.patch).find("closed"), std::string::npos);
+  Surface none;
+  const Patch_map patch = no_patch(none);
+  EXPECT_NE(error_of(none, patch).find("closed"), std::string::npos);
+}
+
+TEST(Fill_without_tetgen, SaysSo) {
+  if (tubular::has_tetgen())
+    GTEST_SKIP() << "built with TetGen";
+  const Labelled_tube tube;
+  EXPECT_NE(error_of(tube.surface, tube.patch).find("without TetGen"), std::string::npos);
+}
+
+// --- what may happen in the child process, with other work than TetGen's ---
+
+template <class Work> Child_ending ending_of(const Work& work, double seconds = 60) {
+  std::vector<int> values;
+  return tubular::internal::run_in_child_process(
+      work, [&](const tubular::internal::Pipe_reader& pipe) { return pipe.read(values); }, seconds);
+}
+typedef const tubular::internal::Pipe_writer& Pipe;
+
+TEST(Child_process, SendsItsResultHowLargeItMayBe) {
+  std::vector<int> sent(3000000), got;
+  for (std::size_t i = 0; i < sent.size(); ++i)
+    sent[i] = int(7 * i);
+  const Child_ending ending = tubular::internal::run_in_child_process(
+      [&](Pipe pipe) { return pipe.write(sent) ? 0 : 1; },
+      [&](const tubular::internal::Pipe_reader& pipe) { return pipe.read(got); }, 60);
+  EXPECT_EQ(ending.kind, Child_ending::done);
+  EXPECT_EQ(got, sent);
+}
+
+TEST(Child_process, TellsHowItEnded) {
+  for (int signal : {SIGSEGV, SIGABRT, SIGKILL}) {
+    const Child_ending e = ending_of([signal](Pipe) { return std::raise(signal); });
+    EXPECT_EQ(e.kind, Child_ending::killed);
+    EXPECT_EQ(e.code, signal);
+  }
+  const Child_ending gave_up = ending_of([](Pipe) { return 3; });
+  EXPECT_EQ(gave_up.kind, Child_ending::gave_up);
+  EXPECT_EQ(gave_up.code, 3);
+  const Child_ending left = ending_of([](Pipe) -> int { _exit(5); });
+  EXPECT_EQ(left.kind, Child_ending::gave_up);
+  EXPECT_EQ(left.code, 5);
+  const Child_ending memory = ending_of([](Pipe) -> int { throw std::bad_alloc(); });
+  EXPECT_EQ(memory.code, tubular::internal::out_of_memory_code);
+  const Child_ending thrown = ending_of([](Pipe) -> int { throw 1.5; });
+  EXPECT_EQ(thrown.kind, Child_ending::gave_up);
+  const Child_ending quiet = ending_of([](Pipe) { return 0; }); // but nothing was sent
+  EXPECT_EQ(quiet.kind, Child_ending::gave_up);
+}
+
+TEST(Child_process, IsStoppedWhenItsTimeIsUp) {
+  const Child_ending e = ending_of(
+      [](Pipe) {
+        for (volatile unsigned i = 0;;)
+          i = i + 1;
+        return 0;
+      },
+      0.1);
+  EXPECT_EQ(e.kind, Child_ending::killed);
+  EXPECT_EQ(e.code, SIGXCPU);
+}
+
+TEST(Child_process, PrintsNothing) {
+  testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
+  std::printf("before ");
+  ending_of([](Pipe) {
+    std::printf("child\n");
+    std::fprintf(stderr, "child\n");
+    std::fflush(nullptr);
+    return 0;
+  });
+  EXPECT_EQ(testing::internal::GetCapturedStdout(), "before ");
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
+template <class Mesher>
+std::string sentence_of(const Mesher& mesher, const tubular::internal::Filling_limits& limits = {60}) {
+  const Labelled_tube tube(12, 2);
+  Mesh mesh;
+  try {
+    tubular::internal::fill_in_child_process(tube.surface, tube.patch, constant_size(0.5), limits, mesher, mesh);
+  } catch (const tubular::Meshing_error& e) {
+    return e.what();
+  }
+  return "";
+}
+using tubular::internal::Boundary_arrays;
+using tubular::internal::Filling_arrays;
+
+TEST(Fill_in_child_process, ExplainsWhateverHappens) {
+  const auto ends_by = [](int code, int signal) {
+    return sentence_of([=](const Boundary_arrays&, const auto&, std::size_t, Filling_arrays&) {
+      if (signal != 0)
+        std::raise(signal);
+      return code;
+    });
+  };
+  const std::vector<std::pair<std::string, std::string>> expected = {{ends_by(0, SIGSEGV), "crashed (signal 11)"},
+                                                                     {ends_by(0, SIGKILL), "not enough memory"},
+                                                                     {ends_by(1, 0), "not enough memory"},
+                                                                     {ends_by(2, 0), "an error of its own"},
+                                                                     {ends_by(3, 0), "cross or overlap"},
+                                                                     {ends_by(4, 0), "too small"},
+                                                                     {ends_by(5, 0), "too close"},
+                                                                     {ends_by(10, 0), "input"},
+                                                                     {ends_by(77, 0), "code 77"}};
+  for (const auto& e : expected) {
+    EXPECT_NE(e.first.find(e.second), std::string::npos) << e.first;
+    EXPECT_NE(e.first.find("fill_with_mesh_3()"), std::string::npos) << e.first;
+  }
+}
+
+TEST(Fill_in_child_process, RefusesAFillingThatDoesNotKeepTheSurface) {
+  const std::string sentence =
+      sentence_of([](const Boundary_arrays&, const auto&, std::size_t, Filling_arrays& filling) {
+        filling.tetrahedra.push_back({0, 1, 12, 13});
+        return 0;
+      });
+  EXPECT_NE(sentence.find("could not keep this surface"), std::string::npos) << sentence;
+}
+
+// With as many points as memory would hold, a mesher has stopped before it was done.
+TEST(Fill_in_child_process, RefusesAFillingThatMemoryCutShort) {
+  const auto adds = [](std::size_t points) {
+    return sentence_of(
+        [points](const Boundary_arrays&, const auto&, std::size_t, Filling_arrays& filling) {
+          filling.inner_points.assign(points, {0, 0, 0});
+          return 0;
+        },
+        {60, 10});
+  };
+  EXPECT_NE(adds(10).find("not enough memory"), std::string::npos) << adds(10);
+  EXPECT_EQ(adds(9).find("not enough memory"), std::string::npos) << adds(9);
+}
+
+TEST(Unit_frame, BringsPointsToUnitExtentAndBack) {
+  const std::vector<Point> points = {Point(1e6, 2e6, -5), Point(1e6 + 3e-3, 2e6, -5), Point(1e6, 2e6 + 1e-3, -5)};
+  const tubular::internal::Unit_frame frame(points);
+  for (const Point& p : points) {
+    const auto x = frame.to_frame(p);
+    for (double c : x)
+      EXPECT_LE(std::abs(c), 0.5);
+    const Point back = frame.from_frame<Point>(x.data());
+    EXPECT_NEAR(back.x(), p.x(), 1e-9);
+    EXPECT_NEAR(back.y(), p.y(), 1e-9);
+  }
+  EXPECT_EQ(frame.scale(), 0.00390625); // the power of two above
+}
+
+} // namespace
