@@ -12,7 +12,9 @@
 #include <CGAL/Tubular_meshing/IO/write_centerlines.h>
 #include <CGAL/Tubular_meshing/IO/write_mesh.h>
 #include <CGAL/Tubular_meshing/IO/write_surface.h>
+#include <CGAL/Tubular_meshing/Surface/surface_to_mixed_mesh.h>
 
+#include <cstddef>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -25,23 +27,47 @@ namespace {
 
 const char* const version = TUBULAR_MESHING_VERSION;
 
+void check_mesher(const Options& o) {
+  if (o.makes_surface_only() && o.surface_mesher == "mesh_3")
+    throw tubular::Parameter_error("Mesh_3 makes surface and volume at once: a surface alone is made by "
+                                   "--surface-mesher parametric.");
+  if (o.makes_surface_only() && !o.volume_mesher.empty())
+    throw tubular::Parameter_error("--volume-mesher has nothing to do in a mesh of type surface.");
+  if (o.volume_mesher == "tetgen" && !o.meshes_patches())
+    throw tubular::Parameter_error("--volume-mesher tetgen keeps the surface mesh that --surface-mesher parametric "
+                                   "makes: give that as well.");
+  if (o.volume_mesher == "tetgen" && !why_no_tetgen().empty())
+    throw tubular::Parameter_error(why_no_tetgen());
+}
+
+void check_output(const Options& o) {
+  if (o.makes_surface_only()) {
+    if (!tubular::IO::is_supported_surface_format(o.output))
+      throw tubular::Parameter_error("The surface cannot be written to \"" + o.output +
+                                     "\": give a .stl, .vtp, .msh, .ply, .off, .obj or .vtk file.");
+  } else if (!tubular::IO::is_supported_mesh_format(o.output)) {
+    throw tubular::Parameter_error("The mesh cannot be written to \"" + o.output +
+                                   "\": give a .vtu, .msh or .mesh file.");
+  }
+  if (!o.surface_output.empty() && !tubular::IO::is_supported_surface_format(o.surface_output))
+    throw tubular::Parameter_error("The surface cannot be written to \"" + o.surface_output +
+                                   "\": give a .vtp, .stl, .off, .obj or .ply file.");
+}
+
 // What is wrong with the options as such; before any work is done, since work takes time.
 void check(const Options& o) {
   if (o.type == "anisotropic" || o.type == "mixed")
     throw tubular::Parameter_error("Meshes of type " + o.type +
-                                   " are not part of this version; it makes isotropic ones.");
-  if (o.type != "isotropic")
-    throw tubular::Parameter_error("There is no type of mesh named \"" + o.type + "\"; the types are: isotropic.");
+                                   " are not part of this version; it makes isotropic ones, and surfaces.");
+  if (o.type != "isotropic" && o.type != "surface")
+    throw tubular::Parameter_error("There is no type of mesh named \"" + o.type +
+                                   "\"; the types are: isotropic, surface.");
+  check_mesher(o);
   if (!o.outlets.empty() && o.inlet.empty())
     throw tubular::Parameter_error("--outlet needs --inlet, where the centerlines begin.");
   if (o.min_size > o.max_size)
     throw tubular::Parameter_error("--min-size is larger than --max-size.");
-  if (!tubular::IO::is_supported_mesh_format(o.output))
-    throw tubular::Parameter_error("The mesh cannot be written to \"" + o.output +
-                                   "\": give a .vtu, .msh or .mesh file.");
-  if (!o.surface_output.empty() && !tubular::IO::is_supported_surface_format(o.surface_output))
-    throw tubular::Parameter_error("The surface cannot be written to \"" + o.surface_output +
-                                   "\": give a .vtp, .stl, .off, .obj or .ply file.");
+  check_output(o);
   if (!o.centerlines_output.empty() && !tubular::IO::is_supported_centerlines_format(o.centerlines_output))
     throw tubular::Parameter_error("The centerlines cannot be written to \"" + o.centerlines_output +
                                    "\": give a .vtp or .vtk file.");
@@ -64,16 +90,26 @@ void check(const Options& o) {
   }
 }
 
+typedef tubular::Remeshed_surface<Point_3> Remeshed_surface;
+
+void write_surface(tubular::IO::Output_file& file, const Remeshed_surface& surface) {
+  tubular::IO::write_surface(
+      file, surface.surface,
+      tubular::parameters::face_patch_map(surface.patch).surface_patch_map(surface.patch_of_face));
+}
+
 // Writes everything that was asked for; nothing gets its name before all of it is whole.
-void write(const Options& o, const tubular::Tubular_model<Point_3>& model, const tubular::Mixed_mesh<Point_3>& mesh,
-           run_report::Json& report, Stage_clock& clock) {
+void write(const Options& o, const tubular::Tubular_model<Point_3>& model, const Remeshed_surface& surface,
+           const tubular::Mixed_mesh<Point_3>& mesh, run_report::Json& report, Stage_clock& clock) {
   std::vector<std::unique_ptr<tubular::IO::Output_file>> files;
   const auto open = [&](const std::string& name) -> tubular::IO::Output_file& {
     files.emplace_back(new tubular::IO::Output_file(name));
     return *files.back();
   };
-  tubular::IO::write_mesh(open(o.output), mesh);
-  if (!o.surface_output.empty())
+  o.makes_surface_only() ? write_surface(open(o.output), surface) : tubular::IO::write_mesh(open(o.output), mesh);
+  if (!o.surface_output.empty() && o.meshes_patches())
+    write_surface(open(o.surface_output), surface);
+  else if (!o.surface_output.empty())
     tubular::IO::write_surface(open(o.surface_output), model.surface, tubular::parameters::face_patch_map(model.patch));
   if (!o.centerlines_output.empty())
     tubular::IO::write_centerlines(open(o.centerlines_output), model.centerlines);
@@ -87,18 +123,37 @@ void write(const Options& o, const tubular::Tubular_model<Point_3>& model, const
     f->commit();
 }
 
+// The surface as a mesh that has no cells yet, for the report.
+tubular::Mixed_mesh<Point_3> without_cells(const Remeshed_surface& surface, std::size_t number_of_openings) {
+  tubular::Mixed_mesh<Point_3> mesh;
+  tubular::surface_to_mixed_mesh(surface.surface, surface.patch, mesh);
+  mesh.patch_names = tubular::lumen_patch_names(int(number_of_openings));
+  return mesh;
+}
+
 void run(const Options& o) {
   check(o);
   Stage_clock clock(o.quiet);
-  Surface surface;
-  const tubular::Repair_report<Point_3> repairs = read_surface(o, surface, clock);
-  const Flow_extensions extensions = extend_openings(o, surface, clock);
-  const tubular::Tubular_model<Point_3> model = prepare(o, surface, extensions, clock);
-  const tubular::Mixed_mesh<Point_3> mesh = make_mesh(o, model, clock);
+  Surface input;
+  const tubular::Repair_report<Point_3> repairs = read_surface(o, input, clock);
+  const Flow_extensions extensions = extend_openings(o, input, clock);
+  const tubular::Tubular_model<Point_3> model = prepare(o, input, extensions, clock);
+  Remeshed_surface surface;
+  tubular::Mixed_mesh<Point_3> mesh;
+  if (o.makes_surface_only()) {
+    surface = make_surface_mesh(o, model, clock);
+    mesh = without_cells(surface, model.openings.size());
+  } else {
+    mesh = make_mesh(o, model, surface, clock);
+  }
   clock.begin("report");
   run_report::Json report = run_report::make(o, version, repairs, extensions.lengths, model, mesh);
+  if (o.meshes_patches())
+    run_report::add_patches(report, surface);
+  if (o.makes_surface_only())
+    run_report::describe_surface(report, surface);
   clock.begin("write");
-  write(o, model, mesh, report, clock);
+  write(o, model, surface, mesh, report, clock);
   if (!o.quiet) {
     run_report::print(report, o.verbose);
     if (std::fflush(stdout) != 0)

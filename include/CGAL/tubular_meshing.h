@@ -8,11 +8,15 @@
 #include <CGAL/Tubular_meshing/Fields/Centerline_sizing_field.h>
 #include <CGAL/Tubular_meshing/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/Quality/validity_report.h>
+#include <CGAL/Tubular_meshing/Surface/Remeshed_surface.h>
 #include <CGAL/Tubular_meshing/Tubular_model.h>
 #include <CGAL/Tubular_meshing/Volume/fill_with_mesh_3.h>
-#include <CGAL/Tubular_meshing/Volume/internal/Model_in_its_frame.h>
+#include <CGAL/Tubular_meshing/Volume/fill_with_tetgen.h>
 #include <CGAL/Tubular_meshing/Volume/optimize_tetrahedra.h>
 #include <CGAL/Tubular_meshing/exceptions.h>
+#include <CGAL/Tubular_meshing/internal/Model_in_its_frame.h>
+#include <CGAL/Tubular_meshing/internal/Stage_observer.h>
+#include <CGAL/Tubular_meshing/make_isotropic_surface_mesh.h>
 #include <CGAL/Tubular_meshing/parameters.h>
 
 #include <unistd.h>
@@ -24,10 +28,6 @@
 namespace CGAL {
 namespace Tubular_meshing {
 namespace internal {
-
-struct Ignore_stages {
-  void operator()(const char*) const {}
-};
 
 // What a mesh of the model must be beyond valid: of the model's topology, with all of its patches.
 template <class Point> std::string differences(const Mixed_mesh<Point>& mesh, const Tubular_model<Point>& model) {
@@ -55,7 +55,19 @@ inline void check_memory(double tetrahedra) {
                         " million tetrahedra, more than the memory of this machine holds: make it coarser.");
 }
 
+inline void check_differences(const std::string& differences, const char* advice) {
+  if (!differences.empty())
+    throw Meshing_error("The mesh came out with " + differences + ": " + advice);
+}
+
 } // namespace internal
+
+/*! \ingroup PkgTubularMeshingRef
+ * What fills a surface mesh with tetrahedra. */
+enum class Volume_mesher {
+  mesh_3, ///< CGAL's Mesh_3, which meshes the surface anew
+  tetgen  ///< TetGen, which keeps it
+};
 
 /*! \ingroup PkgTubularMeshingRef
  *
@@ -89,9 +101,7 @@ template <class Point_3, class NamedParameters = CGAL::parameters::Default_named
 Mixed_mesh<Point_3> make_isotropic_mesh(const Tubular_model<Point_3>& model,
                                         const NamedParameters& np = CGAL::parameters::default_values()) {
   typedef Centerline_sizing_field<Point_3> Sizing_field;
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
-  const auto observer = choose_parameter(get_parameter(np, internal_np::observer), internal::Ignore_stages());
+  const auto observer = internal::stage_observer(np);
 
   observer("size field");
   const internal::Model_in_its_frame<Point_3> framed(model);
@@ -109,10 +119,61 @@ Mixed_mesh<Point_3> make_isotropic_mesh(const Tubular_model<Point_3>& model,
     if (differences.empty())
       break;
   }
-  if (!differences.empty())
-    throw Meshing_error("The mesh came out with " + differences +
-                        ": the surface may intersect itself, or have parts much narrower than the mesh size there.");
+  internal::check_differences(
+      differences, "the surface may intersect itself, or have parts much narrower than the mesh size there.");
   framed.bring_back(mesh);
+  mesh.patch_names = lumen_patch_names(int(model.openings.size()));
+  return mesh;
+}
+
+/*! \ingroup PkgTubularMeshingRef
+ *
+ * the paper's own road to a mesh of isotropic tetrahedra: the surface is meshed patch by patch in the parametric plane,
+ * see make_isotropic_surface_mesh(), and filled.
+ *
+ * TetGen keeps the surface mesh facet for facet: the mesh's first points are its vertices, its triangles its faces, in
+ * their order. Mesh_3 meshes it anew.
+ *
+ * \param surface gets the surface mesh
+ * \param np takes the named parameters of make_isotropic_surface_mesh() as well as
+ *
+ * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{volume_mesher} \cgalParamDescription{`Volume_mesher::tetgen` or `Volume_mesher::mesh_3`}
+ *     \cgalParamDefault{TetGen, if this program is linked with it, see has_tetgen()} \cgalParamNEnd
+ *   \cgalParamNBegin{optimization_passes} \cgalParamDescription{see optimize_tetrahedra()} \cgalParamNEnd
+ *   \cgalParamNBegin{facet_distance} \cgalParamDescription{see fill_with_mesh_3()} \cgalParamNEnd
+ * \cgalNamedParamsEnd
+ *
+ * \throws Parameter_error if a parameter is out of its range
+ * \throws Meshing_error if the surface cannot be meshed, or TetGen or Mesh_3 fail on it
+ */
+template <class Point_3, class NamedParameters = CGAL::parameters::Default_named_parameters>
+Mixed_mesh<Point_3> make_isotropic_mesh(const Tubular_model<Point_3>& model, Remeshed_surface<Point_3>& surface,
+                                        const NamedParameters& np = CGAL::parameters::default_values()) {
+  typedef Named_parameters<bool, internal_np::keep_boundary_t, NamedParameters> With_boundary;
+  const auto observer = internal::stage_observer(np);
+  const Volume_mesher mesher =
+      internal::choose(np, internal_np::volume_mesher, has_tetgen() ? Volume_mesher::tetgen : Volume_mesher::mesh_3);
+
+  observer("size field");
+  internal::Model_in_its_frame<Point_3> framed(model);
+  const Centerline_sizing_field<Point_3> size = framed.sizing_field(np);
+  internal::check_memory(size.estimated_number_of_tetrahedra());
+  surface = internal::remesh_in_frame(framed, size, np);
+  observer("tetrahedra");
+  Mixed_mesh<Point_3> mesh;
+  if (mesher == Volume_mesher::tetgen)
+    fill_with_tetgen(surface.surface, surface.patch, size, mesh, np);
+  else
+    fill_with_mesh_3(surface.surface, surface.patch, internal::Scaled_field<Centerline_sizing_field<Point_3>>{&size, 1},
+                     mesh, np);
+  observer("optimization");
+  optimize_tetrahedra(mesh, framed.surface(), framed.patch(), With_boundary(mesher == Volume_mesher::tetgen, np));
+  observer("check");
+  internal::check_differences(internal::differences(mesh, model),
+                              "the mesh size may be too coarse for the surface; try a finer one.");
+  framed.bring_back(mesh);
+  framed.bring_back(surface.surface);
   mesh.patch_names = lumen_patch_names(int(model.openings.size()));
   return mesh;
 }

@@ -22,6 +22,7 @@ typedef Kernel::Point_3 Point_3;
 /* What the user of tubular_mesh asks for. */
 struct Options {
   std::string surface, centerlines, output, type = "isotropic";
+  std::string surface_mesher, volume_mesher; // empty: not said
   std::string repair = "auto";
   bool smooth = false, loops = false;
   double flow_extensions = 0;
@@ -32,6 +33,9 @@ struct Options {
   std::string report, surface_output, centerlines_output;
   int threads = 0;
   bool verbose = false, quiet = false;
+
+  bool makes_surface_only() const { return type == "surface"; }
+  bool meshes_patches() const { return makes_surface_only() || surface_mesher == "parametric"; }
 
   std::vector<std::string> outputs() const {
     std::vector<std::string> files = {output};
@@ -57,6 +61,16 @@ inline CLI::Validator in_range(double least, double most) {
     return error.str();
   };
   return CLI::Validator(check, "");
+}
+
+inline void declare_mesher_options(CLI::App& app, Options& o) {
+  app.add_option("--surface-mesher", o.surface_mesher,
+                 "mesh_3, with the volume, or parametric: patch by patch, on the surface itself (default: mesh_3)")
+      ->check(CLI::IsMember({"mesh_3", "parametric"}).description(""));
+  app.add_option("--volume-mesher", o.volume_mesher,
+                 "mesh_3, or tetgen, which keeps the triangles of the parametric surface mesher (default: tetgen after "
+                 "that one, if it is there, else mesh_3)")
+      ->check(CLI::IsMember({"mesh_3", "tetgen"}).description(""));
 }
 
 inline void declare_surface_options(CLI::App& app, Options& o) {
@@ -98,8 +112,11 @@ inline void declare_options(CLI::App& app, Options& o, const std::string& versio
   app.footer(std::string(command_line::exit_statuses()) + "\nNothing is written unless all of it is whole.");
   app.set_version_flag("--version", version);
   app.add_option("surface", o.surface, "surface: .stl .off .obj .ply .vtp .vtk .msh")->required();
-  app.add_option("-o,--output", o.output, "mesh to write: .vtu .msh .mesh")->required();
-  app.add_option("-t,--type", o.type, "kind of mesh: isotropic")->capture_default_str();
+  app.add_option("-o,--output", o.output,
+                 "mesh to write: .vtu .msh .mesh; a surface: .stl .vtp .msh .ply .off .obj .vtk")
+      ->required();
+  app.add_option("-t,--type", o.type, "kind of mesh: isotropic (tetrahedra), surface (triangles only)")
+      ->capture_default_str();
   app.add_option("-n,--points-per-circumference", o.points_per_circumference,
                  "mesh size h = 2 pi r / N, r the local radius")
       ->capture_default_str()
@@ -111,10 +128,13 @@ inline void declare_options(CLI::App& app, Options& o, const std::string& versio
   app.add_option("--gradation", o.gradation, "largest ratio of the sizes of neighbours")
       ->capture_default_str()
       ->check(in_range(1, 1e4));
+  declare_mesher_options(app, o);
   declare_surface_options(app, o);
   declare_centerline_options(app, o);
   app.add_option("--report", o.report, "write the summary to this .json file");
-  app.add_option("--write-surface", o.surface_output, "write the closed, labelled input surface: .vtp .stl .off .ply");
+  app.add_option("--write-surface", o.surface_output,
+                 "write the closed, labelled surface, as it is meshed by the parametric mesher, else as it came: .vtp "
+                 ".stl .off .ply");
   app.add_option("--write-centerlines", o.centerlines_output, "write the branches and their radii: .vtp .vtk");
   app.add_option("--threads", o.threads, "number of threads; 1 makes results reproducible (default: all cores)")
       ->check(CLI::Range(0, 1024));

@@ -13,6 +13,7 @@
 #include <CGAL/Tubular_meshing/Quality/branch_resolution.h>
 #include <CGAL/Tubular_meshing/Quality/quality_report.h>
 #include <CGAL/Tubular_meshing/Quality/validity_report.h>
+#include <CGAL/Tubular_meshing/Surface/Remeshed_surface.h>
 #include <CGAL/Tubular_meshing/Tubular_model.h>
 
 #include <nlohmann/json.hpp>
@@ -114,6 +115,46 @@ Json make(const Options& options, const std::string& version, const tubular::Rep
   return report;
 }
 
+// How the surface was cut, and its patches were mapped.
+template <class Point> void add_patches(Json& report, const tubular::Remeshed_surface<Point>& surface) {
+  const tubular::Patch_report& r = surface.report;
+  const auto number = [&](tubular::Patch_kind kind) {
+    const auto found = r.kinds.find(kind);
+    return found == r.kinds.end() ? std::size_t(0) : found->second;
+  };
+  Json methods = Json::object();
+  for (const auto& m : r.methods)
+    methods[tubular::name_of(m.first)] = m.second;
+  report["patches"] = {{"count", r.number_of_patches()},
+                       {"annular", number(tubular::Patch_kind::annular)},
+                       {"junctions", number(tubular::Patch_kind::junction)},
+                       {"disks", number(tubular::Patch_kind::disk)},
+                       {"largest_aspect_ratio", r.largest_aspect_ratio},
+                       {"moved_cuts", r.moved_cuts},
+                       {"methods", methods},
+                       {"fallbacks", r.number_of_fallbacks()},
+                       {"refined", r.refined_patches},
+                       {"problems", r.problems}};
+}
+
+// Of a surface alone, the validity is its own.
+template <class Point> void describe_surface(Json& report, const tubular::Remeshed_surface<Point>& surface) {
+  const auto& mesh = surface.surface;
+  report["valid"] = CGAL::is_closed(mesh) && mesh.is_valid();
+  report["boundary_euler"] =
+      long(mesh.number_of_vertices()) - long(mesh.number_of_edges()) + long(mesh.number_of_faces());
+}
+
+inline void print_patches(const Json& p) {
+  std::printf("\n%ld patches: %ld annular, %ld junctions, %ld disks; aspect ratio at most %.2f\n",
+              p["count"].get<long>(), p["annular"].get<long>(), p["junctions"].get<long>(), p["disks"].get<long>(),
+              p["largest_aspect_ratio"].get<double>());
+  std::printf("%ld not mapped conformally, %ld meshed finer than asked for\n", p["fallbacks"].get<long>(),
+              p["refined"].get<long>());
+  for (const auto& problem : p["problems"])
+    std::printf("note: %s\n", problem.get<std::string>().c_str());
+}
+
 inline void add_times(Json& report, const Stage_clock& clock) {
   for (const auto& stage : clock.stages())
     report["times"][stage.first] = stage.second;
@@ -149,6 +190,8 @@ inline void print(const Json& r, bool verbose) {
   for (const auto& m :
        {std::make_pair("gamma_tau", "tetrahedra, gamma_tau"), std::make_pair("gamma_T", "triangles, gamma_T")}) {
     const auto& s = r["quality"][m.first];
+    if (s["count"] == 0)
+      continue;
     std::printf("%-22s %8.3f %8.3f %8.3f\n", m.second, s["min"].get<double>(), s["p1"].get<double>(),
                 s["mean"].get<double>());
   }
@@ -162,6 +205,8 @@ inline void print(const Json& r, bool verbose) {
   }
   std::printf("\n%ld branches, %.1f to %.1f points round their circumference\n", long(r["branches"].size()), fewest,
               most);
+  if (r.contains("patches"))
+    print_patches(r["patches"]);
   std::printf("\n%-12s %6s %10s %12s %12s\n", "opening", "patch", "triangles", "radius", "area");
   for (const auto& o : r["openings"])
     std::printf("%-12s %6d %10ld %12.5g %12.5g\n", o["name"].get<std::string>().c_str(), o["patch"].get<int>(),

@@ -5,13 +5,40 @@
 
 #include <CGAL/tubular_meshing.h>
 
+#include <cstddef>
+#include <string>
+
+namespace {
+
+tubular::Volume_mesher volume_mesher(const Options& o) {
+  if (o.volume_mesher.empty())
+    return tubular::has_tetgen() ? tubular::Volume_mesher::tetgen : tubular::Volume_mesher::mesh_3;
+  return o.volume_mesher == "tetgen" ? tubular::Volume_mesher::tetgen : tubular::Volume_mesher::mesh_3;
+}
+
+// The library's advice in the words of this tool.
+std::string in_terms_of_options(std::string sentence) {
+  const std::string function = "fill_with_mesh_3()", option = "--volume-mesher mesh_3";
+  const std::size_t at = sentence.find(function);
+  return at == std::string::npos ? sentence : sentence.replace(at, function.size(), option);
+}
+
+} // namespace
+
+std::string why_no_tetgen() {
+  return tubular::has_tetgen() ? ""
+                               : "This program was built without TetGen; use --volume-mesher mesh_3, or build it where "
+                                 "TetGen's library is installed (libtet1.5-dev).";
+}
+
 tubular::Mixed_mesh<Point_3> make_mesh(const Options& o, const tubular::Tubular_model<Point_3>& model,
-                                       Stage_clock& clock) {
-  const auto np = tubular::parameters::points_per_circumference(o.points_per_circumference)
-                      .min_size(o.min_size)
-                      .max_size(o.max_size)
-                      .gradation(o.gradation)
-                      .number_of_threads(o.threads)
-                      .observer([&](const char* stage) { clock.begin(stage); });
-  return tubular::make_isotropic_mesh(model, np);
+                                       tubular::Remeshed_surface<Point_3>& surface, Stage_clock& clock) {
+  const auto np = meshing_parameters(o, clock);
+  if (!o.meshes_patches())
+    return tubular::make_isotropic_mesh(model, np);
+  try {
+    return tubular::make_isotropic_mesh(model, surface, np.volume_mesher(volume_mesher(o)));
+  } catch (const tubular::Meshing_error& e) {
+    throw tubular::Meshing_error(in_terms_of_options(e.what()));
+  }
 }

@@ -13,8 +13,11 @@
 #include <CGAL/Tubular_meshing/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/Opening.h>
 #include <CGAL/Tubular_meshing/Operators/Repair_report.h>
+#include <CGAL/Tubular_meshing/Surface/Remeshed_surface.h>
 #include <CGAL/Tubular_meshing/Tubular_model.h>
+#include <CGAL/Tubular_meshing/parameters.h>
 
+#include <string>
 #include <vector>
 
 typedef CGAL::Surface_mesh<Point_3> Surface;
@@ -35,7 +38,25 @@ Flow_extensions extend_openings(const Options& o, Surface& surface, Stage_clock&
 tubular::Tubular_model<Point_3> prepare(const Options& o, const Surface& surface, const Flow_extensions& extensions,
                                         Stage_clock& clock);
 
+// The surface mesh alone.
+tubular::Remeshed_surface<Point_3> make_surface_mesh(const Options& o, const tubular::Tubular_model<Point_3>& model,
+                                                     Stage_clock& clock);
+
+// Tetrahedra; with the parametric surface mesher, `surface` becomes the surface mesh.
 tubular::Mixed_mesh<Point_3> make_mesh(const Options& o, const tubular::Tubular_model<Point_3>& model,
-                                       Stage_clock& clock);
+                                       tubular::Remeshed_surface<Point_3>& surface, Stage_clock& clock);
+
+// Why meshes cannot be filled by TetGen; empty if they can.
+std::string why_no_tetgen();
+
+// The named parameters that all of these take.
+inline auto meshing_parameters(const Options& o, Stage_clock& clock) {
+  return tubular::parameters::points_per_circumference(o.points_per_circumference)
+      .min_size(o.min_size)
+      .max_size(o.max_size)
+      .gradation(o.gradation)
+      .number_of_threads(o.threads)
+      .observer([&clock](const char* stage) { clock.begin(stage); });
+}
 
 #endif // TUBULAR_MESH_STAGES_H

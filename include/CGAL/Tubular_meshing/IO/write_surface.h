@@ -26,13 +26,17 @@ namespace IO {
 
 namespace internal {
 
+// Appends the label of a face, if there is a map of labels.
+template <class Face> void append_label(const CGAL::internal_np::Param_not_found&, Face, std::vector<std::int32_t>&) {}
+template <class Label_map, class Face> void append_label(const Label_map& map, Face f, std::vector<std::int32_t>& to) {
+  to.push_back(static_cast<std::int32_t>(get(map, f)));
+}
+
 template <class TriangleMesh, class NamedParameters>
 Labelled_triangles labelled_triangles(const TriangleMesh& mesh, const NamedParameters& np) {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   typedef boost::graph_traits<TriangleMesh> Graph;
-  typedef std::decay_t<decltype(get_parameter(np, internal_np::face_patch_map))> Patch_map;
-  constexpr bool has_patches = !std::is_same<Patch_map, CGAL::internal_np::Param_not_found>::value;
   const auto point_map = choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
                                           get_const_property_map(CGAL::vertex_point, mesh));
 
@@ -55,8 +59,8 @@ Labelled_triangles labelled_triangles(const TriangleMesh& mesh, const NamedParam
     if (k != 3)
       throw Output_error("The surface cannot be written: one of its faces is no triangle; triangulate it first.");
     surface.triangles.push_back(t);
-    if constexpr (has_patches)
-      surface.patch.push_back(static_cast<std::int32_t>(get(get_parameter(np, internal_np::face_patch_map), f)));
+    append_label(get_parameter(np, internal_np::face_patch_map), f, surface.patch);
+    append_label(get_parameter(np, internal_np::surface_patch_map), f, surface.surface_patch);
   }
   return surface;
 }
@@ -132,7 +136,8 @@ void write_surface(Output_file& file, const TriangleMesh& mesh,
  * \param mesh the surface
  * \param np named parameters: `vertex_point_map`; `face_patch_map`, a readable property map from face to the label of
  *        its patch, which is written as cell array `patch` (.vtp, .vtk), face property `patch` (.ply) or physical group
- *        (.msh). Default: none
+ *        (.msh). Default: none; `surface_patch_map`, the same for numbers of patches of a cut, which are written as
+ *        `surface_patch` (.vtp, .vtk, .ply). Default: none
  *
  * \exception Output_error if the file cannot be written, or a face is no triangle
  */

@@ -4,11 +4,11 @@
 #ifndef CGAL_TUBULAR_MESHING_SURFACE_REMESHED_SURFACE_H
 #define CGAL_TUBULAR_MESHING_SURFACE_REMESHED_SURFACE_H
 
+#include <CGAL/Tubular_meshing/Surface/Patch_report.h>
 #include <CGAL/Tubular_meshing/labels.h>
 
 #include <CGAL/Surface_mesh.h>
 
-#include <cstddef>
 #include <vector>
 
 namespace CGAL {
@@ -27,7 +27,7 @@ template <class Point_3_> struct Remeshed_surface {
   Face_map patch;         ///< `labels::wall`, or the label of an opening: property map `f:patch` of the surface
   Face_map patch_of_face; ///< the number of the patch of the cut, −1 on caps: property map `f:surface_patch`
   std::vector<std::vector<typename Surface::Vertex_index>> curves; ///< the vertices on each curve of the cut, in order
-  std::size_t refined_patches = 0; ///< patches and caps whose size was reduced, as they met themselves or others
+  Patch_report report;                                             ///< on the patches that it was meshed by
 
   Remeshed_surface() {
     patch = surface.template add_property_map<typename Surface::Face_index, int>("f:patch", labels::wall).first;

@@ -21,7 +21,8 @@ namespace internal {
 struct Labelled_triangles {
   std::vector<Coordinates> points;
   std::vector<Index_triangle> triangles;
-  std::vector<std::int32_t> patch; // one a triangle, or none
+  std::vector<std::int32_t> patch;         // one a triangle, or none
+  std::vector<std::int32_t> surface_patch; // likewise
 };
 
 // Binary, in single precision, as the format is.
@@ -71,7 +72,8 @@ inline void write_ply(Output_file& file, const Labelled_triangles& surface) {
   out << "ply\nformat binary_little_endian 1.0\nelement vertex " << surface.points.size()
       << "\nproperty double x\nproperty double y\nproperty double z\nelement face " << surface.triangles.size()
       << "\nproperty list uchar int vertex_indices\n"
-      << (surface.patch.empty() ? "" : "property int patch\n") << "end_header\n";
+      << (surface.patch.empty() ? "" : "property int patch\n")
+      << (surface.surface_patch.empty() ? "" : "property int surface_patch\n") << "end_header\n";
   for (const Coordinates& p : surface.points)
     for (double x : p)
       out.bytes(x, swapped);
@@ -81,6 +83,8 @@ inline void write_ply(Output_file& file, const Labelled_triangles& surface) {
       out.bytes(static_cast<std::int32_t>(v), swapped);
     if (!surface.patch.empty())
       out.bytes(surface.patch[i], swapped);
+    if (!surface.surface_patch.empty())
+      out.bytes(surface.surface_patch[i], swapped);
   }
   out.flush();
 }
@@ -95,6 +99,8 @@ inline Polydata polydata_of(const Labelled_triangles& surface) {
   }
   if (!surface.patch.empty())
     data.cell_arrays.push_back({"patch", surface.patch});
+  if (!surface.surface_patch.empty())
+    data.cell_arrays.push_back({"surface_patch", surface.surface_patch});
   return data;
 }
 

@@ -6,6 +6,7 @@
 
 #include <CGAL/Tubular_meshing/Operators/Surface_patch.h>
 #include <CGAL/Tubular_meshing/Surface/Patch_parameterization.h>
+#include <CGAL/Tubular_meshing/Surface/Patch_report.h>
 #include <CGAL/Tubular_meshing/Surface/Remeshed_surface.h>
 #include <CGAL/Tubular_meshing/Surface/internal/remeshing/Piece_mesher.h>
 #include <CGAL/Tubular_meshing/Surface/internal/remeshing/Triangle_improver.h>
@@ -43,6 +44,7 @@ public:
                    const Size& size, bool even, int threads)
       : surface_(surface)
       , cut_(cut)
+      , maps_(maps)
       , mesher_(surface, cut, maps, size, even, threads) {}
 
   Remeshed_surface<Point_3> run() {
@@ -63,7 +65,8 @@ public:
                             "itself there; see repair_surface().");
       mesher_.mesh_finer(failed);
     }
-    result_.refined_patches = mesher_.number_of_refined_pieces();
+    result_.report = patch_report(cut_, maps_);
+    result_.report.refined_patches = mesher_.number_of_refined_pieces();
     return std::move(result_);
   }
 
@@ -219,6 +222,7 @@ private:
 
   const Surface& surface_;
   const Surface_cut<Point_3>& cut_;
+  const std::vector<Map>& maps_;
   Piece_mesher<Point_3, Size> mesher_;
   Remeshed_surface<Point_3> result_;
   std::vector<size_type> piece_of_face_;

@@ -12,7 +12,7 @@
 #include <CGAL/Tubular_meshing/Volume/internal/tetgen/Unit_frame.h>
 #include <CGAL/Tubular_meshing/Volume/internal/tetgen/failure_sentence.h>
 #include <CGAL/Tubular_meshing/Volume/internal/tetgen/sort_in_space.h>
-#include <CGAL/Tubular_meshing/Volume/internal/tetgen/surface_to_mixed_mesh.h>
+#include <CGAL/Tubular_meshing/Surface/surface_to_mixed_mesh.h>
 #include <CGAL/Tubular_meshing/exceptions.h>
 #include <CGAL/Tubular_meshing/internal/Vector_3d.h>
 #include <CGAL/Tubular_meshing/labels.h>

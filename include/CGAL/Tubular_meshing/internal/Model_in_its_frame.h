@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tubular_meshing authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_MODEL_IN_ITS_FRAME_H
-#define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_MODEL_IN_ITS_FRAME_H
+#ifndef CGAL_TUBULAR_MESHING_INTERNAL_MODEL_IN_ITS_FRAME_H
+#define CGAL_TUBULAR_MESHING_INTERNAL_MODEL_IN_ITS_FRAME_H
 
 #include <CGAL/Tubular_meshing/Centerlines/Centerline_field.h>
 #include <CGAL/Tubular_meshing/Centerlines/Centerline_graph.h>
@@ -49,6 +49,8 @@ public:
   }
 
   const Surface& surface() const { return surface_; }
+  Surface& surface() { return surface_; } // to be cut
+  const Centerline_graph<Point>& centerlines() const { return centerlines_; }
   Face_patch_map patch() const { return patch_; }
 
   // With the limits of the size brought to the frame's unit.
@@ -63,10 +65,13 @@ public:
   }
 
   void bring_back(Mixed_mesh<Point>& mesh) const {
-    for (Point& p : mesh.points) {
-      const auto q = frame_.from_canonical(to_double_point(p));
-      p = Point(q.x(), q.y(), q.z());
-    }
+    for (Point& p : mesh.points)
+      p = from_frame(p);
+  }
+  // Where it has points of a mesh they stay the same points, bit for bit.
+  void bring_back(Surface& surface) const {
+    for (auto v : surface.vertices())
+      surface.point(v) = from_frame(surface.point(v));
   }
 
 private:
@@ -82,6 +87,11 @@ private:
     return Point(q.x(), q.y(), q.z());
   }
 
+  Point from_frame(const Point& p) const {
+    const auto q = frame_.from_canonical(to_double_point(p));
+    return Point(q.x(), q.y(), q.z());
+  }
+
   Canonical_frame frame_;
   Surface surface_;
   Face_patch_map patch_;
@@ -92,4 +102,4 @@ private:
 } // namespace Tubular_meshing
 } // namespace CGAL
 
-#endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_MODEL_IN_ITS_FRAME_H
+#endif // CGAL_TUBULAR_MESHING_INTERNAL_MODEL_IN_ITS_FRAME_H

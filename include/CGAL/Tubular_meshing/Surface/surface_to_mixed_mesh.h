@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tubular_meshing authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_TETGEN_SURFACE_TO_MIXED_MESH_H
-#define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_TETGEN_SURFACE_TO_MIXED_MESH_H
+#ifndef CGAL_TUBULAR_MESHING_SURFACE_SURFACE_TO_MIXED_MESH_H
+#define CGAL_TUBULAR_MESHING_SURFACE_SURFACE_TO_MIXED_MESH_H
 
 #include <CGAL/Tubular_meshing/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/exceptions.h>
@@ -16,9 +16,17 @@
 
 namespace CGAL {
 namespace Tubular_meshing {
-namespace internal {
 
-/* A closed labelled surface as the beginning of a mesh: its points and triangles, in the surface's own order. */
+/*! \ingroup PkgTubularMeshingRef
+ *
+ * A closed labelled surface as a mesh without cells: its points and triangles, in the surface's own order. Linear.
+ *
+ * \param surface a closed triangle mesh
+ * \param patch a readable property map from its faces to `int`: their labels
+ * \param mesh is replaced
+ *
+ * \throws Meshing_error if the surface is empty, not closed, or not of triangles
+ */
 template <class Point, class TriangleMesh, class FacePatchMap>
 void surface_to_mixed_mesh(const TriangleMesh& surface, FacePatchMap patch, Mixed_mesh<Point>& mesh) {
   typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor Vertex;
@@ -42,8 +50,7 @@ void surface_to_mixed_mesh(const TriangleMesh& surface, FacePatchMap patch, Mixe
   }
 }
 
-} // namespace internal
 } // namespace Tubular_meshing
 } // namespace CGAL
 
-#endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_TETGEN_SURFACE_TO_MIXED_MESH_H
+#endif // CGAL_TUBULAR_MESHING_SURFACE_SURFACE_TO_MIXED_MESH_H

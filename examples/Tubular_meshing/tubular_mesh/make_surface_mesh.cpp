@@ -1,0 +1,11 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "stages.h"
+
+#include <CGAL/Tubular_meshing/make_isotropic_surface_mesh.h>
+
+tubular::Remeshed_surface<Point_3> make_surface_mesh(const Options& o, const tubular::Tubular_model<Point_3>& model,
+                                                     Stage_clock& clock) {
+  return tubular::make_isotropic_surface_mesh(model, meshing_parameters(o, clock));
+}
