@@ -34,15 +34,21 @@ public:
   // First step. Whether there is a map; it may be no bijection.
   bool map_conformally() { return is_mapped_ = find_conformal_map(); }
 
-  // For each halfedge of the patch whether, on the ring, it reaches further than an eighth of the way around, or as far
-  // inwards: too far for a linear map to be near the conformal one. Empty if none does.
+  // For each halfedge of the patch whether it is too long for a linear map to be near the conformal one: on the ring it
+  // reaches further than an eighth of the way around, or as far inwards; or sizes differ by more than a factor of two
+  // from one end to the other, as on a blind vessel. Empty if none is.
   std::vector<char> wide_halfedges() const {
     std::vector<char> is_wide;
-    if (!is_mapped_ || patch_.loops.size() == 1)
+    if (!is_mapped_)
       return is_wide;
-    const double pi = 3.14159265358979323846;
+    const double pi = 3.14159265358979323846, most_growth = std::log(2.);
+    const std::vector<double> scale = logarithms_of_scales();
+    const auto growth = [&](int h) {
+      return std::abs(scale[std::size_t(source_of(patch_.triangles, h))] -
+                      scale[std::size_t(target_of(patch_.triangles, h))]);
+    };
     for (int h = 0; h < int(3 * patch_.own_triangles); ++h)
-      if (length_on_ring(h) > pi / 4) {
+      if ((patch_.loops.size() > 1 && length_on_ring(h) > pi / 4) || growth(h) > most_growth) {
         is_wide.resize(3 * patch_.own_triangles, 0);
         is_wide[std::size_t(h)] = 1;
       }
@@ -97,6 +103,25 @@ private:
       return true;
     put_on_circle(true);
     return place_free_vertices(Edge_weights::cotangent, patch_.is_outer);
+  }
+
+  // Of the patch's vertices: what the map multiplies lengths by, from the areas around.
+  std::vector<double> logarithms_of_scales() const {
+    std::vector<double> in_plane(uv_.size(), 0), in_space(uv_.size(), 0), scale(uv_.size(), 0);
+    for (std::size_t t = 0; t < patch_.own_triangles; ++t) {
+      const Patch_triangle& c = patch_.triangles[t];
+      const Eigen::Vector2d &a = uv_[std::size_t(c[0])], &b = uv_[std::size_t(c[1])], &d = uv_[std::size_t(c[2])];
+      const Vector_3d &p = patch_.points[std::size_t(c[0])], &q = patch_.points[std::size_t(c[1])],
+                      &r = patch_.points[std::size_t(c[2])];
+      for (int v : c) {
+        in_plane[std::size_t(v)] += std::abs(plane_cross_product(b - a, d - a));
+        in_space[std::size_t(v)] += norm(cross(q - p, r - p));
+      }
+    }
+    for (std::size_t v = 0; v < scale.size(); ++v)
+      if (in_plane[v] > 0 && in_space[v] > 0)
+        scale[v] = 0.5 * std::log(in_plane[v] / in_space[v]);
+    return scale;
   }
 
   // In the plane of the logarithm.
