@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tubular_meshing authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_TETGEN_SURFACE_TO_MIXED_MESH_H
-#define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_TETGEN_SURFACE_TO_MIXED_MESH_H
+#ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_KEPT_BOUNDARY_SURFACE_TO_MIXED_MESH_H
+#define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_KEPT_BOUNDARY_SURFACE_TO_MIXED_MESH_H
 
 #include <CGAL/Tubular_meshing/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/exceptions.h>
@@ -46,4 +46,4 @@ void surface_to_mixed_mesh(const TriangleMesh& surface, FacePatchMap patch, Mixe
 } // namespace Tubular_meshing
 } // namespace CGAL
 
-#endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_TETGEN_SURFACE_TO_MIXED_MESH_H
+#endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_KEPT_BOUNDARY_SURFACE_TO_MIXED_MESH_H
