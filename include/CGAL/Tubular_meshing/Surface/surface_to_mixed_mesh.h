@@ -1,13 +1,8 @@
 // Copyright (c) 2026 The Tubular_meshing authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-<<<<<<<< HEAD:include/CGAL/Tubular_meshing/Surface/surface_to_mixed_mesh.h
 #ifndef CGAL_TUBULAR_MESHING_SURFACE_SURFACE_TO_MIXED_MESH_H
 #define CGAL_TUBULAR_MESHING_SURFACE_SURFACE_TO_MIXED_MESH_H
-========
-#ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_KEPT_BOUNDARY_SURFACE_TO_MIXED_MESH_H
-#define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_KEPT_BOUNDARY_SURFACE_TO_MIXED_MESH_H
->>>>>>>> tetgen:include/CGAL/Tubular_meshing/Surface/surface_to_mixed_mesh.h
 
 #include <CGAL/Tubular_meshing/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/exceptions.h>
@@ -58,8 +53,4 @@ void surface_to_mixed_mesh(const TriangleMesh& surface, FacePatchMap patch, Mixe
 } // namespace Tubular_meshing
 } // namespace CGAL
 
-<<<<<<<< HEAD:include/CGAL/Tubular_meshing/Surface/surface_to_mixed_mesh.h
 #endif // CGAL_TUBULAR_MESHING_SURFACE_SURFACE_TO_MIXED_MESH_H
-========
-#endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_KEPT_BOUNDARY_SURFACE_TO_MIXED_MESH_H
->>>>>>>> tetgen:include/CGAL/Tubular_meshing/Surface/surface_to_mixed_mesh.h
