@@ -24,8 +24,8 @@ namespace Tubular_meshing {
  *
  * Six doubles and nothing else: trivially copyable, and laid out as in the point array `metric` of our files. Vectors
  * may be of any type with `operator[]`: of a CGAL kernel over doubles, of Eigen, an array. All functions take constant
- * time and throw nothing; those that decompose (sizes, logarithm, intersection, …) cost about 0.1 µs each, the others a
- * few multiplications.
+ * time and throw nothing; those that decompose (sizes, logarithm, intersection, …) take about half a microsecond, the
+ * others a few multiplications.
  */
 class Metric_tensor_3 {
 public:
