@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -147,6 +148,9 @@ public:
   double distance_to_wall(const Point_3& p) const {
     return std::sqrt(wall_.nearest(internal::to_double_point(p)).squared_distance);
   }
+
+  /// The number of leaves of the octree on which the field is sampled.
+  std::size_t number_of_leaves() const { return octree_.number_of_leaves(); }
 
 private:
   /* Within the layer to the last digit, for the first layer is a hundredth of the radius high; where nothing depends

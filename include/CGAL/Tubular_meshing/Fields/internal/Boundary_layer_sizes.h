@@ -70,7 +70,8 @@ public:
 
   explicit Boundary_layer_sizes(const Boundary_layer_parameters& p)
       : p_(p)
-      , log_beta_(std::log(p.smoothing_ratio)) {}
+      , log_beta_(std::log(p.smoothing_ratio))
+      , log_max_anisotropy_(std::log(p.max_anisotropy)) {}
 
   const Boundary_layer_parameters& parameters() const { return p_; }
 
@@ -83,11 +84,15 @@ public:
     const Passage passage{std::log(core), x * x * (3 - 2 * x),
                           std::log(core) + log_beta_ * elements_to_core(s.radius, d, core)};
     const auto tangential = [&](double bend, double curvature) {
-      const double log_size = -0.5 * std::log(tangential_bound(bend, curvature, (std::min)(d, thickness), normal));
-      return passage(log_size);
+      const double bound = tangential_bound(bend, curvature, (std::min)(d, thickness), normal);
+      // where curvature is noise, no finer than the first layer
+      const double finest = (std::min)((std::max)(p_.first_height * s.radius, p_.min_size), normal);
+      return passage(-0.5 * std::log((std::min)(bound, 1 / (finest * finest))));
     };
-    return {std::log(normal), tangential(s.bend_along, s.curvature_along),
-            tangential(s.bend_across, s.curvature_across)};
+    const Log_sizes h = {std::log(normal), tangential(s.bend_along, s.curvature_along),
+                         tangential(s.bend_across, s.curvature_across)};
+    const double largest = (std::min)({h.log_normal, h.log_along, h.log_across}) + log_max_anisotropy_;
+    return {(std::min)(h.log_normal, largest), (std::min)(h.log_along, largest), (std::min)(h.log_across, largest)};
   }
 
 private:
@@ -123,13 +128,12 @@ private:
     const double change = (std::min)((std::max)(1 - curvature * depth, 0.5), 2.); // (6): σ = -1 where convex
     const double by_points = bend * p_.curvature_points / (2 * CGAL_PI * change); // (5)
     const double by_smoothing = smoothing_bound(bend, normal, p_.smoothing_ratio);
-    const double largest = (std::max)((std::min)(p_.max_anisotropy * normal, p_.max_size), normal);
-    const double bound = (std::max)({by_points * by_points, by_smoothing, 1 / (largest * largest)});
-    return (std::min)(bound, 1 / (normal * normal)); // no finer than across the wall
+    const double largest = (std::min)(p_.max_anisotropy * normal, p_.max_size);
+    return (std::max)({by_points * by_points, by_smoothing, 1 / (largest * largest)});
   }
 
   Boundary_layer_parameters p_;
-  double log_beta_;
+  double log_beta_, log_max_anisotropy_;
 };
 
 } // namespace internal
