@@ -159,8 +159,8 @@ struct Long_tube {
     };
     for (std::size_t i = 0; i < rings; ++i)
       for (std::size_t k = 0; k < sides; ++k) {
-        surface.add_face(at(i, k), at(i, k + 1), at(i + 1, k));
-        surface.add_face(at(i + 1, k), at(i, k + 1), at(i + 1, k + 1));
+        surface.add_face(at(i, k), at(i + 1, k), at(i, k + 1)); // turned outward
+        surface.add_face(at(i + 1, k), at(i + 1, k + 1), at(i, k + 1));
       }
     std::vector<double> radii(points.size(), 1);
     graph = Graph(std::move(points), std::move(radii), {line});

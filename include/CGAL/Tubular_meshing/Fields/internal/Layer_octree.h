@@ -12,6 +12,7 @@
 
 #include <CGAL/Bbox_3.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -42,8 +43,10 @@ public:
     const auto need = [&](const Corner_octree::Position& x) {
       const Double_kernel::Point_3 p(x[0], x[1], x[2]);
       const auto found = wall.tree().nearest(p);
+      const double r = radius(p), d = std::sqrt(found.squared_distance);
       const bool outside = dot(Vector_3d(p) - Vector_3d(found.point), wall.at(found.index, found.point).normal) > 0;
-      return Need{outside ? std::sqrt(found.squared_distance) : 0, leaf_per_radius * radius(p)};
+      // beyond an opening the wall's normal does not tell; but no point of the lumen is further away than its radius
+      return Need{(std::max)(outside ? d : 0, d - r), leaf_per_radius * r};
     };
     tree_ = Corner_octree(wall.tree().bbox(), need, threads);
     values_.resize(tree_.number_of_corners());
