@@ -160,12 +160,9 @@ private:
     const double x = (s.distance - layer) / blend;
     if (x >= 1)
       return s.distance;
-    // a bound on the distance speeds the search up; where it was too small, the search is repeated
-    const double bound = 1.05 * s.distance + 0.02 * s.radius;
-    auto found = wall_.nearest(q, bound * bound);
-    if (found.index == wall_.size())
-      found = wall_.nearest(q);
-    const double d = std::sqrt(found.squared_distance);
+    // a face nearby gives the search a bound, which is seldom far from the result
+    const double bound = squared_distance(internal::projection(wall_.shape(s.near_face), q), q);
+    const double d = std::sqrt((std::min)(bound, wall_.nearest(q, bound).squared_distance));
     return x <= 0 ? d : d + x * x * (3 - 2 * x) * (s.distance - d);
   }
 

@@ -34,6 +34,7 @@ public:
     Direction_tensor along;       // the same of the centerline's direction in the tangent plane
     double bend_along, bend_across, curvature_along, curvature_across;
     double radius, distance; // the distance to the wall: exact at corners, good where the wall is far
+    std::uint32_t near_face; // of the wall: the one nearest to a corner nearby
   };
 
   Layer_octree() = default;
@@ -50,10 +51,11 @@ public:
     };
     tree_ = Corner_octree(wall.tree().bbox(), need, threads);
     values_.resize(tree_.number_of_corners());
+    near_face_.resize(tree_.number_of_corners());
     for_each_range(values_.size(), threads, [&](std::size_t first, std::size_t last) {
       for (std::size_t i = first; i < last; ++i) {
         const Corner_octree::Position x = tree_.corner_position(i);
-        values_[i] = sample(wall, radius, Double_kernel::Point_3(x[0], x[1], x[2]));
+        values_[i] = sample(wall, radius, Double_kernel::Point_3(x[0], x[1], x[2]), near_face_[i]);
       }
     });
     tree_.for_each_hanging_corner(
@@ -62,7 +64,8 @@ public:
   }
 
   State operator()(double x, double y, double z) const {
-    const Values v = interpolate(tree_.locate(x, y, z));
+    const Corner_octree::Place place = tree_.locate(x, y, z);
+    const Values v = interpolate(place);
     State s = {{v[0], v[1], v[2], v[3], v[4], 1 - v[0] - v[3]},
                {v[5], v[6], v[7], v[8], v[9], 1 - v[5] - v[8]},
                v[10],
@@ -70,7 +73,8 @@ public:
                v[12],
                v[13],
                v[14],
-               v[15]};
+               v[15],
+               near_face_[place.corners[(place.t[0] > 0.5) + 2 * (place.t[1] > 0.5) + 4 * (place.t[2] > 0.5)]]};
     sharpen(s);
     return s;
   }
@@ -110,8 +114,10 @@ private:
   }
 
   template <class Radius>
-  static Values sample(const Wall_frames& wall, const Radius& radius, const Double_kernel::Point_3& p) {
+  static Values sample(const Wall_frames& wall, const Radius& radius, const Double_kernel::Point_3& p,
+                       std::uint32_t& near_face) {
     const auto found = wall.tree().nearest(p);
+    near_face = std::uint32_t(found.index);
     const Wall_frame f = wall.at(found.index, found.point);
     const Direction_tensor n = Direction_tensor::dyad(f.normal);
     const auto as_float = [](double x) { return float(x); };
@@ -146,6 +152,7 @@ private:
 
   Corner_octree tree_;
   std::vector<Values> values_; // one a corner
+  std::vector<std::uint32_t> near_face_;
 };
 
 } // namespace internal
