@@ -4,6 +4,7 @@
 // Metric tensors in space, against closed forms and against Eigen.
 
 #include <CGAL/Tubular_meshing/Fields/Metric_tensor_3.h>
+#include <CGAL/Tubular_meshing/Fields/internal/metric_simplices.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
@@ -250,6 +251,32 @@ TEST_F(Metric_tensor_3, ClampsSizes) {
   const Axes e = axes();
   expect_near(Metric::from_sizes<Vector>({0.01, 1, 100}, e).clamped(0.1, 10),
               Metric::from_sizes<Vector>({0.1, 1, 10}, e), 1e-13);
+}
+
+TEST_F(Metric_tensor_3, CircumradiusOfASimplexIsThatOfItsImage) {
+  // M = AᵀA: in the metric, points have the distances of their images under A
+  namespace internal = CGAL::Tubular_meshing::internal;
+  typedef internal::Vector_3d Vec;
+  const std::array<Vector, 4> regular = {Vector(1, 1, 1), Vector(1, -1, -1), Vector(-1, 1, -1), Vector(-1, -1, 1)};
+  const double edge = std::sqrt(8.);
+  for (int i = 0; i < 100; ++i) {
+    const Eigen::Matrix3d a = (Eigen::Matrix3d() << vector(), vector(), vector()).finished();
+    if (std::abs(a.determinant()) < 0.05)
+      continue;
+    const Metric m = Metric::from_matrix(Eigen::Matrix3d(a.transpose() * a));
+    std::array<Vec, 4> p;
+    for (int k = 0; k < 4; ++k) {
+      const Vector q = a.inverse() * regular[k] / edge;
+      p[k] = Vec(q[0] + 5, q[1] - 3, q[2]);
+    }
+    EXPECT_NEAR(internal::metric_circumradius(p, m), std::sqrt(6.) / 4, 1e-9);
+    EXPECT_NEAR(internal::metric_circumradius(std::array<Vec, 3>{p[0], p[1], p[2]}, m), 1 / std::sqrt(3.), 1e-9);
+    EXPECT_NEAR(internal::longest_edge(p, std::array<Metric, 4>{m, m, m, m}), 1, 1e-9);
+    expect_near(internal::mean_metric(std::array<Metric, 4>{m, 2 * m, 3 * m, 2 * m}), 2 * m, 1e-14);
+  }
+  const std::array<Vec, 4> flat = {Vec(0, 0, 0), Vec(1, 0, 0), Vec(0, 1, 0), Vec(1, 1, 0)};
+  EXPECT_TRUE(std::isinf(internal::metric_circumradius(flat, Metric())));
+  EXPECT_TRUE(std::isinf(internal::metric_circumradius(std::array<Vec, 3>{flat[0], flat[1], Vec(2, 0, 0)}, Metric())));
 }
 
 } // namespace
