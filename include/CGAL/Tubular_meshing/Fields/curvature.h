@@ -61,9 +61,9 @@ template <class Vector_3> Vertex_curvature<Vector_3> principal(const Shape_tenso
  * that is relative to the vessel's radius.
  *
  * Where vertices lie on a smooth surface and nothing is averaged, the error falls with the square of the length of
- * regular meshes' edges. Averaging within the default radius leaves the curvatures of a torus of radii 3 and 1 within two
- * percent of the larger one. At the rim of the faces that count, where normals are one-sided, the curvature is that of
- * the vertices next to it. O(n) for n faces; averaging, the longest part, runs on several threads.
+ * regular meshes' edges. Averaging within the default radius leaves the curvatures of a torus of radii 3 and 1 within
+ * two percent of the larger one. At the rim of the faces that count, where normals are one-sided, the curvature is that
+ * of the vertices next to it. O(n) for n faces; averaging, the longest part, runs on several threads.
  *
  * \param mesh a triangle mesh whose faces are turned outward
  * \param curvatures a writable property map from the mesh's vertices to `Vertex_curvature`; only vertices of faces that
