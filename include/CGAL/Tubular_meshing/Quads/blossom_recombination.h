@@ -12,7 +12,9 @@
 #include <numeric>
 #include <vector>
 
-#ifdef CGAL_TUBULAR_MESHING_WITH_LEMON
+// LEMON 1.3 calls members of std::allocator that C++20 has removed.
+#if defined(CGAL_TUBULAR_MESHING_WITH_LEMON) && __cplusplus < 202002L
+#define CGAL_TUBULAR_MESHING_HAS_LEMON
 // LEMON's library holds nothing but a constant that is needed here: so there is nothing to link.
 #ifndef LEMON_ONLY_TEMPLATES
 #define LEMON_ONLY_TEMPLATES
@@ -27,10 +29,11 @@ namespace Tubular_meshing {
 /*! \ingroup PkgTubularMeshingRef
  *
  * Whether this program has LEMON, of which recombine_triangles() needs the headers. CMake sees to that where it finds
- * them; otherwise define `CGAL_TUBULAR_MESHING_WITH_LEMON`. LEMON is free software under the Boost licence.
+ * them; otherwise define `CGAL_TUBULAR_MESHING_WITH_LEMON`. LEMON 1.3 is C++17 at most: later, this is false. LEMON is
+ * free software under the Boost licence.
  */
 constexpr bool has_lemon() {
-#ifdef CGAL_TUBULAR_MESHING_WITH_LEMON
+#ifdef CGAL_TUBULAR_MESHING_HAS_LEMON
   return true;
 #else
   return false;
@@ -79,7 +82,7 @@ private:
   std::vector<int> parent_;
 };
 
-#ifdef CGAL_TUBULAR_MESHING_WITH_LEMON
+#ifdef CGAL_TUBULAR_MESHING_HAS_LEMON
 
 /* The matching of one connected graph. Costs become integers, with which LEMON's result is exact. */
 class Component_matcher {
@@ -149,7 +152,7 @@ private:
 inline std::vector<std::size_t> minimum_cost_matching(std::size_t number_of_nodes,
                                                       const std::vector<Node_pair>& pairs) {
   std::vector<std::size_t> chosen;
-#ifdef CGAL_TUBULAR_MESHING_WITH_LEMON
+#ifdef CGAL_TUBULAR_MESHING_HAS_LEMON
   const Graph_components components(number_of_nodes, pairs);
   std::vector<int> position(number_of_nodes);
   for (std::size_t k = 0; k < components.nodes.size(); ++k)
@@ -158,8 +161,8 @@ inline std::vector<std::size_t> minimum_cost_matching(std::size_t number_of_node
   std::sort(chosen.begin(), chosen.end());
 #else
   (void)number_of_nodes, (void)pairs;
-  throw Meshing_error("This program was built without LEMON, by which triangles are paired: build it where CMake finds "
-                      "LEMON (liblemon-dev).");
+  throw Meshing_error("This program was built without LEMON, by which triangles are paired: build it in C++17, where "
+                      "CMake finds LEMON (liblemon-dev).");
 #endif
   return chosen;
 }
