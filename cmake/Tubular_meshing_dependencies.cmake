@@ -6,6 +6,7 @@
 
 include(CMakeFindDependencyMacro)
 option(TUBULAR_MESHING_WITH_TETGEN "Use TetGen (AGPL), where it is found, for fill_with_tetgen()" ON)
+option(TUBULAR_MESHING_WITH_LEMON "Use LEMON, where it is found, for recombine_triangles()" ON)
 option(TUBULAR_MESHING_WITH_TBB "Use oneTBB, where it is found, for CGAL's Parallel_tag" ON)
 
 find_dependency(CGAL 5.5)
@@ -45,5 +46,21 @@ if(TUBULAR_MESHING_WITH_TETGEN)
                    INTERFACE_COMPILE_DEFINITIONS CGAL_TUBULAR_MESHING_WITH_TETGEN)
     endif()
     list(APPEND Tubular_meshing_dependency_targets Tubular_meshing_tetgen)
+  endif()
+endif()
+
+# Headers alone are needed: LEMON's own CMake package would want its library, and GLPK's with it.
+if(TUBULAR_MESHING_WITH_LEMON)
+  find_path(LEMON_INCLUDE_DIR lemon/matching.h)
+  mark_as_advanced(LEMON_INCLUDE_DIR)
+  if(LEMON_INCLUDE_DIR)
+    if(NOT TARGET Tubular_meshing_lemon)
+      add_library(Tubular_meshing_lemon INTERFACE IMPORTED)
+      set_target_properties(
+        Tubular_meshing_lemon
+        PROPERTIES INTERFACE_INCLUDE_DIRECTORIES "${LEMON_INCLUDE_DIR}"
+                   INTERFACE_COMPILE_DEFINITIONS CGAL_TUBULAR_MESHING_WITH_LEMON)
+    endif()
+    list(APPEND Tubular_meshing_dependency_targets Tubular_meshing_lemon)
   endif()
 endif()

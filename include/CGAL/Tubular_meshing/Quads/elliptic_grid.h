@@ -1,0 +1,99 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_QUADS_ELLIPTIC_GRID_H
+#define CGAL_TUBULAR_MESHING_QUADS_ELLIPTIC_GRID_H
+
+#include <CGAL/Tubular_meshing/Quads/internal/elliptic/Elliptic_grid_maker.h>
+#include <CGAL/Tubular_meshing/Surface/Patch_parameterization.h>
+#include <CGAL/Tubular_meshing/exceptions.h>
+#include <CGAL/Tubular_meshing/parameters.h>
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Tubular_meshing {
+
+/*! \ingroup PkgTubularMeshingRef
+ *
+ * A grid of quads around an annular patch: (rows + 1) times as many points as there are columns, row after row from
+ * loop 0 to loop 1. Those of row 0 are the given ones of loop 0, in their order. */
+template <class Point_3> struct Elliptic_grid {
+  std::size_t columns = 0, rows = 0;
+  std::vector<Point_3> points;
+  std::vector<Patch_location> locations; ///< of the points on the patch
+  std::vector<std::size_t> ends;         ///< of each column: the index of its given point of loop 1
+
+  /// The quads by their points, counterclockwise seen from outside, row after row.
+  std::vector<std::array<std::size_t, 4>> quads() const {
+    std::vector<std::array<std::size_t, 4>> result;
+    for (std::size_t j = 0; j < rows; ++j)
+      for (std::size_t i = 0; i < columns; ++i) {
+        const std::size_t a = j * columns + i, b = j * columns + (i + 1) % columns;
+        result.push_back({{a, b, b + columns, a + columns}});
+      }
+    return result;
+  }
+};
+
+/*! \ingroup PkgTubularMeshingRef
+ *
+ * covers an annular patch with a structured grid of quads, whose lines meet at right angles on the surface as nearly
+ * as the points of its loops allow (section 2.5 of the paper, figure 7).
+ *
+ * The patch is unrolled into coordinates in which its map is conformal: angle and logarithm of the radius. The points
+ * of both loops are joined so that the grid turns as little as possible, by straight lines; rows are as high as the
+ * size wants on the mean around them. Then an elliptic smoother moves the nodes inside: Winslow's, in the metric (11)
+ * of the surface, with the proportions of the first grid's cells in place of control functions, so that rows and
+ * columns keep their distances. No cell is folded: neither in the plane nor on the surface; where one is, smoothing
+ * begins again with smaller steps.
+ *
+ * O(n log n) in the number of quads, with at most 100 sweeps.
+ *
+ * \param map of a patch with two loops, see parameterize_patch()
+ * \param loop_points points of loop 0, and as many of loop 1, three at least; each in the order of its loop, see
+ *   Patch_parameterization::on_loop_edge()
+ * \param size a function object: the wanted length of edges at a `Point_3`
+ * \param np an optional sequence of named parameters among the ones listed below
+ *
+ * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{number_of_rows} \cgalParamDescription{how many rows of quads; they are as high as the size wants,
+ *     relative to each other} \cgalParamDefault{0: as many as the size wants} \cgalParamNEnd
+ * \cgalNamedParamsEnd
+ *
+ * \throws Input_error if the patch has not two loops, or the points of the loops are not as many, or not in order
+ * \throws Meshing_error if there is no grid without folded cells
+ */
+template <class Point_3, class SizingField, class NamedParameters = CGAL::parameters::Default_named_parameters>
+Elliptic_grid<Point_3>
+elliptic_grid(const Patch_parameterization<Point_3>& map, const std::array<std::vector<Patch_location>, 2>& loop_points,
+              const SizingField& size, const NamedParameters& np = CGAL::parameters::default_values()) {
+  if (map.number_of_loops() != 2)
+    throw Input_error("A patch with " + std::to_string(map.number_of_loops()) +
+                      " loops is not annular; a grid needs two loops.");
+  if (loop_points[0].size() < 3 || loop_points[0].size() != loop_points[1].size())
+    throw Input_error("There are " + std::to_string(loop_points[0].size()) + " and " +
+                      std::to_string(loop_points[1].size()) +
+                      " points on the loops of an annular patch; give as many on both, three at least.");
+  internal::Elliptic_grid_maker<Point_3> maker(map, loop_points);
+  maker.divide_into_rows(size, internal::choose(np, internal_np::number_of_rows, std::size_t(0)));
+  maker.smooth();
+
+  Elliptic_grid<Point_3> grid;
+  grid.columns = maker.nodes().columns;
+  grid.rows = maker.nodes().rows;
+  grid.locations = maker.locations();
+  for (const Patch_location& at : grid.locations)
+    grid.points.push_back(map.point(at));
+  for (std::size_t i = 0; i < grid.columns; ++i)
+    grid.ends.push_back(maker.point_of_loop_1(i));
+  return grid;
+}
+
+} // namespace Tubular_meshing
+} // namespace CGAL
+
+#endif // CGAL_TUBULAR_MESHING_QUADS_ELLIPTIC_GRID_H
