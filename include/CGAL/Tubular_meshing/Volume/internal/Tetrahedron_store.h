@@ -190,11 +190,12 @@ public:
   template <class Tetrahedra, class New, class Facets>
   void replace(const Tetrahedra& gone, const New& come, const Facets& facets, Index_list& come_numbers) {
     const std::int32_t region = tetrahedra_[gone[0]].region;
-    replace(gone, come, [region](std::size_t) { return region; }, facets, come_numbers);
+    replace(
+        gone, come, [region](std::size_t) { return region; }, facets, come_numbers);
   }
 
-  /* The same for a cavity of several regions: `region_of(k)` is the region of `come[k]`, and `facets` lists all labelled
-   * facets that were not there before, on the boundary and between the new tetrahedra. */
+  /* The same for a cavity of several regions: `region_of(k)` is the region of `come[k]`, and `facets` lists all
+   * labelled facets that were not there before, on the boundary and between the new tetrahedra. */
   template <class Tetrahedra, class New, class Region, class Facets>
   void replace(const Tetrahedra& gone, const New& come, const Region& region_of, const Facets& facets,
                Index_list& come_numbers) {

@@ -16,8 +16,8 @@ namespace CGAL {
 namespace Tubular_meshing {
 namespace internal {
 
-/* The measure of isotropic meshes: eq. (13), and eq. (12) of triangles, which count with the tetrahedra, scaled to a like
- * range. */
+/* The measure of isotropic meshes: eq. (13), and eq. (12) of triangles, which count with the tetrahedra, scaled to a
+ * like range. */
 struct Isotropic_measure {
   typedef Tetrahedron_store::Index Index;
   const Tetrahedron_store& store;
@@ -103,12 +103,10 @@ public:
 
 private:
   static constexpr int most_link_vertices = 8;
-  static constexpr double peelable = 0.3; // worse than this, a tetrahedron on the surface is flat
+  static constexpr double peelable = 0.3;  // worse than this, a tetrahedron on the surface is flat
   static constexpr double worth_it = 1e-3; // smaller gains invite endless exchanges between near ties
 
-  double quality_of(Index a, Index b, Index c, Index d) const {
-    return measure_.tetrahedron(a, b, c, d);
-  }
+  double quality_of(Index a, Index b, Index c, Index d) const { return measure_.tetrahedron(a, b, c, d); }
   double triangle_quality_of(Index a, Index b, Index c) const { return measure_.triangle(a, b, c); }
 
   bool improve(Index t) {

@@ -1,0 +1,151 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REMESHING_METRIC_MESH_H
+#define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REMESHING_METRIC_MESH_H
+
+#include <CGAL/Tubular_meshing/Volume/internal/Patch_projection.h>
+#include <CGAL/Tubular_meshing/Volume/internal/Tetrahedron_store.h>
+#include <CGAL/Tubular_meshing/Volume/internal/remeshing/Surface_locations.h>
+#include <CGAL/Tubular_meshing/Volume/internal/remeshing/metric_quality.h>
+#include <CGAL/Tubular_meshing/internal/parallel.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/hilbert_sort.h>
+#include <CGAL/Spatial_sort_traits_adapter_3.h>
+#include <CGAL/property_map.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Tubular_meshing {
+namespace internal {
+
+/* The sign of a tetrahedron's volume, exact: the determinant in doubles where its error bound allows, else CGAL's
+ * predicate. */
+inline bool is_positive(const Vector_3d& a, const Vector_3d& b, const Vector_3d& c, const Vector_3d& d) {
+  const Vector_3d u = b - a, v = c - a, w = d - a;
+  const double det = dot(u, cross(v, w));
+  const auto magnitude = [](const Vector_3d& x) { return std::abs(x.x) + std::abs(x.y) + std::abs(x.z); };
+  const double scale = magnitude(a) + magnitude(b) + magnitude(c) + magnitude(d); // differences round, too
+  const double lu = magnitude(u), lv = magnitude(v), lw = magnitude(w);
+  const double bound = 1e-15 * (lu * lv * lw + scale * (lu * lv + lv * lw + lw * lu));
+  if (std::abs(det) > bound)
+    return det > 0;
+  typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
+  const auto point = [](const Vector_3d& p) { return Kernel::Point_3(p.x, p.y, p.z); };
+  return CGAL::orientation(point(a), point(b), point(c), point(d)) == CGAL::POSITIVE;
+}
+
+/* A mesh with the metric at its vertices, and where each of them lies: what all operations of the remesher work on.
+ *
+ * `Field` gives a Metric_tensor_3 at a Vector_3d. With `keep_boundary` all vertices on labelled facets are fixed and so
+ * are the facets.
+ */
+template <class Field> class Metric_mesh {
+public:
+  typedef Tetrahedron_store Store;
+  typedef Store::Index Index;
+
+  Metric_mesh(Store& store, const Field& field, const Patch_projection& projection, bool keep_boundary, int threads)
+      : store(store)
+      , projection(projection)
+      , keep_boundary(keep_boundary)
+      , threads(threads)
+      , field_(field) {
+    metric_.resize(store.number_of_vertices());
+    for_each_range(metric_.size(), threads, [&](std::size_t first, std::size_t last) {
+      for (std::size_t v = first; v < last; ++v)
+        metric_[v] = field_(store.point(Index(v)));
+    });
+    location_ = locations.of_vertices(store, [&](Index v) { return projection.is_corner(store.point(v)); });
+    if (keep_boundary)
+      for (Surface_location& l : location_)
+        if (l.dimension < 3)
+          l = {0, 0};
+  }
+
+  Store& store;
+  const Patch_projection& projection;
+  Surface_locations locations;
+  const bool keep_boundary;
+  const int threads;
+
+  const Metric_tensor_3& metric(Index v) const { return metric_[v]; }
+  const Surface_location& location(Index v) const { return location_[v]; }
+  Metric_point at(Index v) const { return {store.point(v), metric_[v]}; }
+  Metric_point at(const Vector_3d& p) const { return {p, field_(p)}; }
+
+  Index add_vertex(const Metric_point& p, const Surface_location& l) {
+    const Index v = store.add_vertex(p.position);
+    if (v == metric_.size()) {
+      metric_.push_back(p.metric);
+      location_.push_back(l);
+    }
+    metric_[v] = p.metric;
+    location_[v] = l;
+    return v;
+  }
+  void move(Index v, const Metric_point& p) {
+    store.move(v, p.position);
+    metric_[v] = p.metric;
+  }
+
+  // The nearest point of the surface at a location.
+  Vector_3d project(const Vector_3d& p, const Surface_location& l) const {
+    return l.dimension == 2   ? projection.to_patch(p, l.id)
+           : l.dimension == 1 ? projection.to_rim(p, locations.patches_of_rim(l.id))
+                              : p;
+  }
+
+  double length(Index v, Index w) const { return metric_length(at(v), at(w)); }
+  // The measures that flips compare, see Topology_optimizer.
+  double tetrahedron(Index a, Index b, Index c, Index d) const {
+    const Vector_3d& p = store.point(a);
+    const double q = metric_shape(store.point(b) - p, store.point(c) - p, store.point(d) - p,
+                                  0.25 * (metric_[a] + metric_[b] + metric_[c] + metric_[d]))
+                         .quality();
+    // far from zero the sign is beyond doubt
+    return q > 0.01 || q <= 0 || is_positive(p, store.point(b), store.point(c), store.point(d)) ? q : 0;
+  }
+  double triangle(Index a, Index b, Index c) const { return metric_quality(at(a), at(b), at(c)); }
+
+  // Vertices and tetrahedra along a space-filling curve; the unused are gone.
+  void renumber() {
+    typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
+    typedef CGAL::Pointer_property_map<Kernel::Point_3>::type Map;
+    std::vector<Kernel::Point_3> points;
+    std::vector<std::size_t> order;
+    for (Index v = 0; v < store.number_of_vertices(); ++v) {
+      const Vector_3d& p = store.point(v);
+      points.emplace_back(p.x, p.y, p.z);
+      if (store.is_used(v))
+        order.push_back(v);
+    }
+    CGAL::hilbert_sort(order.begin(), order.end(),
+                       CGAL::Spatial_sort_traits_adapter_3<Kernel, Map>(CGAL::make_property_map(points)));
+    std::vector<Metric_tensor_3> metric;
+    std::vector<Surface_location> location;
+    for (std::size_t v : order) {
+      metric.push_back(metric_[v]);
+      location.push_back(location_[v]);
+    }
+    metric_.swap(metric);
+    location_.swap(location);
+    store.renumber(std::vector<Index>(order.begin(), order.end()));
+  }
+
+private:
+  const Field& field_;
+  std::vector<Metric_tensor_3> metric_;
+  std::vector<Surface_location> location_;
+};
+
+} // namespace internal
+} // namespace Tubular_meshing
+} // namespace CGAL
+
+#endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REMESHING_METRIC_MESH_H
