@@ -102,14 +102,16 @@ public:
   }
 
   double length(Index v, Index w) const { return metric_length(at(v), at(w)); }
+  Metric_shape shape(const Store::Vertices& v) const {
+    const Vector_3d& p = store.point(v[0]);
+    return metric_shape(store.point(v[1]) - p, store.point(v[2]) - p, store.point(v[3]) - p,
+                        0.25 * (metric_[v[0]] + metric_[v[1]] + metric_[v[2]] + metric_[v[3]]));
+  }
   // The measures that flips compare, see Topology_optimizer.
   double tetrahedron(Index a, Index b, Index c, Index d) const {
-    const Vector_3d& p = store.point(a);
-    const double q = metric_shape(store.point(b) - p, store.point(c) - p, store.point(d) - p,
-                                  0.25 * (metric_[a] + metric_[b] + metric_[c] + metric_[d]))
-                         .quality();
+    const double q = shape({a, b, c, d}).quality();
     // far from zero the sign is beyond doubt
-    return q > 0.01 || q <= 0 || is_positive(p, store.point(b), store.point(c), store.point(d)) ? q : 0;
+    return q > 0.01 || q <= 0 || is_positive(store.point(a), store.point(b), store.point(c), store.point(d)) ? q : 0;
   }
   double triangle(Index a, Index b, Index c) const { return metric_quality(at(a), at(b), at(c)); }
 

@@ -63,6 +63,7 @@ public:
       flips_.improve_below(0.75);
       const std::size_t n = split_all() + collapse_all();
       log("opt", n);
+      log("balance", balance());
     }
     for (int pass = 0; pass < 3; ++pass) {
       relocate(2);
@@ -144,16 +145,26 @@ private:
 
   std::size_t split_all() {
     const Operation_bounds bounds = {0.2, 0.5, 0.65, 1e300};
-    std::vector<Index> todo = all_tetrahedra();
     std::size_t n = 0;
+    double longest = 1e300;
+    std::vector<Index> todo = all_tetrahedra(), next;
     for (int i, j; !todo.empty();) {
       const std::vector<Candidate> edges = candidates(todo, 0, 1.4142);
-      todo.clear();
-      for (const Candidate& c : edges)
-        if (locate(c, i, j) && splitter_.split(c.t, i, j, bounds)) {
-          todo.insert(todo.end(), splitter_.new_tetrahedra().begin(), splitter_.new_tetrahedra().end());
+      next.clear();
+      if (edges.empty())
+        break;
+      longest = (std::min)(longest, double(edges.front().length));
+      for (const Candidate& c : edges) {
+        if (c.length < 0.6 * longest)
+          next.push_back(c.t);
+        else if (locate(c, i, j) && splitter_.split(c.t, i, j, bounds)) {
+          next.insert(next.end(), splitter_.new_tetrahedra().begin(), splitter_.new_tetrahedra().end());
           ++n;
         }
+      }
+      longest *= 0.6;
+      flips_.improve_these(next, 0.4);
+      todo.swap(next);
     }
     return n;
   }
@@ -172,6 +183,65 @@ private:
           ++n;
         }
     }
+    return n;
+  }
+
+  /* The volume that a tetrahedron has in the metric, over that of the regular one: averaged around each vertex and once
+   * more over its neighbors, so that it tells whether vertices are too many or too few there. */
+  std::vector<float> volumes_around_vertices() const {
+    std::vector<float> mean(store_.number_of_vertices(), 1.f), number(store_.number_of_vertices());
+    std::vector<float> of_tetrahedron(store_.number_of_slots());
+    for (Index t = 0; t < store_.number_of_slots(); ++t)
+      if (store_.is_alive(t))
+        of_tetrahedron[t] = float(mesh_.shape(store_[t].v).volume);
+    for (int round = 0; round < 2; ++round) {
+      std::fill(mean.begin(), mean.end(), 0.f);
+      std::fill(number.begin(), number.end(), 0.f);
+      for (Index t = 0; t < store_.number_of_slots(); ++t)
+        if (store_.is_alive(t))
+          for (Index v : store_[t].v) {
+            mean[v] += of_tetrahedron[t];
+            number[v] += 1;
+          }
+      for (std::size_t v = 0; v < mean.size(); ++v)
+        mean[v] /= (std::max)(number[v], 1.f);
+      for (Index t = 0; t < store_.number_of_slots(); ++t)
+        if (store_.is_alive(t)) {
+          const auto& v = store_[t].v;
+          of_tetrahedron[t] = (mean[v[0]] + mean[v[1]] + mean[v[2]] + mean[v[3]]) / 4;
+        }
+    }
+    return mean;
+  }
+
+  std::size_t balance() {
+    const std::vector<float> volume = volumes_around_vertices();
+    std::vector<char> locked(volume.size(), 0);
+    const auto lock = [&](const Store::Index_list& tetrahedra) {
+      for (Index t : tetrahedra)
+        for (Index v : store_[t].v)
+          if (v < locked.size())
+            locked[v] = 1;
+    };
+    const double dense = getenv("DENSE") ? atof(getenv("DENSE")) : 0.86, sparse = getenv("SPARSE") ? atof(getenv("SPARSE")) : 1.04;
+    std::size_t n = 0;
+    const Operation_bounds collapse_bounds = {0.15, 0.5, 0, 1.75};
+    std::vector<Candidate> edges = candidates(all_tetrahedra(), 1, 1e300);
+    std::reverse(edges.begin(), edges.end());
+    int i, j;
+    for (const Candidate& c : edges)
+      if (volume[c.a] < dense && volume[c.b] < dense && !locked[c.a] && !locked[c.b] && locate(c, i, j) &&
+          collapser_.collapse(c.t, i, j, collapse_bounds)) {
+        lock(collapser_.new_tetrahedra());
+        ++n;
+      }
+    const Operation_bounds split_bounds = {0.25, 0.8, 0.6, 1e300};
+    for (const Candidate& c : candidates(all_tetrahedra(), 0, 1.2))
+      if (c.a < locked.size() && c.b < locked.size() && volume[c.a] > sparse && volume[c.b] > sparse &&
+          !locked[c.a] && !locked[c.b] && locate(c, i, j) && splitter_.split(c.t, i, j, split_bounds)) {
+        lock(splitter_.new_tetrahedra());
+        ++n;
+      }
     return n;
   }
 
