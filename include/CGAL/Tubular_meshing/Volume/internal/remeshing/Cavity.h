@@ -102,13 +102,6 @@ public:
     }
   }
 
-  bool is_valid() const {
-    return std::all_of(cones_.begin(), cones_.end(), [&](const Facet_cone& c) {
-      return c.quality > 0 && (c.quality > 0.01 || is_positive(store_.point(c.f[0]), store_.point(c.f[1]),
-                                                               store_.point(c.f[2]), kernel_.position));
-    });
-  }
-
   // The shortest and the longest edge from the kernel to the vertices of the cavity that it is not yet joined to.
   template <class IsNew> std::array<double, 2> new_lengths(const IsNew& is_new) const {
     boost::container::small_vector<Index, 64> seen;
@@ -139,6 +132,8 @@ private:
   static constexpr int most_steps = 64;
 
   double quality(const Store::Facet_vertices& f) const {
+    if (!is_positive(store_.point(f[0]), store_.point(f[1]), store_.point(f[2]), kernel_.position))
+      return 0;
     return metric_quality(mesh_.at(f[0]), mesh_.at(f[1]), mesh_.at(f[2]), kernel_);
   }
 

@@ -42,6 +42,7 @@ public:
 
 private:
   static constexpr double good_enough = 0.5;  // cones that need not be improved
+  static constexpr std::size_t most_tetrahedra = 200; // around a vertex; of what is worth the work there are some 24
   static constexpr double least_cosine = 0.8; // between a facet of the surface and what becomes of it
   static constexpr double deviation = 0.1;    // of new edges from the surface, in their length
 
@@ -50,6 +51,8 @@ private:
     if (at.dimension == 0 || (at.dimension < 3 && !(edge == at)))
       return false;
     mesh_.store.star(v, star_);
+    if (star_.size() > most_tetrahedra)
+      return false;
     cavity_.begin(mesh_.at(w), w);
     for (Index t : star_) {
       cavity_.add_tetrahedron(t, flips_.quality(t));
@@ -65,7 +68,7 @@ private:
     if (at.dimension == 3) // on the surface, vertices may come closer than tetrahedra allow for
       cavity_.enlarge(good_enough, [this](Index t) { return flips_.quality(t); });
     const double worst = cavity_.worst();
-    if (!(worst > 0) || !bounds.allow(cavity_.worst_before(), worst) || !cavity_.is_valid())
+    if (!(worst > 0) || !bounds.allow(cavity_.worst_before(), worst))
       return false;
     if (at.dimension < 3 && !keeps_shape(v, w, at))
       return false;

@@ -79,7 +79,7 @@ private:
     if (!(worst > 0) || !bounds.allow(cavity_.worst_before(), worst))
       return false;
     const auto lengths = cavity_.new_lengths([](Index) { return true; });
-    if (lengths[0] < bounds.shortest || lengths[1] > bounds.longest || !cavity_.is_valid())
+    if (lengths[0] < bounds.shortest || lengths[1] > bounds.longest)
       return false;
     const Index v = mesh_.add_vertex(cavity_.kernel(), location_);
     for (auto& f : cavity_.facets())

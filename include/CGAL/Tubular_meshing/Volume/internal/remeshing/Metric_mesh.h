@@ -18,26 +18,21 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
 namespace Tubular_meshing {
 namespace internal {
 
-/* The sign of a tetrahedron's volume, exact: the determinant in doubles where its error bound allows, else CGAL's
- * predicate. */
+/* Whether a tetrahedron is positively oriented with a thousand times the rounding error of its determinant to spare:
+ * exact arithmetic would say the same, and still would if the coordinates were written to a file with fewer digits. */
 inline bool is_positive(const Vector_3d& a, const Vector_3d& b, const Vector_3d& c, const Vector_3d& d) {
   const Vector_3d u = b - a, v = c - a, w = d - a;
-  const double det = dot(u, cross(v, w));
   const auto magnitude = [](const Vector_3d& x) { return std::abs(x.x) + std::abs(x.y) + std::abs(x.z); };
-  const double scale = magnitude(a) + magnitude(b) + magnitude(c) + magnitude(d); // differences round, too
+  const double rounding = std::numeric_limits<double>::epsilon() * (magnitude(a) + magnitude(u) + magnitude(v) + magnitude(w)); // of a difference
   const double lu = magnitude(u), lv = magnitude(v), lw = magnitude(w);
-  const double bound = 1e-15 * (lu * lv * lw + scale * (lu * lv + lv * lw + lw * lu));
-  if (std::abs(det) > bound)
-    return det > 0;
-  typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
-  const auto point = [](const Vector_3d& p) { return Kernel::Point_3(p.x, p.y, p.z); };
-  return CGAL::orientation(point(a), point(b), point(c), point(d)) == CGAL::POSITIVE;
+  return dot(u, cross(v, w)) > 1000 * rounding * (lu * lv + lv * lw + lw * lu);
 }
 
 /* A mesh with the metric at its vertices, and where each of them lies: what all operations of the remesher work on.
@@ -109,9 +104,8 @@ public:
   }
   // The measures that flips compare, see Topology_optimizer.
   double tetrahedron(Index a, Index b, Index c, Index d) const {
-    const double q = shape({a, b, c, d}).quality();
-    // far from zero the sign is beyond doubt
-    return q > 0.01 || q <= 0 || is_positive(store.point(a), store.point(b), store.point(c), store.point(d)) ? q : 0;
+    return is_positive(store.point(a), store.point(b), store.point(c), store.point(d)) ? shape({a, b, c, d}).quality()
+                                                                                       : 0;
   }
   double triangle(Index a, Index b, Index c) const { return metric_quality(at(a), at(b), at(c)); }
 

@@ -144,7 +144,7 @@ private:
   }
 
   std::size_t split_all() {
-    const Operation_bounds bounds = {0.2, 0.5, 0.65, 1e300};
+    const Operation_bounds bounds = {0.2, FAC, 0.65, 1e300};
     std::size_t n = 0;
     double longest = 1e300;
     std::vector<Index> todo = all_tetrahedra(), next;
@@ -170,7 +170,7 @@ private:
   }
 
   std::size_t collapse_all() {
-    const Operation_bounds bounds = {0.2, 0.5, 0, 1.4142};
+    const Operation_bounds bounds = {0.2, FAC, 0, 1.4142};
     std::vector<Index> todo = all_tetrahedra();
     std::size_t n = 0;
     for (int i, j; !todo.empty();) {
