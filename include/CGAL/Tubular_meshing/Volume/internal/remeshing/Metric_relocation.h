@@ -26,6 +26,7 @@ struct Metric_energy {
   double value = 0;
   Vector_3d gradient;
   Symmetric_matrix_3d hessian;
+  double size2 = 1;
 
   // The tetrahedron that the vertex spans with the facet at u, v, w from it, in its mean metric. False if inverted.
   bool add(const Vector_3d& u, const Vector_3d& v, const Vector_3d& w, const Metric_tensor_3& mean,
@@ -38,14 +39,14 @@ struct Metric_energy {
     const double s =
         (4 * (mean.squared_length(u) + mean.squared_length(v) + mean.squared_length(w)) - mean.squared_length(sum)) / 6;
     const double root = std::sqrt(s), q = s * root / d;
-    value += q + size_weight * (s + 1 / s);
+    value += q + size_weight * (s / size2 + size2 / s);
     if (!with_derivatives)
       return true;
     const Vector_3d m(mean.xx * sum.x + mean.xy * sum.y + mean.xz * sum.z,
                       mean.xy * sum.x + mean.yy * sum.y + mean.yz * sum.z,
                       mean.xz * sum.x + mean.yz * sum.y + mean.zz * sum.z);
     const Vector_3d ds = (-1. / 3) * m, dd = -density * cross(v - u, w - u);
-    const double f_s = 1.5 * root / d + size_weight * (1 - 1 / (s * s)), f_d = -q / d;
+    const double f_s = 1.5 * root / d + size_weight * (1 / size2 - size2 / (s * s)), f_d = -q / d;
     gradient += f_s * ds;
     gradient += f_d * dd;
     // s is quadratic with the Hessian `mean`, d is linear; an indefinite part of it is left out
@@ -56,7 +57,7 @@ struct Metric_energy {
     hessian.yy += f * mean.yy;
     hessian.yz += f * mean.yz;
     hessian.zz += f * mean.zz;
-    hessian.add_product(0.75 / (root * d) + 2 * size_weight / (s * s * s), ds, ds);
+    hessian.add_product(0.75 / (root * d) + 2 * size_weight * size2 / (s * s * s), ds, ds);
     hessian.add_product(-3 * root / (d * d), ds, dd);
     hessian.add_product(2 * q / (d * d), dd, dd);
     return true;
@@ -108,8 +109,9 @@ public:
   typedef Tetrahedron_store Store;
   typedef Store::Index Index;
 
-  explicit Metric_relocation(Mesh& mesh)
+  Metric_relocation(Mesh& mesh, double size)
       : mesh_(mesh)
+      , size2_(size * size)
       , store_(mesh.store) {
     stars_.build(store_, [&](Index v) { return mesh_.location(v).dimension != 0; });
   }
@@ -127,14 +129,15 @@ private:
     const Surface_location at = mesh_.location(v);
     const Metric_point old = mesh_.at(v);
     Metric_energy here;
+    here.size2 = size2_;
     if (!energy(v, old, true, here))
       return;
     Vector_3d step = newton(v, at, old, here);
     if (-dot(step, here.gradient) < least_gain * here.value)
       return;
     const double length2 = old.metric.squared_length(step);
-    if (length2 > 1) // further than to a neighbor
-      step = (1 / std::sqrt(length2)) * step;
+    if (length2 > size2_) // further than to a neighbor
+      step = std::sqrt(size2_ / length2) * step;
     for (int attempt = 0; attempt < most_attempts; ++attempt, step = 0.4 * step) {
       const Vector_3d moved = old.position + step, p = mesh_.project(moved, at);
       // a projection longer than the step has landed on another part of the surface
@@ -142,6 +145,7 @@ private:
         continue;
       const Metric_point there = mesh_.at(p);
       Metric_energy e;
+      e.size2 = size2_;
       if (energy(v, there, false, e) && e.value < here.value && keeps_surface(v, p) && is_valid(v, p)) {
         mesh_.move(v, there);
         return;
@@ -231,6 +235,7 @@ private:
 
   Mesh& mesh_;
   Store& store_;
+  double size2_;
   Colored_stars stars_;
 };
 

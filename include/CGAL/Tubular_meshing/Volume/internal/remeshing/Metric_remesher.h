@@ -79,7 +79,12 @@ private:
   };
 
   void adapt_sizes() {
-    for (int round = 0; round < 4; ++round) {
+    const int stages = getenv("ST") ? atoi(getenv("ST")) : 0;
+    for (int round = -stages; round < 4; ++round) {
+      scale_ = round < 0 ? std::pow(2., -round) : 1;
+      if (round < 0 && candidates(all_tetrahedra(), 0, scale_ * 1.4142).empty())
+        continue;
+      log("scale", scale_);
       const std::size_t s = split_all();
       log("split", s);
       const std::size_t c = collapse_all();
@@ -94,7 +99,7 @@ private:
   }
 
   void relocate(int sweeps) {
-    Metric_relocation<Mesh> relocation(mesh_);
+    Metric_relocation<Mesh> relocation(mesh_, scale_);
     for (int i = 0; i < sweeps; ++i)
       relocation.sweep();
     flips_.update_all(mesh_.threads);
@@ -144,12 +149,12 @@ private:
   }
 
   std::size_t split_all() {
-    const Operation_bounds bounds = {0.2, FAC, 0.65, 1e300};
+    const Operation_bounds bounds = {0.2, FAC, 0.65 * scale_, 1e300};
     std::size_t n = 0;
     double longest = 1e300;
     std::vector<Index> todo = all_tetrahedra(), next;
     for (int i, j; !todo.empty();) {
-      const std::vector<Candidate> edges = candidates(todo, 0, 1.4142);
+      const std::vector<Candidate> edges = candidates(todo, 0, 1.4142 * scale_);
       next.clear();
       if (edges.empty())
         break;
@@ -170,11 +175,11 @@ private:
   }
 
   std::size_t collapse_all() {
-    const Operation_bounds bounds = {0.2, FAC, 0, 1.4142};
+    const Operation_bounds bounds = {0.2, FAC, 0, 1.4142 * scale_};
     std::vector<Index> todo = all_tetrahedra();
     std::size_t n = 0;
     for (int i, j; !todo.empty();) {
-      std::vector<Candidate> edges = candidates(todo, 0.7071, 1e300);
+      std::vector<Candidate> edges = candidates(todo, 0.7071 * scale_, 1e300);
       std::reverse(edges.begin(), edges.end());
       todo.clear();
       for (const Candidate& c : edges)
@@ -274,6 +279,7 @@ private:
   void log(const char*, std::size_t) {}
 #endif
 
+  double scale_ = 1;
   Mesh& mesh_;
   Store& store_;
   Flips flips_;
