@@ -5,6 +5,7 @@
 # Tubular_meshingConfig.cmake. After it, Tubular_meshing_dependency_targets lists what to link.
 
 include(CMakeFindDependencyMacro)
+option(TUBULAR_MESHING_WITH_TETGEN "Use TetGen (AGPL), where it is found, for fill_with_tetgen()" ON)
 option(TUBULAR_MESHING_WITH_TBB "Use oneTBB, where it is found, for CGAL's Parallel_tag" ON)
 
 find_dependency(CGAL 5.5)
@@ -27,5 +28,22 @@ if(TUBULAR_MESHING_WITH_TBB)
   include(CGAL_TBB_support)
   if(TARGET CGAL::TBB_support)
     list(APPEND Tubular_meshing_dependency_targets CGAL::TBB_support)
+  endif()
+endif()
+
+# A header and a library without a CMake package of their own.
+if(TUBULAR_MESHING_WITH_TETGEN)
+  find_path(TETGEN_INCLUDE_DIR tetgen.h PATH_SUFFIXES tetgen)
+  find_library(TETGEN_LIBRARY tet)
+  mark_as_advanced(TETGEN_INCLUDE_DIR TETGEN_LIBRARY)
+  if(TETGEN_INCLUDE_DIR AND TETGEN_LIBRARY)
+    if(NOT TARGET Tubular_meshing_tetgen)
+      add_library(Tubular_meshing_tetgen UNKNOWN IMPORTED)
+      set_target_properties(
+        Tubular_meshing_tetgen
+        PROPERTIES IMPORTED_LOCATION "${TETGEN_LIBRARY}" INTERFACE_INCLUDE_DIRECTORIES "${TETGEN_INCLUDE_DIR}"
+                   INTERFACE_COMPILE_DEFINITIONS CGAL_TUBULAR_MESHING_WITH_TETGEN)
+    endif()
+    list(APPEND Tubular_meshing_dependency_targets Tubular_meshing_tetgen)
   endif()
 endif()

@@ -99,8 +99,10 @@ public:
     return tree == rims_.end() ? p : Vector_3d(tree->second.nearest({p.x, p.y, p.z}).point);
   }
 
-  // Whether p is a vertex at which a rim has a corner.
-  bool is_corner(const Vector_3d& p) const { return corners_.count({p.x, p.y, p.z}) != 0; }
+  // Whether p is a vertex that must stay: one at which a rim has a corner.
+  bool is_fixed(const Vector_3d& p, int dimension) const {
+    return dimension == 1 && corners_.count({p.x, p.y, p.z}) != 0;
+  }
 
 private:
   typedef Double_kernel::Triangle_3 Triangle;

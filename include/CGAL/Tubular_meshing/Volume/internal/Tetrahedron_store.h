@@ -74,28 +74,21 @@ public:
     connect(mesh.triangles);
   }
 
-  // Back to a Mixed_mesh: points, tetrahedra and labelled triangles; the rest of `mesh` stays as it is.
-  template <class Point> void write_to(Mixed_mesh<Point>& mesh) const {
-    std::vector<Index> number(points_.size(), none);
+  /* Back to a Mixed_mesh: points, in their order, tetrahedra and labelled triangles; the rest of `mesh` stays as it is.
+   * Returns the points' numbers there, by vertex: `none` for those that no tetrahedron has any more. */
+  template <class Point> std::vector<Index> write_to(Mixed_mesh<Point>& mesh) const {
+    std::vector<Index> number = number_of_used_vertices();
     mesh.points.clear();
+    for (Index v = 0; v < points_.size(); ++v)
+      if (number[v] != none)
+        mesh.points.emplace_back(points_[v].x, points_[v].y, points_[v].z);
     mesh.tetrahedra = Element_block<4>();
     mesh.triangles = Element_block<3>();
-    for (Index t = 0; t < tetrahedra_.size(); ++t) {
-      if (!is_alive(t))
-        continue;
-      const Tetrahedron& tet = tetrahedra_[t];
-      Vertices v;
-      for (int i = 0; i < 4; ++i) {
-        Index& n = number[tet.v[i]];
-        if (n == none) {
-          n = Index(mesh.points.size());
-          const Vector_3d& p = points_[tet.v[i]];
-          mesh.points.emplace_back(p.x, p.y, p.z);
-        }
-        v[i] = n;
+    for (Index t = 0; t < tetrahedra_.size(); ++t)
+      if (is_alive(t)) {
+        const Vertices& v = tetrahedra_[t].v;
+        mesh.tetrahedra.push_back({number[v[0]], number[v[1]], number[v[2]], number[v[3]]}, region(t));
       }
-      mesh.tetrahedra.push_back(v, tet.region);
-    }
     for (Index t = 0; t < tetrahedra_.size(); ++t) {
       if (!is_alive(t))
         continue;
@@ -108,6 +101,7 @@ public:
         mesh.triangles.push_back({number[tet.v[c[0]]], number[tet.v[c[1]]], number[tet.v[c[2]]]}, tet.label[i]);
       }
     }
+    return number;
   }
 
   Index number_of_vertices() const { return Index(points_.size()); }
@@ -311,6 +305,19 @@ public:
   }
 
 private:
+  std::vector<Index> number_of_used_vertices() const {
+    std::vector<Index> number(points_.size(), none);
+    for (Index t = 0; t < tetrahedra_.size(); ++t)
+      if (is_alive(t))
+        for (Index v : tetrahedra_[t].v)
+          number[v] = 0;
+    Index used = 0;
+    for (Index& n : number)
+      if (n != none)
+        n = used++;
+    return number;
+  }
+
   static Facet_vertices sorted(Facet_vertices f) {
     if (f[0] > f[1])
       std::swap(f[0], f[1]);

@@ -26,7 +26,8 @@ namespace internal {
  * its tangent plane, those on a rim between two patches along it, and are brought back by `Projection`,
  *   Vector_3d to_patch(const Vector_3d& p, std::int32_t patch): the nearest point of that patch,
  *   Vector_3d to_rim(const Vector_3d& p, std::int32_t patch, std::int32_t other): of the rim between two (patch <
- * other); those where three or more patches meet stay.
+ * other); those where three or more patches meet stay, and so does what it says is fixed,
+ *   bool is_fixed(const Vector_3d& p, int dimension): a vertex on a patch (2) or on a rim (1).
  *
  * Vertices are visited color by color, no two of a color sharing a tetrahedron, so that the result is the same for any
  * number of threads.
@@ -98,7 +99,7 @@ private:
           for (int c : Store::facet_corners(i))
             location_[store_[t].v[c]].add(store_[t].label[i]);
     for (Index v = 0; v < n; ++v)
-      if (location_[v].dimension == 1 && project_.is_corner(store_.point(v)))
+      if (location_[v].dimension < 3 && project_.is_fixed(store_.point(v), location_[v].dimension))
         location_[v].dimension = 0;
   }
 

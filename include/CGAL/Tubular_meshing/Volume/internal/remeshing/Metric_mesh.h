@@ -56,7 +56,7 @@ public:
       for (std::size_t v = first; v < last; ++v)
         metric_[v] = field_(store.point(Index(v)));
     });
-    location_ = locations.of_vertices(store, [&](Index v) { return projection.is_corner(store.point(v)); });
+    location_ = locations.of_vertices(store, [&](Index v) { return projection.is_fixed(store.point(v), 1); });
     if (keep_boundary)
       for (Surface_location& l : location_)
         if (l.dimension < 3)

@@ -1,0 +1,234 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_VERTEX_INSERTION_H
+#define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_VERTEX_INSERTION_H
+
+#include <CGAL/Tubular_meshing/Quality/internal/element_measures.h>
+#include <CGAL/Tubular_meshing/Volume/internal/Tetrahedron_store.h>
+#include <CGAL/Tubular_meshing/internal/Vector_3d.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Tubular_meshing {
+namespace internal {
+
+/* Replaces a bad tetrahedron and some of those around it by the tetrahedra between a new vertex and the facets of the
+ * cavity, if the worst of them is better: the way out where all vertices of a bad tetrahedron are fixed [Klingner and
+ * Shewchuk 2007]. The cavity starts as the ring of an edge of the tetrahedron, and grows through the facets that the
+ * worst new tetrahedra stand on; the vertex goes where the worst is best. Facets with a label are never crossed, so
+ * that the boundary stays; inner vertices that the cavity swallows are gone. */
+class Vertex_insertion {
+public:
+  typedef Tetrahedron_store Store;
+  typedef Store::Index Index;
+
+  explicit Vertex_insertion(Store& store)
+      : store_(store) {}
+
+  // Whether t is gone; `come` are the new tetrahedra then.
+  bool operator()(Index t, Store::Index_list& come) {
+    Candidate best;
+    best.worst = -1;
+    double required = 0;
+    for (int i = 0; i < 4; ++i)
+      for (int j = i + 1; j < 4; ++j) {
+        Candidate c;
+        if (!start(t, i, j, c))
+          continue;
+        for (int round = 0; round < rounds; ++round) {
+          place(c);
+          grow(c);
+        }
+        place(c);
+        const double before = worst_of(c.tetrahedra);
+        if (c.worst > before + worth_it && c.worst > best.worst) {
+          best = c;
+          required = before;
+        }
+      }
+    if (!(best.worst > required + worth_it))
+      return false;
+    commit(best, come);
+    return true;
+  }
+
+private:
+  struct Candidate {
+    std::vector<Index> tetrahedra;
+    std::vector<Index> facets; // of the cavity, each with its tetrahedron inside
+    Vector_3d vertex;
+    double worst = -1; // of the new tetrahedra
+  };
+
+  static constexpr int rounds = 3;
+  static constexpr std::size_t most_tetrahedra = 60;
+  static constexpr double worth_it = 1e-2;
+
+  bool start(Index t, int i, int j, Candidate& c) {
+    store_.ring(t, i, j, ring_);
+    for (Index r : ring_.tetrahedra) {
+      if (store_.region(r) != store_.region(t))
+        return false;
+      c.tetrahedra.push_back(r);
+    }
+    for (Index r : c.tetrahedra)
+      for (int k = 0; k < 4; ++k)
+        if (!leads_into(c, Store::facet(r, k)))
+          c.facets.push_back(Store::facet(r, k));
+        else if (store_[r].label[k] != 0)
+          return false;
+    for (Index r : c.tetrahedra)
+      for (Index v : store_[r].v)
+        c.vertex += (0.25 / double(c.tetrahedra.size())) * store_.point(v);
+    return true;
+  }
+
+  bool leads_into(const Candidate& c, Index facet) const {
+    const Index n = store_[Store::tetrahedron_of(facet)].neighbor[Store::opposite_of(facet)];
+    return n != Store::none &&
+           std::find(c.tetrahedra.begin(), c.tetrahedra.end(), Store::tetrahedron_of(n)) != c.tetrahedra.end();
+  }
+
+  // Of the tetrahedron between a facet and a point on the side of its tetrahedron.
+  double quality(Index facet, const Vector_3d& p) const {
+    const auto& v = store_[Store::tetrahedron_of(facet)].v;
+    const auto& f = Store::facet_corners(Store::opposite_of(facet));
+    return tetrahedron_gamma(p, store_.point(v[f[0]]), store_.point(v[f[1]]), store_.point(v[f[2]]));
+  }
+  // The worst over all facets; given up once it is below `least`.
+  double worst_with(const Candidate& c, const Vector_3d& p, double least) const {
+    double worst = 1;
+    for (Index f : c.facets) {
+      worst = (std::min)(worst, quality(f, p));
+      if (worst <= least)
+        break;
+    }
+    return worst;
+  }
+  double worst_of(const std::vector<Index>& tetrahedra) const {
+    double worst = 1;
+    for (Index t : tetrahedra) {
+      const auto& v = store_[t].v;
+      worst = (std::min)(
+          worst, tetrahedron_gamma(store_.point(v[0]), store_.point(v[1]), store_.point(v[2]), store_.point(v[3])));
+    }
+    return worst;
+  }
+
+  // Pattern search: along axes that turn with the steps, which get shorter where none of them helps.
+  void place(Candidate& c) const {
+    double size = 0;
+    for (Index f : c.facets)
+      size = (std::max)(size, norm(store_.point(store_[Store::tetrahedron_of(f)].v[0]) - c.vertex));
+    c.worst = worst_with(c, c.vertex, -2);
+    for (double step = 0.4 * size; step > 0.01 * size;) {
+      bool moved = false;
+      for (const Vector_3d& d : directions()) {
+        const Vector_3d p = c.vertex + step * d;
+        const double w = worst_with(c, p, c.worst);
+        if (w > c.worst) {
+          c.worst = w;
+          c.vertex = p;
+          moved = true;
+        }
+      }
+      if (!moved)
+        step *= 0.5;
+    }
+  }
+
+  // The axes and the diagonals of a cube.
+  static const std::array<Vector_3d, 14>& directions() {
+    static const double d = std::sqrt(1 / 3.);
+    static const std::array<Vector_3d, 14> all = {{{1, 0, 0},
+                                                   {-1, 0, 0},
+                                                   {0, 1, 0},
+                                                   {0, -1, 0},
+                                                   {0, 0, 1},
+                                                   {0, 0, -1},
+                                                   {d, d, d},
+                                                   {d, d, -d},
+                                                   {d, -d, d},
+                                                   {d, -d, -d},
+                                                   {-d, d, d},
+                                                   {-d, d, -d},
+                                                   {-d, -d, d},
+                                                   {-d, -d, -d}}};
+    return all;
+  }
+
+  // Through the facet under the worst new tetrahedron, as long as that makes the worst better.
+  void grow(Candidate& c) const {
+    while (c.tetrahedra.size() < most_tetrahedra) {
+      Index facet = Store::none;
+      double worst = 2;
+      for (Index f : c.facets)
+        if (quality(f, c.vertex) < worst) {
+          worst = quality(f, c.vertex);
+          facet = f;
+        }
+      if (!grow_through(facet, worst, c))
+        return;
+    }
+  }
+
+  bool grow_through(Index facet, double worst, Candidate& c) const {
+    const auto& inside = store_[Store::tetrahedron_of(facet)];
+    const Index n = inside.neighbor[Store::opposite_of(facet)];
+    if (n == Store::none || inside.label[Store::opposite_of(facet)] != 0)
+      return false;
+    const Index t = Store::tetrahedron_of(n);
+    if (store_.region(t) != inside.region)
+      return false;
+    std::array<Index, 3> opened, closed;
+    std::size_t number_opened = 0, number_closed = 0;
+    for (int k = 0; k < 4; ++k) {
+      const Index f = Store::facet(t, k);
+      if (f == n)
+        continue;
+      if (leads_into(c, f)) {
+        if (store_[t].label[k] != 0)
+          return false;
+        closed[number_closed++] = store_[t].neighbor[k];
+      } else {
+        if (quality(f, c.vertex) <= worst + worth_it)
+          return false;
+        opened[number_opened++] = f;
+      }
+    }
+    const auto is_gone = [&](Index f) {
+      return f == facet ||
+             std::find(closed.begin(), closed.begin() + number_closed, f) != closed.begin() + number_closed;
+    };
+    c.facets.erase(std::remove_if(c.facets.begin(), c.facets.end(), is_gone), c.facets.end());
+    c.facets.insert(c.facets.end(), opened.begin(), opened.begin() + number_opened);
+    c.tetrahedra.push_back(t);
+    return true;
+  }
+
+  void commit(const Candidate& c, Store::Index_list& come) {
+    const Index v = store_.add_vertex(c.vertex);
+    std::vector<Store::Vertices> cells;
+    for (Index f : c.facets) {
+      const auto& w = store_[Store::tetrahedron_of(f)].v;
+      const auto& k = Store::facet_corners(Store::opposite_of(f));
+      cells.push_back({v, w[k[0]], w[k[1]], w[k[2]]});
+    }
+    store_.replace(c.tetrahedra, cells, std::array<Store::Labelled_facet, 0>(), come);
+  }
+
+  Store& store_;
+  Store::Ring ring_;
+};
+
+} // namespace internal
+} // namespace Tubular_meshing
+} // namespace CGAL
+
+#endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_VERTEX_INSERTION_H

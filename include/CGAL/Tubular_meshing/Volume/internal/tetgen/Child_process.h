@@ -1,0 +1,173 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_TETGEN_CHILD_PROCESS_H
+#define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_TETGEN_CHILD_PROCESS_H
+
+#include <fcntl.h>
+#include <sys/resource.h>
+#include <sys/types.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstddef>
+#include <cstring>
+#include <new>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Tubular_meshing {
+namespace internal {
+
+// How a child process ended.
+struct Child_ending {
+  enum Kind {
+    done,     // its work came to the end and all of its output is here
+    gave_up,  // its work said so, by `code`, or the process was left by exit(code)
+    killed,   // by the signal `code`
+    no_child, // it could not be started, for the reason `code` (an errno)
+  };
+  Kind kind;
+  int code;
+};
+
+/* The child's end of the pipe to its parent: plain data goes in, in the order in which the parent reads it. */
+class Pipe_writer {
+public:
+  explicit Pipe_writer(int file)
+      : file_(file) {}
+
+  bool write(const void* data, std::size_t size) const {
+    const char* p = static_cast<const char*>(data);
+    while (size > 0) {
+      const ssize_t n = ::write(file_, p, size);
+      if (n < 0 && errno == EINTR)
+        continue;
+      if (n <= 0)
+        return false;
+      p += n;
+      size -= std::size_t(n);
+    }
+    return true;
+  }
+  // How many there are, then the values.
+  template <class T> bool write(const std::vector<T>& values) const {
+    static_assert(std::is_trivially_copyable<T>::value, "only plain data goes through a pipe");
+    const std::size_t n = values.size();
+    return write(&n, sizeof n) && write(values.data(), n * sizeof(T));
+  }
+
+private:
+  int file_;
+};
+
+/* The parent's end. */
+class Pipe_reader {
+public:
+  explicit Pipe_reader(int file)
+      : file_(file) {}
+
+  bool read(void* data, std::size_t size) const {
+    char* p = static_cast<char*>(data);
+    while (size > 0) {
+      const ssize_t n = ::read(file_, p, size);
+      if (n < 0 && errno == EINTR)
+        continue;
+      if (n <= 0)
+        return false;
+      p += n;
+      size -= std::size_t(n);
+    }
+    return true;
+  }
+  template <class T> bool read(std::vector<T>& values) const {
+    static_assert(std::is_trivially_copyable<T>::value, "only plain data goes through a pipe");
+    std::size_t n = 0;
+    if (!read(&n, sizeof n))
+      return false;
+    values.resize(n);
+    return read(values.data(), n * sizeof(T));
+  }
+
+private:
+  int file_;
+};
+
+/* What the child does before its work. The other threads of the parent are not there: the C library sees to it that
+ * memory can be allocated all the same; the work must neither use nor wait for a thread. Whatever it prints goes
+ * nowhere, a crash is nobody's business but the parent's (no handler of the program's, no core file), and when memory
+ * runs out it is this process that goes, not the parent. */
+inline void settle_in_child(rlim_t seconds) {
+  const int nowhere = open("/dev/null", O_RDWR);
+  for (int standard : {0, 1, 2})
+    if (nowhere >= 0)
+      dup2(nowhere, standard);
+  for (int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGXCPU, SIGTERM, SIGINT, SIGHUP, SIGPIPE})
+    std::signal(signal, SIG_DFL);
+  const rlimit time = {seconds, seconds + 1}, core = {0, 0};
+  setrlimit(RLIMIT_CPU, &time);
+  setrlimit(RLIMIT_CORE, &core);
+  const int score = open("/proc/self/oom_score_adj", O_WRONLY); // Linux's; elsewhere there is no such file
+  if (score >= 0) {
+    const ssize_t written = ::write(score, "1000", 4);
+    (void)written;
+    close(score);
+  }
+}
+
+constexpr int out_of_memory_code = 1; // TetGen's own
+
+/* Runs `work(const Pipe_writer&)`, which returns 0 or a code from 1 to 255, in a copy of this process, and
+ * `read(const Pipe_reader&)`, which returns whether it has got all, in this one. Whatever happens to the child, a
+ * crash, exit(), `seconds` of processor time used up, this process lives and is told. */
+template <class Work, class Read>
+Child_ending run_in_child_process(const Work& work, const Read& read, double seconds) {
+  int ends[2];
+  if (pipe(ends) != 0)
+    return {Child_ending::no_child, errno};
+  const pid_t child = fork();
+  if (child < 0) {
+    const int reason = errno;
+    close(ends[0]);
+    close(ends[1]);
+    return {Child_ending::no_child, reason};
+  }
+  if (child == 0) {
+    close(ends[0]);
+    settle_in_child(rlim_t(seconds) + 1);
+    int code = 255;
+    try {
+      code = work(Pipe_writer(ends[1]));
+    } catch (const std::bad_alloc&) {
+      code = out_of_memory_code;
+    } catch (...) {
+    }
+    _exit(code); // neither destructors nor the buffers of the parent's streams are ours
+  }
+  close(ends[1]);
+  bool complete = false;
+  try {
+    complete = read(Pipe_reader(ends[0]));
+  } catch (const std::bad_alloc&) {
+  }
+  close(ends[0]); // a child that still writes ends by it
+  int status = 0;
+  pid_t ended;
+  do
+    ended = waitpid(child, &status, 0);
+  while (ended < 0 && errno == EINTR);
+  if (complete)
+    return {Child_ending::done, 0};
+  if (ended == child && WIFSIGNALED(status))
+    return {Child_ending::killed, WTERMSIG(status)};
+  return {Child_ending::gave_up, ended == child && WIFEXITED(status) ? WEXITSTATUS(status) : 255};
+}
+
+} // namespace internal
+} // namespace Tubular_meshing
+} // namespace CGAL
+
+#endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_TETGEN_CHILD_PROCESS_H

@@ -1,0 +1,31 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_TETGEN_FILLING_ARRAYS_H
+#define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_TETGEN_FILLING_ARRAYS_H
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Tubular_meshing {
+namespace internal {
+
+// What goes into a mesher that keeps its boundary.
+struct Boundary_arrays {
+  std::vector<std::array<double, 3>> points;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+};
+
+// What comes out.
+struct Filling_arrays {
+  std::vector<std::array<double, 3>> inner_points; // numbered on from the boundary's
+  std::vector<std::array<std::uint32_t, 4>> tetrahedra;
+};
+
+} // namespace internal
+} // namespace Tubular_meshing
+} // namespace CGAL
+
+#endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_TETGEN_FILLING_ARRAYS_H

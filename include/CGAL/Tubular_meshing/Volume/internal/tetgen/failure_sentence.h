@@ -1,0 +1,82 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_TETGEN_FAILURE_SENTENCE_H
+#define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_TETGEN_FAILURE_SENTENCE_H
+
+#include <CGAL/Tubular_meshing/Volume/internal/tetgen/Child_process.h>
+
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
+#include <CGAL/boost/graph/properties.h>
+
+#include <csignal>
+#include <cstring>
+#include <iterator>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Tubular_meshing {
+namespace internal {
+
+// What befell TetGen, as the second half of a sentence.
+inline std::string what_befell(const Child_ending& ending) {
+  const std::string code = std::to_string(ending.code);
+  if (ending.kind == Child_ending::no_child)
+    return std::string("no process could be started for it (") + std::strerror(ending.code) + ")";
+  if (ending.kind == Child_ending::killed)
+    switch (ending.code) {
+    case SIGXCPU:
+      return "it did not come to an end in the time it was given";
+    case SIGKILL:
+    case SIGPIPE: // this process could not take the result
+      return "there was not enough memory";
+    default:
+      return "it crashed (signal " + code + ")";
+    }
+  switch (ending.code) {
+  case out_of_memory_code:
+    return "there was not enough memory";
+  case 2:
+    return "it met an error of its own";
+  case 3:
+    return "it found facets that cross or overlap";
+  case 4:
+    return "the surface has details too small for it";
+  case 5:
+    return "two facets are too close to each other for it";
+  case 10:
+    return "it found the input wrong";
+  default:
+    return "it gave up (code " + code + ")";
+  }
+}
+
+// Where the surface crosses itself, as a clause that begins with a colon; empty if it does not.
+template <class TriangleMesh> std::string where_it_crosses_itself(const TriangleMesh& surface) {
+  typedef typename boost::graph_traits<TriangleMesh>::face_descriptor Face;
+  std::vector<std::pair<Face, Face>> pairs;
+  Polygon_mesh_processing::self_intersections(surface, std::back_inserter(pairs));
+  if (pairs.empty())
+    return std::string();
+  const auto& p = get(CGAL::vertex_point, surface, target(halfedge(pairs.front().first, surface), surface));
+  std::ostringstream s;
+  s << ": the surface crosses itself at " << pairs.size() << (pairs.size() == 1 ? " pair" : " pairs")
+    << " of triangles, the first at (" << p.x() << ", " << p.y() << ", " << p.z() << ")";
+  return s.str();
+}
+
+// What goes wrong in TetGen is most often that the surface crosses itself, whatever TetGen says.
+template <class TriangleMesh> std::string failure_sentence(const Child_ending& ending, const TriangleMesh& surface) {
+  const std::string crossing = ending.kind == Child_ending::no_child ? std::string() : where_it_crosses_itself(surface);
+  return "TetGen could not fill this surface, " + what_befell(ending) + crossing +
+         (crossing.empty() ? ": " : "; mend it, or ") + "use fill_with_mesh_3(), which makes the surface anew.";
+}
+
+} // namespace internal
+} // namespace Tubular_meshing
+} // namespace CGAL
+
+#endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_TETGEN_FAILURE_SENTENCE_H
