@@ -23,9 +23,9 @@ namespace internal {
  * cones are positive they fill the cavity, whatever its shape.
  *
  * A split starts from the tetrahedra around the edge, a collapse from those around the vertex that goes. The cavity is
- * then enlarged over the facets with the worst cones, as long as this raises the worst quality of what it replaces: what
- * Delaunay's circumspheres decide in the plain case, the measure itself decides here, so that any metric will do. Labelled
- * facets are never crossed.
+ * then enlarged over the facets with the worst cones, as long as this raises the worst quality of what it replaces:
+ * what Delaunay's circumspheres decide in the plain case, the measure itself decides here, so that any metric will do.
+ * Labelled facets are never crossed.
  *
  * Follows the idea of the cavity operator [Loseille and Menier 2014].
  */

@@ -41,10 +41,10 @@ public:
   const Store::Index_list& new_tetrahedra() const { return come_; }
 
 private:
-  static constexpr double good_enough = 0.5;  // cones that need not be improved
+  static constexpr double good_enough = 0.5;          // cones that need not be improved
   static constexpr std::size_t most_tetrahedra = 200; // around a vertex; of what is worth the work there are some 24
-  static constexpr double least_cosine = 0.8; // between a facet of the surface and what becomes of it
-  static constexpr double deviation = 0.1;    // of new edges from the surface, in their length
+  static constexpr double least_cosine = 0.8;         // between a facet of the surface and what becomes of it
+  static constexpr double deviation = 0.1;            // of new edges from the surface, in their length
 
   bool collapse_onto(Index v, Index w, const Surface_location& edge, const Operation_bounds& bounds) {
     const Surface_location& at = mesh_.location(v);
@@ -58,9 +58,7 @@ private:
       cavity_.add_tetrahedron(t, flips_.quality(t));
       cavity_.add_cone(t, mesh_.store.corner(t, v));
     }
-    const auto is_new = [&](Index u) {
-      return std::find(ring_.link.begin(), ring_.link.end(), u) == ring_.link.end();
-    };
+    const auto is_new = [&](Index u) { return std::find(ring_.link.begin(), ring_.link.end(), u) == ring_.link.end(); };
     if (cavity_.new_lengths(is_new)[1] > bounds.longest)
       return false;
     if (at.dimension < 3 && (!add_facets(v, w) || !keeps_topology(v, w)))

@@ -15,8 +15,8 @@ namespace internal {
 
 /* What an operation has to keep to. */
 struct Operation_bounds {
-  double quality_floor;  // a cavity may become as bad as this,
-  double quality_factor; // or as bad as this times what it was
+  double quality_floor;     // a cavity may become as bad as this,
+  double quality_factor;    // or as bad as this times what it was
   double shortest, longest; // of the new edges
 
   bool allow(double before, double after) const { return after >= (std::min)(quality_floor, quality_factor * before); }

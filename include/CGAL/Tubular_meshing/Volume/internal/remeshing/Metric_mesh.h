@@ -8,6 +8,7 @@
 #include <CGAL/Tubular_meshing/Volume/internal/Tetrahedron_store.h>
 #include <CGAL/Tubular_meshing/Volume/internal/remeshing/Surface_locations.h>
 #include <CGAL/Tubular_meshing/Volume/internal/remeshing/metric_quality.h>
+#include <CGAL/Tubular_meshing/Volume/internal/remeshing/remeshing_input.h>
 #include <CGAL/Tubular_meshing/internal/parallel.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -19,6 +20,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -30,7 +32,8 @@ namespace internal {
 inline bool is_positive(const Vector_3d& a, const Vector_3d& b, const Vector_3d& c, const Vector_3d& d) {
   const Vector_3d u = b - a, v = c - a, w = d - a;
   const auto magnitude = [](const Vector_3d& x) { return std::abs(x.x) + std::abs(x.y) + std::abs(x.z); };
-  const double rounding = std::numeric_limits<double>::epsilon() * (magnitude(a) + magnitude(u) + magnitude(v) + magnitude(w)); // of a difference
+  const double rounding = std::numeric_limits<double>::epsilon() *
+                          (magnitude(a) + magnitude(u) + magnitude(v) + magnitude(w)); // of a difference
   const double lu = magnitude(u), lv = magnitude(v), lw = magnitude(w);
   return dot(u, cross(v, w)) > 1000 * rounding * (lu * lv + lv * lw + lw * lu);
 }
@@ -50,12 +53,15 @@ public:
       , projection(projection)
       , keep_boundary(keep_boundary)
       , threads(threads)
-      , field_(field) {
+      , field_(field)
+      , limits_(extent_of(store)) {
     metric_.resize(store.number_of_vertices());
     for_each_range(metric_.size(), threads, [&](std::size_t first, std::size_t last) {
       for (std::size_t v = first; v < last; ++v)
-        metric_[v] = field_(store.point(Index(v)));
+        if (store.is_used(Index(v)))
+          metric_[v] = at(store.point(Index(v))).metric;
     });
+    Metric_limits::check_number_of_tetrahedra(number_of_unit_tetrahedra());
     location_ = locations.of_vertices(store, [&](Index v) { return projection.is_fixed(store.point(v), 1); });
     if (keep_boundary)
       for (Surface_location& l : location_)
@@ -72,7 +78,11 @@ public:
   const Metric_tensor_3& metric(Index v) const { return metric_[v]; }
   const Surface_location& location(Index v) const { return location_[v]; }
   Metric_point at(Index v) const { return {store.point(v), metric_[v]}; }
-  Metric_point at(const Vector_3d& p) const { return {p, field_(p)}; }
+  Metric_point at(const Vector_3d& p) const {
+    const Metric_point result = {p, field_(p)};
+    limits_.check(result.metric, p);
+    return result;
+  }
 
   Index add_vertex(const Metric_point& p, const Surface_location& l) {
     const Index v = store.add_vertex(p.position);
@@ -95,6 +105,9 @@ public:
            : l.dimension == 1 ? projection.to_rim(p, locations.patches_of_rim(l.id))
                               : p;
   }
+
+  // By vertex; the mesh is without metrics after that.
+  std::vector<Metric_tensor_3> take_metrics() { return std::move(metric_); }
 
   double length(Index v, Index w) const { return metric_length(at(v), at(w)); }
   Metric_shape shape(const Store::Vertices& v) const {
@@ -135,7 +148,27 @@ public:
   }
 
 private:
+  static double extent_of(const Store& store) {
+    Vector_3d low = store.point(store[0].v[0]), high = low;
+    for (Index v = 0; v < store.number_of_vertices(); ++v)
+      if (store.is_used(v)) {
+        const Vector_3d& p = store.point(v);
+        low = {(std::min)(low.x, p.x), (std::min)(low.y, p.y), (std::min)(low.z, p.z)};
+        high = {(std::max)(high.x, p.x), (std::max)(high.y, p.y), (std::max)(high.z, p.z)};
+      }
+    return norm(high - low);
+  }
+  // As the metrics at the vertices of the mesh foretell.
+  double number_of_unit_tetrahedra() const {
+    double n = 0;
+    for (Index t = 0; t < store.number_of_slots(); ++t)
+      if (store.is_alive(t))
+        n += shape(store[t].v).volume;
+    return n;
+  }
+
   const Field& field_;
+  Metric_limits limits_;
   std::vector<Metric_tensor_3> metric_;
   std::vector<Surface_location> location_;
 };

@@ -18,8 +18,8 @@ namespace Tubular_meshing {
 namespace internal {
 
 /* What is to be small around a vertex, as a function of its position: of each tetrahedron its Q, eq. (16), and how far
- * its edges are from unit length, s + 1/s with s their mean square. Q goes to infinity for a flat tetrahedron: descending
- * the sum never inverts one. Derivatives hold the metrics fixed. */
+ * its edges are from unit length, s + 1/s with s their mean square. Q goes to infinity for a flat tetrahedron:
+ * descending the sum never inverts one. Derivatives hold the metrics fixed. */
 struct Metric_energy {
   static constexpr double size_weight = 1;
 
@@ -101,9 +101,9 @@ private:
   double l00, l10, l20, l11, l21, l22;
 };
 
-/* Moves vertices, topology fixed, down Metric_energy by Newton steps with backtracking; a step is judged with the metric
- * that the field has at its end. Vertices on the surface move along it and are projected onto it. The result is the same
- * for any number of threads. */
+/* Moves vertices, topology fixed, down Metric_energy by Newton steps with backtracking; a step is judged with the
+ * metric that the field has at its end. Vertices on the surface move along it and are projected onto it. The result is
+ * the same for any number of threads. */
 template <class Mesh> class Metric_relocation {
 public:
   typedef Tetrahedron_store Store;
@@ -169,8 +169,8 @@ private:
     for (Index s : stars_.facets(v)) {
       const auto& tet = store_[Store::tetrahedron_of(s)].v;
       const auto& c = Store::facet_corners(Store::opposite_of(s));
-      const Metric_tensor_3 mean = 0.25 * (x.metric + mesh_.metric(tet[c[0]]) + mesh_.metric(tet[c[1]]) +
-                                           mesh_.metric(tet[c[2]]));
+      const Metric_tensor_3 mean =
+          0.25 * (x.metric + mesh_.metric(tet[c[0]]) + mesh_.metric(tet[c[1]]) + mesh_.metric(tet[c[2]]));
       if (!e.add(store_.point(tet[c[0]]) - x.position, store_.point(tet[c[1]]) - x.position,
                  store_.point(tet[c[2]]) - x.position, mean, with_derivatives))
         return false;
@@ -234,8 +234,8 @@ private:
   }
 
   Mesh& mesh_;
-  Store& store_;
   double size2_;
+  Store& store_;
   Colored_stars stars_;
 };
 

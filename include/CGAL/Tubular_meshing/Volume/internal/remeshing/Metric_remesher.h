@@ -7,24 +7,22 @@
 #include <CGAL/Tubular_meshing/Volume/internal/Surface_flip_guard.h>
 #include <CGAL/Tubular_meshing/Volume/internal/Topology_optimizer.h>
 #include <CGAL/Tubular_meshing/Volume/internal/remeshing/Edge_collapser.h>
+#include <CGAL/Tubular_meshing/Volume/internal/remeshing/Edge_list.h>
 #include <CGAL/Tubular_meshing/Volume/internal/remeshing/Edge_splitter.h>
 #include <CGAL/Tubular_meshing/Volume/internal/remeshing/Metric_mesh.h>
 #include <CGAL/Tubular_meshing/Volume/internal/remeshing/Metric_relocation.h>
+#include <CGAL/Tubular_meshing/Volume/internal/remeshing/local_volumes.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
-#include <utility>
 #include <vector>
-#ifdef REMESH_DEBUG
-#include <chrono>
-#include <cstdio>
-#endif
 
 namespace CGAL {
 namespace Tubular_meshing {
 namespace internal {
 
-/* Flips that change a surface's edge are refused where the boundary is to stay. */
+/* Flips that change the surface are refused where it is to stay. */
 struct Remeshing_flip_guard {
   Surface_flip_guard<Patch_projection> shape;
   bool keep_boundary;
@@ -35,7 +33,15 @@ struct Remeshing_flip_guard {
   }
 };
 
-/* The passes of the remesher, and their order. */
+/* The passes of the remesher, in their order.
+ *
+ * First sizes are brought about, from coarse to fine: for unit lengths 4, 2 and 1 edges longer than √2 units are split,
+ * the longest first, and edges shorter than 1/√2 units are collapsed, with flips and a relocation in between. A mesh
+ * that has the metric's shape at a coarse size is cheap to come by, and what is split from it has that shape from the
+ * start. Then shapes: relocations, flips, and what they leave to split or collapse in turn, vertices being taken out
+ * where they are denser than the metric asks, and put in where there are too few. Each round's work is proportional to
+ * what the one before has changed, or a linear sweep.
+ */
 template <class Field> class Metric_remesher {
 public:
   typedef Tetrahedron_store Store;
@@ -56,134 +62,132 @@ public:
       , splitter_(mesh, flips_)
       , collapser_(mesh, flips_) {}
 
-  void run() {
-    adapt_sizes();
-    for (int pass = 0; pass < 6; ++pass) {
-      relocate(2);
-      flips_.improve_below(0.75);
-      const std::size_t n = split_all() + collapse_all();
-      log("opt", n);
-      log("balance", balance());
+  // `observe(*this, what, n)` is told after each pass what was done, and how often.
+  template <class Observer> void run(const Observer& observe) {
+    observe(*this, "find", find_hidden());
+    for (double size : {4., 2., 1.})
+      if (size == 1 || has_edges_above(sqrt_2 * size))
+        adapt(size, observe);
+    const int rounds = 6;
+    for (int round = 0; round < rounds; ++round) {
+      relocate(2, 1);
+      observe(*this, "flip", flips_.improve_below(0.75));
+      observe(*this, "size", split_above(1) + collapse_below(1));
+      observe(*this, "balance", balance());
     }
-    for (int pass = 0; pass < 3; ++pass) {
-      relocate(2);
-      flips_.improve_below(0.8);
-      log("final", 0);
+    for (int round = 0; round < 3; ++round) {
+      relocate(2, 1);
+      observe(*this, "finish", flips_.improve_below(0.8));
     }
   }
+
+  const Mesh& mesh() const { return mesh_; }
+  const Flips& flips() const { return flips_; }
 
 private:
-  struct Candidate {
-    float length;
-    Index t, a, b;
-  };
+  static constexpr double sqrt_2 = 1.4142135623730951;
 
-  void adapt_sizes() {
-    const int stages = getenv("ST") ? atoi(getenv("ST")) : 0;
-    for (int round = -stages; round < 4; ++round) {
-      scale_ = round < 0 ? std::pow(2., -round) : 1;
-      if (round < 0 && candidates(all_tetrahedra(), 0, scale_ * 1.4142).empty())
-        continue;
-      log("scale", scale_);
-      const std::size_t s = split_all();
-      log("split", s);
-      const std::size_t c = collapse_all();
-      log("collapse", c);
-      const std::size_t f = flips_.improve_below(0.5);
-      log("flip", f);
+  /* Splits edges that a small feature of the field crosses unseen by both ends: their length by samples is much larger
+   * than by their ends. From there on, the ends see it. */
+  std::size_t find_hidden() {
+    std::size_t n = 0;
+    std::vector<Index> todo = list_tetrahedra(store_);
+    for (int round = 0; round < 8 && !todo.empty(); ++round) {
+      const Edge_list edges = list_edges(mesh_, todo, [](double) { return true; });
+      std::vector<float> share(edges.size(), 0);
+      for_each_range(edges.size(), mesh_.threads, [&](std::size_t first, std::size_t last) {
+        for (std::size_t k = first; k < last; ++k)
+          share[k] = float(hidden_middle(edges[k]));
+      });
+      todo.clear();
+      int i, j;
+      for (std::size_t k = 0; k < edges.size(); ++k)
+        if (share[k] > 0 && edges[k].find(store_, i, j) &&
+            splitter_.split(edges[k].t, i, j, share[k], bounds_of_split(1))) {
+          todo.insert(todo.end(), splitter_.new_tetrahedra().begin(), splitter_.new_tetrahedra().end());
+          ++n;
+        }
+    }
+    return n;
+  }
+  // Where the finest of a few samples lies, if the edge is much longer than its ends tell; else 0.
+  double hidden_middle(const Listed_edge& edge) const {
+    const Vector_3d a = store_.point(edge.a), e = store_.point(edge.b) - a;
+    const int samples = 3;
+    double length = 0, largest = 0, where = 0;
+    for (int k = 1; k <= samples; ++k) {
+      const double s = double(k) / (samples + 1), l = mesh_.at(a + s * e).metric.length(e);
+      length += l / samples;
+      if (l > largest) {
+        largest = l;
+        where = s;
+      }
+    }
+    return length > sqrt_2 && length > 1.5 * edge.length ? where : 0;
+  }
+
+  bool has_edges_above(double length) const {
+    return !list_edges(mesh_, list_tetrahedra(store_), [=](double l) { return l > length; }).empty();
+  }
+
+  template <class Observer> void adapt(double size, const Observer& observe) {
+    const int most_rounds = size > 1 ? 1 : 4;
+    for (int round = 0; round < most_rounds; ++round) {
+      observe(*this, "split", split_above(size));
+      observe(*this, "collapse", collapse_below(size));
+      observe(*this, "flip", flips_.improve_below(0.5));
       mesh_.renumber();
-      flips_.update_all(mesh_.threads);
-      relocate(1);
-      log("move", 0);
+      relocate(1, size);
     }
   }
 
-  void relocate(int sweeps) {
-    Metric_relocation<Mesh> relocation(mesh_, scale_);
+  void relocate(int sweeps, double size) {
+    Metric_relocation<Mesh> relocation(mesh_, size);
     for (int i = 0; i < sweeps; ++i)
       relocation.sweep();
     flips_.update_all(mesh_.threads);
   }
 
-  std::vector<Index> all_tetrahedra() const {
-    std::vector<Index> all;
-    for (Index t = 0; t < store_.number_of_slots(); ++t)
-      if (store_.is_alive(t))
-        all.push_back(t);
-    return all;
-  }
+  // Bad shapes may be split and collapsed as long as it does not make them much worse.
+  static Operation_bounds bounds_of_split(double size) { return {0.2, 0.8, 0.65 * size, 1e300}; }
+  static Operation_bounds bounds_of_collapse(double size) { return {0.2, 0.8, 0, sqrt_2 * size}; }
 
-  // The edges of the tetrahedra listed whose length is outside [low, high], each once, by falling length.
-  std::vector<Candidate> candidates(const std::vector<Index>& tetrahedra, double low, double high) const {
-    std::vector<Candidate> found;
-    for (Index t : tetrahedra) {
-      if (!store_.is_alive(t))
-        continue;
-      const auto& v = store_[t].v;
-      for (int i = 0; i < 4; ++i)
-        for (int j = i + 1; j < 4; ++j) {
-          const double l = mesh_.length(v[i], v[j]);
-          if (l < low || l > high)
-            found.push_back({float(l), t, (std::min)(v[i], v[j]), (std::max)(v[i], v[j])});
-        }
-    }
-    const auto by_edge = [](const Candidate& x, const Candidate& y) {
-      return std::make_pair(x.a, x.b) < std::make_pair(y.a, y.b);
-    };
-    std::sort(found.begin(), found.end(), by_edge);
-    found.erase(std::unique(found.begin(), found.end(),
-                            [](const Candidate& x, const Candidate& y) { return x.a == y.a && x.b == y.b; }),
-                found.end());
-    std::stable_sort(found.begin(), found.end(),
-                     [](const Candidate& x, const Candidate& y) { return x.length > y.length; });
-    return found;
-  }
-
-  // The corners of an edge in the tetrahedron where it was found; false if it is no longer there.
-  bool locate(const Candidate& c, int& i, int& j) const {
-    if (!store_.is_alive(c.t))
-      return false;
-    i = store_.corner(c.t, c.a);
-    j = store_.corner(c.t, c.b);
-    return store_[c.t].v[i] == c.a && store_[c.t].v[j] == c.b;
-  }
-
-  std::size_t split_all() {
-    const Operation_bounds bounds = {0.2, FAC, 0.65 * scale_, 1e300};
+  /* The longest edges first, those much shorter in a later round, with flips in between: splits of tetrahedra out of
+   * shape would make more of them. */
+  std::size_t split_above(double size) {
+    const double step = 0.6;
     std::size_t n = 0;
     double longest = 1e300;
-    std::vector<Index> todo = all_tetrahedra(), next;
-    for (int i, j; !todo.empty();) {
-      const std::vector<Candidate> edges = candidates(todo, 0, 1.4142 * scale_);
+    std::vector<Index> todo = list_tetrahedra(store_), next;
+    for (int i, j; !todo.empty(); todo.swap(next)) {
+      const Edge_list edges = list_edges(mesh_, todo, [=](double l) { return l > sqrt_2 * size; });
       next.clear();
       if (edges.empty())
         break;
       longest = (std::min)(longest, double(edges.front().length));
-      for (const Candidate& c : edges) {
-        if (c.length < 0.6 * longest)
-          next.push_back(c.t);
-        else if (locate(c, i, j) && splitter_.split(c.t, i, j, bounds)) {
+      for (const Listed_edge& e : edges)
+        if (e.length < step * longest)
+          next.push_back(e.t);
+        else if (e.find(store_, i, j) && splitter_.split(e.t, i, j, bounds_of_split(size))) {
           next.insert(next.end(), splitter_.new_tetrahedra().begin(), splitter_.new_tetrahedra().end());
           ++n;
         }
-      }
-      longest *= 0.6;
+      longest *= step;
       flips_.improve_these(next, 0.4);
-      todo.swap(next);
     }
     return n;
   }
 
-  std::size_t collapse_all() {
-    const Operation_bounds bounds = {0.2, FAC, 0, 1.4142 * scale_};
-    std::vector<Index> todo = all_tetrahedra();
+  // The shortest edges first, again where new ones come about.
+  std::size_t collapse_below(double size) {
     std::size_t n = 0;
+    std::vector<Index> todo = list_tetrahedra(store_);
     for (int i, j; !todo.empty();) {
-      std::vector<Candidate> edges = candidates(todo, 0.7071 * scale_, 1e300);
+      Edge_list edges = list_edges(mesh_, todo, [=](double l) { return l < size / sqrt_2; });
       std::reverse(edges.begin(), edges.end());
       todo.clear();
-      for (const Candidate& c : edges)
-        if (locate(c, i, j) && collapser_.collapse(c.t, i, j, bounds)) {
+      for (const Listed_edge& e : edges)
+        if (e.find(store_, i, j) && collapser_.collapse(e.t, i, j, bounds_of_collapse(size))) {
           todo.insert(todo.end(), collapser_.new_tetrahedra().begin(), collapser_.new_tetrahedra().end());
           ++n;
         }
@@ -191,36 +195,12 @@ private:
     return n;
   }
 
-  /* The volume that a tetrahedron has in the metric, over that of the regular one: averaged around each vertex and once
-   * more over its neighbors, so that it tells whether vertices are too many or too few there. */
-  std::vector<float> volumes_around_vertices() const {
-    std::vector<float> mean(store_.number_of_vertices(), 1.f), number(store_.number_of_vertices());
-    std::vector<float> of_tetrahedron(store_.number_of_slots());
-    for (Index t = 0; t < store_.number_of_slots(); ++t)
-      if (store_.is_alive(t))
-        of_tetrahedron[t] = float(mesh_.shape(store_[t].v).volume);
-    for (int round = 0; round < 2; ++round) {
-      std::fill(mean.begin(), mean.end(), 0.f);
-      std::fill(number.begin(), number.end(), 0.f);
-      for (Index t = 0; t < store_.number_of_slots(); ++t)
-        if (store_.is_alive(t))
-          for (Index v : store_[t].v) {
-            mean[v] += of_tetrahedron[t];
-            number[v] += 1;
-          }
-      for (std::size_t v = 0; v < mean.size(); ++v)
-        mean[v] /= (std::max)(number[v], 1.f);
-      for (Index t = 0; t < store_.number_of_slots(); ++t)
-        if (store_.is_alive(t)) {
-          const auto& v = store_[t].v;
-          of_tetrahedron[t] = (mean[v[0]] + mean[v[1]] + mean[v[2]] + mean[v[3]]) / 4;
-        }
-    }
-    return mean;
-  }
-
+  /* Lengths between 1/√2 and √2 allow for eight times as many elements here as there. Where the volumes of tetrahedra
+   * are too small all around, vertices are taken out; where they are too large, put in; no two next to each other in
+   * one pass, as relocation is to spread what each of them changes. */
   std::size_t balance() {
-    const std::vector<float> volume = volumes_around_vertices();
+    const double dense = 0.86, sparse = 1.04;
+    const std::vector<float> volume = local_volumes(mesh_);
     std::vector<char> locked(volume.size(), 0);
     const auto lock = [&](const Store::Index_list& tetrahedra) {
       for (Index t : tetrahedra)
@@ -228,58 +208,27 @@ private:
           if (v < locked.size())
             locked[v] = 1;
     };
-    const double dense = getenv("DENSE") ? atof(getenv("DENSE")) : 0.86, sparse = getenv("SPARSE") ? atof(getenv("SPARSE")) : 1.04;
+    const auto is_free = [&](Index v) { return v < locked.size() && !locked[v]; };
+    const Operation_bounds when_collapsing = {0.15, 0.5, 0, 1.75}, when_splitting = {0.25, 0.8, 0.6, 1e300};
     std::size_t n = 0;
-    const Operation_bounds collapse_bounds = {0.15, 0.5, 0, 1.75};
-    std::vector<Candidate> edges = candidates(all_tetrahedra(), 1, 1e300);
-    std::reverse(edges.begin(), edges.end());
     int i, j;
-    for (const Candidate& c : edges)
-      if (volume[c.a] < dense && volume[c.b] < dense && !locked[c.a] && !locked[c.b] && locate(c, i, j) &&
-          collapser_.collapse(c.t, i, j, collapse_bounds)) {
+    Edge_list edges = list_edges(mesh_, list_tetrahedra(store_), [](double l) { return l < 1; });
+    std::reverse(edges.begin(), edges.end());
+    for (const Listed_edge& e : edges)
+      if (is_free(e.a) && is_free(e.b) && volume[e.a] < dense && volume[e.b] < dense && e.find(store_, i, j) &&
+          collapser_.collapse(e.t, i, j, when_collapsing)) {
         lock(collapser_.new_tetrahedra());
         ++n;
       }
-    const Operation_bounds split_bounds = {0.25, 0.8, 0.6, 1e300};
-    for (const Candidate& c : candidates(all_tetrahedra(), 0, 1.2))
-      if (c.a < locked.size() && c.b < locked.size() && volume[c.a] > sparse && volume[c.b] > sparse &&
-          !locked[c.a] && !locked[c.b] && locate(c, i, j) && splitter_.split(c.t, i, j, split_bounds)) {
+    for (const Listed_edge& e : list_edges(mesh_, list_tetrahedra(store_), [](double l) { return l > 1.2; }))
+      if (is_free(e.a) && is_free(e.b) && volume[e.a] > sparse && volume[e.b] > sparse && e.find(store_, i, j) &&
+          splitter_.split(e.t, i, j, when_splitting)) {
         lock(splitter_.new_tetrahedra());
         ++n;
       }
     return n;
   }
 
-#ifdef REMESH_DEBUG
-  void log(const char* what, std::size_t n) {
-    static auto start = std::chrono::steady_clock::now();
-    const auto now = std::chrono::steady_clock::now();
-    std::size_t alive = 0, good = 0;
-    double q = 0, worst = 1;
-    for (Index t = 0; t < store_.number_of_slots(); ++t)
-      if (store_.is_alive(t)) {
-        ++alive;
-        q += 1 / flips_.quality(t);
-        worst = (std::min)(worst, flips_.quality(t));
-        good += flips_.quality(t) > 1. / 3;
-      }
-    std::vector<Candidate> e = candidates(all_tetrahedra(), 2, 1);
-    double tau = 0, mean = 0;
-    for (const Candidate& c : e) {
-      tau += (c.length < 1 ? c.length : 1 / c.length) - 1;
-      mean += c.length;
-    }
-    std::printf("%7.2f %-9s %7zu tets %8zu Q mean %8.3f max %8.2f <3 %.4f tau %.4f l %.3f [%.3f %.3f]\n",
-                std::chrono::duration<double>(now - start).count(), what, n, alive, q / double(alive), 1 / worst,
-                double(good) / double(alive), std::exp(tau / double(e.size())), mean / double(e.size()),
-                e.back().length, e.front().length);
-    start += std::chrono::steady_clock::now() - now;
-  }
-#else
-  void log(const char*, std::size_t) {}
-#endif
-
-  double scale_ = 1;
   Mesh& mesh_;
   Store& store_;
   Flips flips_;
