@@ -24,17 +24,15 @@ public:
     std::array<double, 3> off = {m[4], m[2], m[1]}; // off[i] is the entry in neither row nor column i
     const int max_sweeps = 16;                      // four or five are the most that were seen
     for (int sweep = 0; sweep < max_sweeps; ++sweep) {
-      bool done = true;
-      for (int i = 2; i >= 0; --i)
-        done = !rotate(off, i) && done;
-      if (done)
+      const bool xy = rotate<2>(off), xz = rotate<1>(off), yz = rotate<0>(off);
+      if (!xy && !xz && !yz)
         break;
     }
   }
 
   const std::array<double, 3>& values() const { return values_; }
   /* The eigenvector of values()[i], of length one. */
-  Vector_3d direction(int i) const { return {vectors_[0][i], vectors_[1][i], vectors_[2][i]}; }
+  Vector_3d direction(int i) const { return vectors_[i]; }
 
   /* Indices of the eigenvalues, the largest one first. */
   std::array<int, 3> descending_order() const {
@@ -50,33 +48,36 @@ public:
   }
 
 private:
-  // Turns the plane of the two axes other than k so that off[k] vanishes; false if it was nothing already.
-  bool rotate(std::array<double, 3>& off, int k) {
-    const int p = k == 0 ? 1 : 0, q = k == 2 ? 1 : 2;
-    const double a = off[k];
-    if (a * a <= 1e-32 * std::abs(values_[p] * values_[q]) || std::abs(a) < 1e-290) {
-      off[k] = 0;
+  // Turns the plane of the axes p and q so that its off-diagonal entry vanishes; false if it was nothing already. K is
+  // the third axis, by whose number off-diagonal entries are known: off[K] is that of p and q.
+  template <int K> bool rotate(std::array<double, 3>& off) {
+    constexpr int p = K == 0 ? 1 : 0, q = K == 2 ? 1 : 2;
+    const double a = off[K];
+    if (a * a <= 1e-32 * std::abs(values_[p] * values_[q]) || std::abs(a) < 1e-150) {
+      off[K] = 0;
       return false;
     }
-    const double theta = (values_[q] - values_[p]) / (2 * a);
-    const double t = (theta >= 0 ? 1 : -1) / (std::abs(theta) + std::sqrt(theta * theta + 1));
+    const double d = (values_[q] - values_[p]) / 2;
+    const double t = a / (d + std::copysign(std::sqrt(d * d + a * a), d)); // the tangent of the smaller angle
     const double c = 1 / std::sqrt(t * t + 1), s = t * c;
     values_[p] -= t * a;
     values_[q] += t * a;
-    off[k] = 0;
-    const double pk = off[q], qk = off[p]; // the entries (p, k) and (q, k)
+    off[K] = 0;
+    const double pk = off[q], qk = off[p]; // the entries (p, K) and (q, K)
     off[q] = c * pk - s * qk;
     off[p] = s * pk + c * qk;
-    for (auto& row : vectors_) {
-      const double vp = row[p], vq = row[q];
-      row[p] = c * vp - s * vq;
-      row[q] = s * vp + c * vq;
-    }
+    turn(vectors_[p], vectors_[q], c, s);
     return true;
   }
 
+  static void turn(Vector_3d& p, Vector_3d& q, double c, double s) {
+    const Vector_3d old = p;
+    p = Vector_3d(c * old.x - s * q.x, c * old.y - s * q.y, c * old.z - s * q.z);
+    q = Vector_3d(s * old.x + c * q.x, s * old.y + c * q.y, s * old.z + c * q.z);
+  }
+
   std::array<double, 3> values_;
-  std::array<std::array<double, 3>, 3> vectors_ = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  std::array<Vector_3d, 3> vectors_ = {Vector_3d(1, 0, 0), Vector_3d(0, 1, 0), Vector_3d(0, 0, 1)};
 };
 
 } // namespace internal
