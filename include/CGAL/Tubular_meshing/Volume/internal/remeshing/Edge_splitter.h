@@ -15,11 +15,15 @@ namespace internal {
 
 /* What an operation has to keep to. */
 struct Operation_bounds {
-  double quality_floor;     // a cavity may become as bad as this,
-  double quality_factor;    // or as bad as this times what it was
-  double shortest, longest; // of the new edges
+  double quality_floor;               // a cavity may become as bad as this,
+  double quality_factor;              // or as bad as this times what it was;
+  double shortest, longest;           // of the new edges
+  double urgent_floor, urgent_factor; // the same where it is urgent: neither may be passed
 
-  bool allow(double before, double after) const { return after >= (std::min)(quality_floor, quality_factor * before); }
+  bool allow(double before, double after) const {
+    return after >= (std::min)(quality_floor, quality_factor * before) ||
+           (after >= urgent_floor && after >= urgent_factor * before);
+  }
 };
 
 /* Puts a vertex at the middle, in the metric, of an edge; on the surface, at the nearest point of the edge's patch or

@@ -103,7 +103,7 @@ private:
       int i, j;
       for (std::size_t k = 0; k < edges.size(); ++k)
         if (share[k] > 0 && edges[k].find(store_, i, j) &&
-            splitter_.split(edges[k].t, i, j, share[k], bounds_of_split(1))) {
+            splitter_.split(edges[k].t, i, j, share[k], bounds_of_split(1, 1))) {
           todo.insert(todo.end(), splitter_.new_tetrahedra().begin(), splitter_.new_tetrahedra().end());
           ++n;
         }
@@ -148,9 +148,12 @@ private:
     flips_.update_all(mesh_.threads);
   }
 
-  // Bad shapes may be split and collapsed as long as it does not make them much worse.
-  static Operation_bounds bounds_of_split(double size) { return {0.2, 0.8, 0.65 * size, 1e300}; }
-  static Operation_bounds bounds_of_collapse(double size) { return {0.2, 0.8, 0, sqrt_2 * size}; }
+  /* Bad shapes may be split and collapsed as long as it does not make them much worse. Where an edge is many times too
+   * long, that it goes comes first; but a bound there must be, as halves of bad shapes would be worse without end. */
+  static Operation_bounds bounds_of_split(double size, double length) {
+    return {0.2, 0.8, 0.65 * size, 1e300, 0.002, 0.8 * std::sqrt((std::min)(1., sqrt_2 * size / length))};
+  }
+  static Operation_bounds bounds_of_collapse(double size) { return {0.2, 0.8, 0, sqrt_2 * size, 1, 1}; }
 
   /* The longest edges first, those much shorter in a later round, with flips in between: splits of tetrahedra out of
    * shape would make more of them. */
@@ -168,7 +171,7 @@ private:
       for (const Listed_edge& e : edges)
         if (e.length < step * longest)
           next.push_back(e.t);
-        else if (e.find(store_, i, j) && splitter_.split(e.t, i, j, bounds_of_split(size))) {
+        else if (e.find(store_, i, j) && splitter_.split(e.t, i, j, bounds_of_split(size, e.length))) {
           next.insert(next.end(), splitter_.new_tetrahedra().begin(), splitter_.new_tetrahedra().end());
           ++n;
         }
@@ -209,7 +212,7 @@ private:
             locked[v] = 1;
     };
     const auto is_free = [&](Index v) { return v < locked.size() && !locked[v]; };
-    const Operation_bounds when_collapsing = {0.15, 0.5, 0, 1.75}, when_splitting = {0.25, 0.8, 0.6, 1e300};
+    const Operation_bounds when_collapsing = {0.15, 0.5, 0, 1.75, 1, 1}, when_splitting = {0.25, 0.8, 0.6, 1e300, 1, 1};
     std::size_t n = 0;
     int i, j;
     Edge_list edges = list_edges(mesh_, list_tetrahedra(store_), [](double l) { return l < 1; });
