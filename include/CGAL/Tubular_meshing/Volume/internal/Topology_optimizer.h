@@ -138,9 +138,12 @@ private:
       return false;
     double required = worst + worth_it;
     facets_.clear();
-    if (!ring_.closed && !surface_flip_allowed(required))
+    if (!ring_.closed && !surface_flip_improves(required))
       return false;
     if (!best_triangulation(m, required))
+      return false;
+    // asked last, as it may be dear
+    if (!ring_.closed && !guard_(ring_.a, ring_.b, ring_.link.front(), ring_.link.back(), facets_.front().label))
       return false;
     new_cells_.clear();
     collect(0, m - 1);
@@ -178,7 +181,7 @@ private:
   }
 
   // The two boundary facets of an open ring; `required` sinks where they are the worst of the cavity.
-  bool surface_flip_allowed(double& required) {
+  bool surface_flip_improves(double& required) {
     const Index a = ring_.a, b = ring_.b, c = ring_.link.front(), d = ring_.link.back();
     const Index first = ring_.tetrahedra.front(), last = ring_.tetrahedra.back();
     const std::size_t m = ring_.link.size();
@@ -190,8 +193,6 @@ private:
     const double after = (std::min)(triangle_quality_of(a, c, d), triangle_quality_of(b, c, d));
     required = (std::min)(required, before + worth_it);
     if (after < required)
-      return false;
-    if (!guard_(a, b, c, d, label))
       return false;
     facets_.push_back({{a, c, d}, label});
     facets_.push_back({{b, c, d}, label});

@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <vector>
 
 namespace CGAL {
 namespace Tubular_meshing {
@@ -153,15 +155,9 @@ private:
 
   // New edges on the surface lie close to it, in their length, or closer than v's edges did.
   bool keeps_shape(Index v, Index w, const Surface_location& at) const {
-    double before = 0;
-    for (const auto& f : cavity_.facets())
-      for (int k = 1; k < 3; ++k)
-        before = (std::max)(before, relative_deviation(v, f.v[k], {2, f.label}));
-    const double allowed = (std::max)(deviation, before);
-    for (const auto& f : cavity_.facets())
-      for (int k = 1; k < 3; ++k)
-        if (relative_deviation(w, f.v[k], {2, f.label}) > allowed)
-          return false;
+    const double any = (std::numeric_limits<double>::infinity)();
+    if (worst_deviation(w, deviation) > deviation && worst_deviation(w, any) > worst_deviation(v, any))
+      return false;
     if (at.dimension != 1)
       return true;
     const Index u = other_rim_neighbor(v, w);
@@ -183,6 +179,14 @@ private:
         if (e.v[0] == f.v[0] && e.label != f.label)
           return e.v[0];
     return Store::none;
+  }
+  // Of the edges that the cavity's facets have at u; as soon as it exceeds the bound, it is known well enough.
+  double worst_deviation(Index u, double bound) const {
+    double worst = 0;
+    for (const auto& f : cavity_.facets())
+      for (int k = 1; k < 3 && worst <= bound; ++k)
+        worst = (std::max)(worst, relative_deviation(u, f.v[k], {2, f.label}));
+    return worst;
   }
   double relative_deviation(Index u, Index x, const Surface_location& on) const {
     const Vector_3d p = mesh_.store.point(u), q = mesh_.store.point(x), middle = 0.5 * (p + q);

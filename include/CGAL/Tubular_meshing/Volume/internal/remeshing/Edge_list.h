@@ -7,8 +7,7 @@
 #include <CGAL/Tubular_meshing/Volume/internal/Tetrahedron_store.h>
 
 #include <algorithm>
-#include <cstddef>
-#include <utility>
+#include <cstdint>
 #include <vector>
 
 namespace CGAL {
@@ -49,13 +48,14 @@ Edge_list list_edges(const Mesh& mesh, const std::vector<Tetrahedron_store::Inde
           edges.push_back({float(l), t, (std::min)(v[i], v[j]), (std::max)(v[i], v[j])});
       }
   }
-  const auto ends = [](const Listed_edge& e) { return std::make_pair(e.a, e.b); };
+  const auto ends = [](const Listed_edge& e) { return (std::uint64_t(e.a) << 32) | e.b; };
   std::sort(edges.begin(), edges.end(), [&](const Listed_edge& x, const Listed_edge& y) { return ends(x) < ends(y); });
   edges.erase(std::unique(edges.begin(), edges.end(),
                           [&](const Listed_edge& x, const Listed_edge& y) { return ends(x) == ends(y); }),
               edges.end());
-  std::stable_sort(edges.begin(), edges.end(),
-                   [](const Listed_edge& x, const Listed_edge& y) { return x.length > y.length; });
+  std::sort(edges.begin(), edges.end(), [&](const Listed_edge& x, const Listed_edge& y) {
+    return x.length > y.length || (x.length == y.length && ends(x) < ends(y));
+  });
   return edges;
 }
 

@@ -121,9 +121,19 @@ public:
     stars_.for_each_movable(mesh_.threads, [this](Index v) { relocate(v); });
   }
 
+  // Brings vertices that are off the surface, where it was out of reach when they were made, onto it.
+  void pull_to_surface() {
+    stars_.for_each_movable(mesh_.threads, [this](Index v) {
+      if (mesh_.location(v).dimension < 3)
+        pull(v);
+    });
+  }
+
 private:
   static constexpr int most_attempts = 4;
   static constexpr double least_gain = 1e-4; // of the energy; less is not worth the visit
+  static constexpr double most_loss = 1.5;   // for getting onto the surface
+  static constexpr double negligible = 1e-9; // distance from the surface, in the metric
 
   void relocate(Index v) const {
     const Surface_location at = mesh_.location(v);
@@ -151,6 +161,19 @@ private:
         return;
       }
     }
+  }
+
+  void pull(Index v) const {
+    const Metric_point old = mesh_.at(v);
+    const Vector_3d p = mesh_.project(old.position, mesh_.location(v));
+    const double distance2 = old.metric.squared_length(p - old.position);
+    if (distance2 < negligible * negligible * size2_)
+      return;
+    Metric_energy here, e;
+    const Metric_point there = mesh_.at(p);
+    if (energy(v, old, false, here) && energy(v, there, false, e) && e.value < most_loss * here.value &&
+        keeps_surface(v, p) && is_valid(v, p))
+      mesh_.move(v, there);
   }
 
   Vector_3d newton(Index v, const Surface_location& at, const Metric_point& old, const Metric_energy& e) const {

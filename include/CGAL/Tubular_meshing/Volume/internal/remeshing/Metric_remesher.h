@@ -143,6 +143,8 @@ private:
 
   void relocate(int sweeps, double size) {
     Metric_relocation<Mesh> relocation(mesh_, size);
+    if (!mesh_.keep_boundary)
+      relocation.pull_to_surface();
     for (int i = 0; i < sweeps; ++i)
       relocation.sweep();
     flips_.update_all(mesh_.threads);
@@ -161,10 +163,11 @@ private:
     const double step = 0.6;
     std::size_t n = 0;
     double longest = 1e300;
-    std::vector<Index> todo = list_tetrahedra(store_), next;
+    std::vector<Index> todo = list_tetrahedra(store_), next, made;
     for (int i, j; !todo.empty(); todo.swap(next)) {
       const Edge_list edges = list_edges(mesh_, todo, [=](double l) { return l > sqrt_2 * size; });
       next.clear();
+      made.clear();
       if (edges.empty())
         break;
       longest = (std::min)(longest, double(edges.front().length));
@@ -172,11 +175,12 @@ private:
         if (e.length < step * longest)
           next.push_back(e.t);
         else if (e.find(store_, i, j) && splitter_.split(e.t, i, j, bounds_of_split(size, e.length))) {
-          next.insert(next.end(), splitter_.new_tetrahedra().begin(), splitter_.new_tetrahedra().end());
+          made.insert(made.end(), splitter_.new_tetrahedra().begin(), splitter_.new_tetrahedra().end());
           ++n;
         }
       longest *= step;
-      flips_.improve_these(next, 0.4);
+      flips_.improve_these(made, 0.4);
+      next.insert(next.end(), made.begin(), made.end());
     }
     return n;
   }
