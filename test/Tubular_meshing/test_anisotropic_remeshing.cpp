@@ -297,7 +297,7 @@ TEST(Anisotropic_remeshing, BoundaryLayer) {
 TEST(Anisotropic_remeshing, RotatingMetric) {
   const Field field = [](const Point& p) {
     const Vector_3d u = normalized(Vector_3d(p.x() + 0.3, p.y() + 0.3, 0));
-    return sizes(0.02, 0.16, 0.06, u, {-u.y, u.x, 0});
+    return sizes(0.024, 0.19, 0.07, u, {-u.y, u.x, 0});
   };
   const Mesh input = make_cube(6), m = remeshed(input, field);
   expect_valid(m, 1);

@@ -167,13 +167,22 @@ private:
     const Metric_point old = mesh_.at(v);
     const Vector_3d p = mesh_.project(old.position, mesh_.location(v));
     const double distance2 = old.metric.squared_length(p - old.position);
-    if (distance2 < negligible * negligible * size2_)
+    Metric_energy here;
+    here.size2 = size2_;
+    if (distance2 < negligible * negligible * size2_ || !energy(v, old, false, here))
       return;
-    Metric_energy here, e;
-    const Metric_point there = mesh_.at(p);
-    if (energy(v, old, false, here) && energy(v, there, false, e) && e.value < most_loss * here.value &&
-        keeps_surface(v, p) && is_valid(v, p))
-      mesh_.move(v, there);
+    // a part of the way, if all of it is too far for the elements as they are; they will give way
+    for (double share = 1; share > 0.1; share /= 2) {
+      const Vector_3d x = old.position + share * (p - old.position);
+      const Metric_point there = mesh_.at(share == 1 ? p : x);
+      Metric_energy e;
+      e.size2 = size2_;
+      if (energy(v, there, false, e) && e.value < most_loss * here.value && keeps_surface(v, there.position) &&
+          is_valid(v, there.position)) {
+        mesh_.move(v, there);
+        return;
+      }
+    }
   }
 
   Vector_3d newton(Index v, const Surface_location& at, const Metric_point& old, const Metric_energy& e) const {

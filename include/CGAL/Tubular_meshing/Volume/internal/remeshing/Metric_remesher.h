@@ -77,6 +77,7 @@ public:
     }
     for (int round = 0; round < 3; ++round) {
       relocate(2, 1);
+      observe(*this, "repair", repair_below(0.25));
       observe(*this, "finish", flips_.improve_below(0.8));
     }
   }
@@ -206,7 +207,7 @@ private:
    * are too small all around, vertices are taken out; where they are too large, put in; no two next to each other in
    * one pass, as relocation is to spread what each of them changes. */
   std::size_t balance() {
-    const double dense = 0.86, sparse = 1.04;
+    const double dense = 0.9, sparse = 1.08;
     const std::vector<float> volume = local_volumes(mesh_);
     std::vector<char> locked(volume.size(), 0);
     const auto lock = [&](const Store::Index_list& tetrahedra) {
@@ -232,6 +233,24 @@ private:
           splitter_.split(e.t, i, j, when_splitting)) {
         lock(splitter_.new_tetrahedra());
         ++n;
+      }
+    return n;
+  }
+
+  /* The worst tetrahedra, from which neither flips nor relocation have found a way out: an edge of them is collapsed or
+   * split, short or long, if that makes the worst quality of the cavity better. */
+  std::size_t repair_below(double quality) {
+    const Operation_bounds better = {1, 1.1, 0.4, 2, 1, 1};
+    std::vector<Index> worst;
+    for (Index t = 0; t < store_.number_of_slots(); ++t)
+      if (store_.is_alive(t) && flips_.quality(t) < quality)
+        worst.push_back(t);
+    std::size_t n = 0;
+    for (Index t : worst)
+      for (int e = 0; e < 6 && store_.is_alive(t) && flips_.quality(t) < quality; ++e) {
+        const int i = e < 3 ? 0 : e < 5 ? 1 : 2, j = e < 3 ? e + 1 : e < 5 ? e - 1 : 3;
+        if (collapser_.collapse(t, i, j, better) || splitter_.split(t, i, j, better))
+          ++n;
       }
     return n;
   }
