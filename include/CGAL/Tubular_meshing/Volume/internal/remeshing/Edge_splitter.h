@@ -47,9 +47,9 @@ public:
     const Vector_3d a = mesh_.store.point(ring_.a), b = mesh_.store.point(ring_.b), middle = a + s * (b - a);
     const Vector_3d on_surface = mesh_.project(middle, location_);
     // where the surface is out of reach for the elements as they are, the edge itself will do
-    if (try_at(on_surface, bounds))
+    if (try_at(on_surface, true, bounds))
       return true;
-    return location_.dimension < 3 && try_at(middle, bounds);
+    return location_.dimension < 3 && try_at(middle, false, bounds);
   }
   // At the middle of the length that the metrics at its ends give it.
   bool split(Index t, int i, int j, const Operation_bounds& bounds) {
@@ -70,7 +70,7 @@ private:
     return (std::min)((std::max)(s, 0.1), 0.9);
   }
 
-  bool try_at(const Vector_3d& p, const Operation_bounds& bounds) {
+  bool try_at(const Vector_3d& p, bool on_surface, const Operation_bounds& bounds) {
     cavity_.begin(mesh_.at(p), Store::none);
     for (Index t : ring_.tetrahedra) {
       cavity_.add_tetrahedron(t, flips_.quality(t));
@@ -85,7 +85,7 @@ private:
     const auto lengths = cavity_.new_lengths([](Index) { return true; });
     if (lengths[0] < bounds.shortest || lengths[1] > bounds.longest)
       return false;
-    const Index v = mesh_.add_vertex(cavity_.kernel(), location_);
+    const Index v = mesh_.add_vertex(cavity_.kernel(), location_, on_surface);
     for (auto& f : cavity_.facets())
       std::replace(f.v.begin(), f.v.end(), Store::none, v);
     cavity_.commit(v, come_);

@@ -61,6 +61,7 @@ public:
         if (store.is_used(Index(v)))
           metric_[v] = at(store.point(Index(v))).metric;
     });
+    on_surface_.assign(metric_.size(), 0);
     Metric_limits::check_number_of_tetrahedra(number_of_unit_tetrahedra());
     location_ = locations.of_vertices(store, [&](Index v) { return projection.is_fixed(store.point(v), 1); });
     if (keep_boundary)
@@ -84,19 +85,25 @@ public:
     return result;
   }
 
-  Index add_vertex(const Metric_point& p, const Surface_location& l) {
+  // Whether a vertex with a location on the surface is known to lie there.
+  bool is_on_surface(Index v) const { return on_surface_[v] != 0; }
+
+  Index add_vertex(const Metric_point& p, const Surface_location& l, bool on_surface) {
     const Index v = store.add_vertex(p.position);
     if (v == metric_.size()) {
       metric_.push_back(p.metric);
       location_.push_back(l);
+      on_surface_.push_back(0);
     }
     metric_[v] = p.metric;
     location_[v] = l;
+    on_surface_[v] = on_surface;
     return v;
   }
-  void move(Index v, const Metric_point& p) {
+  void move(Index v, const Metric_point& p, bool on_surface) {
     store.move(v, p.position);
     metric_[v] = p.metric;
+    on_surface_[v] = on_surface;
   }
 
   // The nearest point of the surface at a location.
@@ -138,12 +145,15 @@ public:
                        CGAL::Spatial_sort_traits_adapter_3<Kernel, Map>(CGAL::make_property_map(points)));
     std::vector<Metric_tensor_3> metric;
     std::vector<Surface_location> location;
+    std::vector<char> on_surface;
     for (std::size_t v : order) {
       metric.push_back(metric_[v]);
       location.push_back(location_[v]);
+      on_surface.push_back(on_surface_[v]);
     }
     metric_.swap(metric);
     location_.swap(location);
+    on_surface_.swap(on_surface);
     store.renumber(std::vector<Index>(order.begin(), order.end()));
   }
 
@@ -171,6 +181,7 @@ private:
   Metric_limits limits_;
   std::vector<Metric_tensor_3> metric_;
   std::vector<Surface_location> location_;
+  std::vector<char> on_surface_; // written by several threads, for vertices of their own
 };
 
 } // namespace internal

@@ -124,7 +124,7 @@ public:
   // Brings vertices that are off the surface, where it was out of reach when they were made, onto it.
   void pull_to_surface() {
     stars_.for_each_movable(mesh_.threads, [this](Index v) {
-      if (mesh_.location(v).dimension < 3)
+      if (mesh_.location(v).dimension < 3 && !mesh_.is_on_surface(v))
         pull(v);
     });
   }
@@ -157,7 +157,7 @@ private:
       Metric_energy e;
       e.size2 = size2_;
       if (energy(v, there, false, e) && e.value < here.value && keeps_surface(v, p) && is_valid(v, p)) {
-        mesh_.move(v, there);
+        mesh_.move(v, there, true);
         return;
       }
     }
@@ -169,7 +169,9 @@ private:
     const double distance2 = old.metric.squared_length(p - old.position);
     Metric_energy here;
     here.size2 = size2_;
-    if (distance2 < negligible * negligible * size2_ || !energy(v, old, false, here))
+    if (distance2 < negligible * negligible * size2_)
+      return mesh_.move(v, old, true);
+    if (!energy(v, old, false, here))
       return;
     // a part of the way, if all of it is too far for the elements as they are; they will give way
     for (double share = 1; share > 0.1; share /= 2) {
@@ -179,7 +181,7 @@ private:
       e.size2 = size2_;
       if (energy(v, there, false, e) && e.value < most_loss * here.value && keeps_surface(v, there.position) &&
           is_valid(v, there.position)) {
-        mesh_.move(v, there);
+        mesh_.move(v, there, share == 1);
         return;
       }
     }

@@ -1,0 +1,188 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Remeshing of a cube to an anisotropic metric that turns from place to place, from ten thousand to two million
+// tetrahedra; and the same job through mmg3d_O3, where it is on the PATH. Counters: tetrahedra in the result and a
+// second, their mean and largest Q, and the efficiency index.
+
+#include <CGAL/Tubular_meshing/IO/read_mesh.h>
+#include <CGAL/Tubular_meshing/IO/write_mesh.h>
+#include <CGAL/Tubular_meshing/Mixed_mesh.h>
+#include <CGAL/Tubular_meshing/Quality/quality_report.h>
+#include <CGAL/Tubular_meshing/Volume/anisotropic_tetrahedral_remeshing.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <string>
+#include <vector>
+
+namespace {
+
+typedef CGAL::Exact_predicates_inexact_constructions_kernel::Point_3 Point;
+typedef CGAL::Tubular_meshing::Mixed_mesh<Point> Mesh;
+typedef CGAL::Tubular_meshing::Metric_tensor_3 Metric;
+namespace tubular = CGAL::Tubular_meshing;
+using tubular::internal::Tetrahedron_store;
+using tubular::internal::Vector_3d;
+
+// The unit cube as n³ cubes of six tetrahedra; the sides are labelled 1 to 6.
+Mesh make_cube(int n) {
+  Mesh m;
+  const auto at = [n](int i, int j, int k) { return std::uint32_t((i * (n + 1) + j) * (n + 1) + k); };
+  for (int i = 0; i <= n; ++i)
+    for (int j = 0; j <= n; ++j)
+      for (int k = 0; k <= n; ++k)
+        m.points.push_back(Point(double(i) / n, double(j) / n, double(k) / n));
+  const int orders[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j)
+      for (int k = 0; k < n; ++k)
+        for (int o = 0; o < 6; ++o) {
+          std::array<int, 3> corner = {i, j, k};
+          std::array<std::uint32_t, 4> t = {at(i, j, k), 0, 0, 0};
+          for (int s = 0; s < 3; ++s) {
+            ++corner[orders[o][s]];
+            t[s + 1] = at(corner[0], corner[1], corner[2]);
+          }
+          if (o >= 3)
+            std::swap(t[2], t[3]);
+          m.tetrahedra.push_back(t, 1);
+        }
+  for (const auto& t : m.tetrahedra.vertices)
+    for (int f = 0; f < 4; ++f) {
+      const auto& c = Tetrahedron_store::facet_corners(f);
+      for (int axis = 0; axis < 3; ++axis)
+        for (int end = 0; end < 2; ++end)
+          if (std::all_of(c.begin(), c.end(), [&](int v) { return m.points[t[v]][axis] == end; }))
+            m.triangles.push_back({t[c[0]], t[c[1]], t[c[2]]}, 1 + 2 * axis + end);
+    }
+  return m;
+}
+
+// Sizes h, 8 h and 3 h, along circles around an axis outside of the cube.
+struct Turning_metric {
+  double h;
+  Metric operator()(const Point& p) const {
+    const Vector_3d u = normalized(Vector_3d(p.x() + 0.3, p.y() + 0.3, 0));
+    return Metric::from_sizes(std::array<double, 3>{h, 8 * h, 3 * h},
+                              std::array<Vector_3d, 3>{u, Vector_3d(-u.y, u.x, 0), Vector_3d(0, 0, 1)});
+  }
+};
+Turning_metric metric_for(double tetrahedra) {
+  return {std::cbrt(1.1 * 6 * std::sqrt(2.) / (24 * tetrahedra))}; // 1.1 √2/12 of the metric's volume for each
+}
+
+void report(benchmark::State& state, const Mesh& mesh, double seconds) {
+  const auto q = tubular::quality_report(mesh);
+  state.counters["tetrahedra"] = double(mesh.tetrahedra.size());
+  state.counters["per_second"] = double(mesh.tetrahedra.size()) / seconds;
+  state.counters["mean_Q"] = q.Q_tau.mean();
+  state.counters["max_Q"] = q.Q_tau.max();
+  state.counters["efficiency"] = q.efficiency;
+}
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+void remesh(benchmark::State& state) {
+  const Mesh cube = make_cube(8);
+  const Turning_metric metric = metric_for(double(state.range(0)));
+  Mesh mesh;
+  double seconds = 0;
+  for (auto _ : state) {
+    mesh = cube;
+    const auto start = std::chrono::steady_clock::now();
+    tubular::anisotropic_tetrahedral_remeshing(mesh, metric,
+                                               tubular::parameters::number_of_threads(int(state.range(1))));
+    seconds += seconds_since(start);
+  }
+  report(state, mesh, seconds / double(state.iterations()));
+}
+
+// Medit's tensors, xx xy yy xz yz zz, at the points.
+void write_sol(const std::string& file, const Mesh& mesh, const Turning_metric& metric) {
+  std::ofstream out(file);
+  out.precision(17);
+  out << "MeshVersionFormatted 2\nDimension 3\nSolAtVertices\n" << mesh.points.size() << "\n1 3\n";
+  for (const Point& p : mesh.points) {
+    const Metric m = metric(p);
+    out << m.xx << " " << m.xy << " " << m.yy << " " << m.xz << " " << m.yz << " " << m.zz << "\n";
+  }
+  out << "End\n";
+}
+
+/* mmg3d_O3 interpolates the metric from the input's points: these must be close enough to carry it. The result is
+ * measured by the field itself. */
+void remesh_with_mmg(benchmark::State& state) {
+  if (std::system("command -v mmg3d_O3 > /dev/null 2>&1") != 0) {
+    state.SkipWithError("mmg3d_O3 is not on the PATH");
+    return;
+  }
+  const Mesh cube = make_cube(16);
+  const Turning_metric metric = metric_for(double(state.range(0)));
+  const char* folder = std::getenv("TMPDIR");
+  const std::string name = std::string(folder != nullptr ? folder : "/tmp") + "/benchmark_remeshing";
+  tubular::IO::write_mesh(name + ".mesh", cube);
+  write_sol(name + ".sol", cube, metric);
+  double seconds = 0;
+  for (auto _ : state) {
+    const auto start = std::chrono::steady_clock::now();
+    if (std::system(("mmg3d_O3 -v 0 -nr -hgrad -1 -in " + name + ".mesh -sol " + name + ".sol -out " + name + ".o.mesh")
+                        .c_str()) != 0) {
+      state.SkipWithError("mmg3d_O3 failed");
+      return;
+    }
+    seconds += seconds_since(start);
+  }
+  Mesh mesh;
+  tubular::IO::read_mesh(name + ".o.mesh", mesh);
+  tubular::Point_array array{"metric", 6, {}};
+  for (const Point& p : mesh.points)
+    for (double component : metric(p).components())
+      array.values.push_back(component);
+  mesh.point_arrays.assign(1, array);
+  report(state, mesh, seconds / double(state.iterations()));
+  for (const char* extension : {".mesh", ".sol", ".o.mesh", ".o.sol"})
+    std::remove((name + extension).c_str());
+}
+
+// What it costs when nothing is to be done.
+void remesh_again(benchmark::State& state) {
+  const Turning_metric metric = metric_for(double(state.range(0)));
+  Mesh once = make_cube(8), mesh;
+  tubular::anisotropic_tetrahedral_remeshing(once, metric);
+  for (auto _ : state) {
+    mesh = once;
+    tubular::anisotropic_tetrahedral_remeshing(mesh, metric);
+  }
+  state.counters["tetrahedra_before"] = double(once.tetrahedra.size());
+  state.counters["tetrahedra"] = double(mesh.tetrahedra.size());
+}
+
+BENCHMARK(remesh)
+    ->ArgNames({"tetrahedra", "threads"})
+    ->ArgsProduct({{10000, 30000, 100000, 300000, 1000000, 2000000}, {1, 0}})
+    ->Unit(benchmark::kMillisecond)
+    ->Iterations(1)
+    ->UseRealTime();
+BENCHMARK(remesh_again)->Arg(100000)->Unit(benchmark::kMillisecond)->Iterations(1)->UseRealTime();
+BENCHMARK(remesh_with_mmg)
+    ->Arg(10000)
+    ->Arg(100000)
+    ->Arg(300000)
+    ->Unit(benchmark::kMillisecond)
+    ->Iterations(1)
+    ->UseRealTime();
+
+} // namespace
