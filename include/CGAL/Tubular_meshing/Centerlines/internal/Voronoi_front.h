@@ -66,16 +66,21 @@ public:
   double time(Index v) const { return time_[v]; }
   Index rank(Index v) const { return rank_[v]; }
 
-  /* The path of steepest descent from a vertex to the source. It always gets there: should there be no end of small
-   * steps, from vertex to vertex. */
+  /* The path of steepest descent from a vertex to the source. It always gets there: among vertices that all but
+   * coincide, as on surfaces with symmetries, small steps may go round in circles. When they have reached no vertex
+   * earlier than those before for a while, it goes on from vertex to vertex, each earlier than the last. */
   Sampled_line path_from(Index target) const {
+    const int most_steps = 64; // for nothing
     Sampled_line path;
     Place place = at_vertex(target);
-    const std::size_t most_across = diagram_.points.size();
     path.push_back(Line_point{place.point, place.radius});
-    while (place.a != place.b || rank_[place.a] != 0) {
-      place = path.size() < most_across ? snapped(place, step_down(place)) : at_vertex(earliest_beside(place));
+    Index earliest = rank_[target];
+    for (int steps = 0; place.a != place.b || rank_[place.a] != 0;) {
+      place = steps < most_steps ? snapped(place, step_down(place)) : at_vertex(earliest_beside(place));
       path.push_back(Line_point{place.point, place.radius});
+      const Index now = (std::min)(rank_[place.a], rank_[place.b]);
+      steps = now < earliest ? 0 : steps + 1;
+      earliest = (std::min)(earliest, now);
     }
     return path;
   }
