@@ -6,14 +6,22 @@
 #include <CGAL/Tubular_meshing/Centerlines/Centerline_field.h>
 #include <CGAL/Tubular_meshing/Centerlines/Wall_distance.h>
 #include <CGAL/Tubular_meshing/Centerlines/build_centerline_graph.h>
+#include <CGAL/Tubular_meshing/Fields/Centerline_metric_field.h>
 #include <CGAL/Tubular_meshing/Fields/Centerline_sizing_field.h>
+#include <CGAL/Tubular_meshing/Fields/Metric_tensor_3.h>
+#include <CGAL/Tubular_meshing/Fields/curvature.h>
+#include <CGAL/Tubular_meshing/internal/parallel.h>
+#include <CGAL/Tubular_meshing/labels.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/property_map.h>
 
 #include <benchmark/benchmark.h>
 
 #include <cmath>
+#include <cstddef>
+#include <functional>
 #include <random>
 #include <vector>
 
@@ -26,6 +34,8 @@ typedef CGAL::Tubular_meshing::Centerline_polylines<Point> Polylines;
 typedef CGAL::Tubular_meshing::Centerline_graph<Point> Graph;
 typedef CGAL::Tubular_meshing::Centerline_field<Point> Field;
 typedef CGAL::Tubular_meshing::Centerline_sizing_field<Point> Sizing_field;
+typedef CGAL::Tubular_meshing::Centerline_metric_field<Point> Metric_field;
+typedef CGAL::Tubular_meshing::Metric_tensor_3 Metric;
 
 // A tree of branches that halve at each generation, 128 segments a branch, as the lines of single branches.
 Polylines tree_of(std::size_t number_of_segments) {
@@ -149,8 +159,8 @@ struct Long_tube {
     };
     for (std::size_t i = 0; i < rings; ++i)
       for (std::size_t k = 0; k < sides; ++k) {
-        surface.add_face(at(i, k), at(i, k + 1), at(i + 1, k));
-        surface.add_face(at(i + 1, k), at(i, k + 1), at(i + 1, k + 1));
+        surface.add_face(at(i, k), at(i + 1, k), at(i, k + 1)); // turned outward
+        surface.add_face(at(i + 1, k), at(i + 1, k + 1), at(i, k + 1));
       }
     std::vector<double> radii(points.size(), 1);
     graph = Graph(std::move(points), std::move(radii), {line});
@@ -179,6 +189,90 @@ void query_size(benchmark::State& state) {
   state.SetComplexityN(state.range(0));
 }
 
+void build_curvatures(benchmark::State& state) {
+  const Long_tube tube(state.range(0));
+  typedef CGAL::Tubular_meshing::Vertex_curvature<Vector> Curvature;
+  std::vector<Curvature> curvatures(tube.surface.number_of_vertices());
+  const std::function<double(const Point&)> radius = [](const Point&) { return 1.; };
+  for (auto _ : state) {
+    CGAL::Tubular_meshing::compute_curvatures(tube.surface, CGAL::make_property_map(curvatures),
+                                              CGAL::Tubular_meshing::parameters::local_radius(radius));
+    benchmark::DoNotOptimize(curvatures.data());
+  }
+  state.SetComplexityN(state.range(0));
+}
+
+Metric_field metric_field_of(const Long_tube& tube, int threads) {
+  namespace tubular = CGAL::Tubular_meshing;
+  const CGAL::Constant_property_map<CGAL::SM_Face_index, int> all_wall(tubular::labels::wall);
+  return Metric_field(tube.surface, all_wall, tube.graph, tubular::parameters::number_of_threads(threads));
+}
+
+void build_metric_field(benchmark::State& state) {
+  const Long_tube tube(state.range(0));
+  for (auto _ : state)
+    benchmark::DoNotOptimize(metric_field_of(tube, 0).number_of_leaves());
+  state.SetComplexityN(state.range(0));
+}
+
+// 10^6 queries on a tube of 10^5 triangles, on one thread and on as many as there are; half of them within the layer.
+void query_metric(benchmark::State& state) {
+  const Long_tube tube(100000);
+  const Metric_field metric = metric_field_of(tube, 0);
+  std::vector<Point> points = queries(tube.graph, 1000000, true);
+  const int threads = int(state.range(0));
+  std::vector<Metric> result(points.size());
+  for (auto _ : state)
+    CGAL::Tubular_meshing::internal::for_each_range(points.size(), threads, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i)
+        result[i] = metric(points[i]);
+    });
+  benchmark::DoNotOptimize(result.data());
+  state.SetItemsProcessed(state.iterations() * points.size());
+}
+
+// What loops over a mesh do with tensors.
+template <class Function> void query_tensors(benchmark::State& state, const Function& function) {
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> size(-2, 0);
+  std::normal_distribution<double> normal(0, 1);
+  std::vector<Metric> metrics;
+  for (int i = 0; i < 1000; ++i) {
+    Metric m(0, 0, 0, 0, 0, 0);
+    for (int k = 0; k < 3; ++k)
+      m += std::pow(10., -2 * size(random)) * Metric::dyad(Vector(normal(random), normal(random), normal(random)));
+    metrics.push_back(m);
+  }
+  for (auto _ : state)
+    for (std::size_t i = 0; i + 1 < metrics.size(); ++i)
+      benchmark::DoNotOptimize(function(metrics[i], metrics[i + 1]));
+  state.SetItemsProcessed(state.iterations() * (metrics.size() - 1));
+}
+void tensor_edge_length(benchmark::State& state) {
+  query_tensors(state,
+                [](const Metric& a, const Metric& b) { return Metric::edge_length(Metric::Vector(.1, .2, .3), a, b); });
+}
+void tensor_interpolation(benchmark::State& state) {
+  query_tensors(state, [](const Metric& a, const Metric& b) { return Metric::interpolate(a, b, 0.3); });
+}
+void tensor_intersection(benchmark::State& state) {
+  query_tensors(state, [](const Metric& a, const Metric& b) { return Metric::intersection(a, b); });
+}
+
+BENCHMARK(tensor_edge_length);
+BENCHMARK(tensor_interpolation);
+BENCHMARK(tensor_intersection);
+BENCHMARK(build_curvatures)
+    ->RangeMultiplier(10)
+    ->Range(1000, 1000000)
+    ->Unit(benchmark::kMillisecond)
+    ->Complexity(benchmark::oN);
+BENCHMARK(build_metric_field)
+    ->RangeMultiplier(10)
+    ->Range(1000, 100000)
+    ->Unit(benchmark::kMillisecond)
+    ->Complexity(benchmark::oNLogN);
+BENCHMARK(query_metric)->ArgName("threads")->Arg(1)->Arg(0)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(build_sizing_field)
     ->RangeMultiplier(10)
     ->Range(1000, 1000000)

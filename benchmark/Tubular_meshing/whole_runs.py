@@ -212,16 +212,25 @@ def dig(tree, *keys):
     return tree
 
 
+def own_row(case, name, options, directory, extra):
+    mesh_file, report_file = directory / f"{name}.mesh", directory / f"{name}.json"
+    command = [options.tool, case.surface, "-c", case.centerlines, "-o", mesh_file.name, "-n", case.n,
+               "--report", report_file.name, *extra]
+    run = Run(command, directory, options.limit)
+    report = json.loads(report_file.read_text()) if report_file.exists() else {}
+    own = row(case.name, "tubular_mesh" if name == "own" else name, run, mesh_file, dig(report, "times"), n=case.n)
+    own["memory"] = dig(report, "peak_memory_bytes") or own["memory"]
+    return own, mesh_file
+
+
+def run_parametric(case, _, options, directory):
+    """The same program with its parametric surface mesher, and TetGen where it is built in."""
+    return own_row(case, "parametric", options, directory, ["--surface-mesher", "parametric"])[0]
+
+
 def run_tubular_mesh(case, options, directory):
     """Its row, and what the other programs need: closed surface, mesh, sizes; None if it failed."""
-    command = [options.tool, case.surface, "-c", case.centerlines, "-o", "own.mesh", "-n", case.n,
-               "--report", "own.json", "--write-surface", "closed.off"]
-    run = Run(command, directory, options.limit)
-    mesh_file = directory / "own.mesh"
-    report_file = directory / "own.json"
-    report = json.loads(report_file.read_text()) if report_file.exists() else {}
-    own = row(case.name, "tubular_mesh", run, mesh_file, dig(report, "times"), n=case.n)
-    own["memory"] = dig(report, "peak_memory_bytes") or own["memory"]
+    own, mesh_file = own_row(case, "own", options, directory, ["--write-surface", "closed.off"])
     if "failure" in own or not (directory / "closed.off").exists():
         return own, None
     points, tetrahedra = read_medit(mesh_file)
@@ -369,8 +378,9 @@ def run_all(options, work):
     if options.shared_data.is_dir():
         cases += files_with_centerlines(options.shared_data / "paper", options.n)
     cases += generated(options, work)
-    others = [] if options.own else [(name, run) for name, run in (("gmsh", run_gmsh), ("tetgen", run_tetgen))
-                                     if shutil.which(name)]
+    others = [("parametric", run_parametric)]
+    if not options.own:
+        others += [(name, run) for name, run in (("gmsh", run_gmsh), ("tetgen", run_tetgen)) if shutil.which(name)]
     for case in cases:
         if options.only and not any(name in case.name for name in options.only):
             continue

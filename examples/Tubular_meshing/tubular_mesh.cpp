@@ -33,11 +33,14 @@ void check_mesher(const Options& o) {
                                    "--surface-mesher parametric.");
   if (o.makes_surface_only() && !o.volume_mesher.empty())
     throw tubular::Parameter_error("--volume-mesher has nothing to do in a mesh of type surface.");
-  if (o.volume_mesher == "tetgen" && !o.meshes_patches())
-    throw tubular::Parameter_error("--volume-mesher tetgen keeps the surface mesh that --surface-mesher parametric "
-                                   "makes: give that as well.");
-  if (o.volume_mesher == "tetgen" && !why_no_tetgen().empty())
-    throw tubular::Parameter_error(why_no_tetgen());
+  const bool keeps_surface = o.volume_mesher == "tetgen" || o.volume_mesher == "ccdt";
+  if (keeps_surface && !o.meshes_patches())
+    throw tubular::Parameter_error(
+        "--volume-mesher " + o.volume_mesher +
+        " keeps the surface mesh that --surface-mesher parametric makes: give that as well.");
+  const std::string why_not = why_not_filled_by(o.volume_mesher);
+  if (!why_not.empty())
+    throw tubular::Parameter_error(why_not);
 }
 
 void check_output(const Options& o) {

@@ -10,6 +10,7 @@
 #include <CGAL/Tubular_meshing/Quality/validity_report.h>
 #include <CGAL/Tubular_meshing/Surface/Remeshed_surface.h>
 #include <CGAL/Tubular_meshing/Tubular_model.h>
+#include <CGAL/Tubular_meshing/Volume/fill_with_ccdt.h>
 #include <CGAL/Tubular_meshing/Volume/fill_with_mesh_3.h>
 #include <CGAL/Tubular_meshing/Volume/fill_with_tetgen.h>
 #include <CGAL/Tubular_meshing/Volume/optimize_tetrahedra.h>
@@ -66,8 +67,15 @@ inline void check_differences(const std::string& differences, const char* advice
  * What fills a surface mesh with tetrahedra. */
 enum class Volume_mesher {
   mesh_3, ///< CGAL's Mesh_3, which meshes the surface anew
-  tetgen  ///< TetGen, which keeps it
+  tetgen, ///< TetGen, which keeps it: see has_tetgen()
+  ccdt    ///< CGAL's constrained triangulations in space, which keep it: see has_ccdt()
 };
+
+/*! \ingroup PkgTubularMeshingRef
+ * One that keeps the surface mesh, if this program has it. */
+constexpr Volume_mesher default_volume_mesher() {
+  return has_tetgen() ? Volume_mesher::tetgen : has_ccdt() ? Volume_mesher::ccdt : Volume_mesher::mesh_3;
+}
 
 /*! \ingroup PkgTubularMeshingRef
  *
@@ -131,15 +139,15 @@ Mixed_mesh<Point_3> make_isotropic_mesh(const Tubular_model<Point_3>& model,
  * the paper's own road to a mesh of isotropic tetrahedra: the surface is meshed patch by patch in the parametric plane,
  * see make_isotropic_surface_mesh(), and filled.
  *
- * TetGen keeps the surface mesh facet for facet: the mesh's first points are its vertices, its triangles its faces, in
- * their order. Mesh_3 meshes it anew.
+ * TetGen and CGAL's constrained triangulations keep the surface mesh facet for facet: the mesh's first points are its
+ * vertices, its triangles its faces, in their order. Mesh_3 meshes it anew.
  *
  * \param surface gets the surface mesh
  * \param np takes the named parameters of make_isotropic_surface_mesh() as well as
  *
  * \cgalNamedParamsBegin
- *   \cgalParamNBegin{volume_mesher} \cgalParamDescription{`Volume_mesher::tetgen` or `Volume_mesher::mesh_3`}
- *     \cgalParamDefault{TetGen, if this program is linked with it, see has_tetgen()} \cgalParamNEnd
+ *   \cgalParamNBegin{volume_mesher} \cgalParamDescription{a `Volume_mesher`}
+ *     \cgalParamDefault{default_volume_mesher()} \cgalParamNEnd
  *   \cgalParamNBegin{optimization_passes} \cgalParamDescription{see optimize_tetrahedra()} \cgalParamNEnd
  *   \cgalParamNBegin{facet_distance} \cgalParamDescription{see fill_with_mesh_3()} \cgalParamNEnd
  * \cgalNamedParamsEnd
@@ -152,8 +160,7 @@ Mixed_mesh<Point_3> make_isotropic_mesh(const Tubular_model<Point_3>& model, Rem
                                         const NamedParameters& np = CGAL::parameters::default_values()) {
   typedef Named_parameters<bool, internal_np::keep_boundary_t, NamedParameters> With_boundary;
   const auto observer = internal::stage_observer(np);
-  const Volume_mesher mesher =
-      internal::choose(np, internal_np::volume_mesher, has_tetgen() ? Volume_mesher::tetgen : Volume_mesher::mesh_3);
+  const Volume_mesher mesher = internal::choose(np, internal_np::volume_mesher, default_volume_mesher());
 
   observer("size field");
   internal::Model_in_its_frame<Point_3> framed(model);
@@ -164,11 +171,13 @@ Mixed_mesh<Point_3> make_isotropic_mesh(const Tubular_model<Point_3>& model, Rem
   Mixed_mesh<Point_3> mesh;
   if (mesher == Volume_mesher::tetgen)
     fill_with_tetgen(surface.surface, surface.patch, size, mesh, np);
+  else if (mesher == Volume_mesher::ccdt)
+    fill_with_ccdt(surface.surface, surface.patch, size, mesh, np);
   else
     fill_with_mesh_3(surface.surface, surface.patch, internal::Scaled_field<Centerline_sizing_field<Point_3>>{&size, 1},
                      mesh, np);
   observer("optimization");
-  optimize_tetrahedra(mesh, framed.surface(), framed.patch(), With_boundary(mesher == Volume_mesher::tetgen, np));
+  optimize_tetrahedra(mesh, framed.surface(), framed.patch(), With_boundary(mesher != Volume_mesher::mesh_3, np));
   observer("check");
   internal::check_differences(internal::differences(mesh, model),
                               "the mesh size may be too coarse for the surface; try a finer one.");

@@ -68,8 +68,9 @@ Patch_map no_patch(Surface& surface) {
   return surface.add_property_map<Surface::Face_index, int>("f:patch", tubular::labels::wall).first;
 }
 
-/* A tube of radius 1 along z with triangles that are nearly equilateral: rows of an even number of sides, each turned
- * by half a side, and caps of concentric circles. Patches 1 (wall), 2 (z = 0) and 3 (top). */
+/* A tube of radius 1 along z, bent and not quite round, for a symmetric one has points on a common sphere everywhere,
+ * where rounding decides how they are connected; with triangles that are nearly equilateral: rows of an even number of
+ * sides, each turned by half a side, and flat caps of concentric circles. Patches 1 (wall), 2 (z = 0) and 3 (top). */
 struct Labelled_tube {
   Surface surface;
   Patch_map patch;
@@ -79,7 +80,9 @@ struct Labelled_tube {
     const int rows = int(std::lround(length / (side * std::sqrt(0.75))));
     std::vector<std::vector<Surface::Vertex_index>> ring(rows + 1);
     const auto add = [&](double x, double y, double z) {
-      return surface.add_vertex(Point(origin.x() + scale * x, origin.y() + scale * y, origin.z() + scale * z));
+      const double bent_x = 1.07 * x + 0.06 * y + 0.03 * z * z, bent_y = y + 0.1 * std::sin(z + x);
+      return surface.add_vertex(
+          Point(origin.x() + scale * bent_x, origin.y() + scale * bent_y, origin.z() + scale * z));
     };
     for (int k = 0; k <= rows; ++k)
       for (int i = 0; i < sides; ++i) {
@@ -402,23 +405,24 @@ TEST(Child_process, PrintsNothing) {
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }
 
-template <class Mesher>
-std::string sentence_of(const Mesher& mesher, const tubular::internal::Filling_limits& limits = {60}) {
+using tubular::internal::Boundary_arrays;
+using tubular::internal::Recovered_boundary;
+
+template <class Recovery> std::string sentence_of(const Recovery& recover) {
   const Labelled_tube tube(12, 2);
   Mesh mesh;
   try {
-    tubular::internal::fill_in_child_process(tube.surface, tube.patch, constant_size(0.5), limits, mesher, mesh);
+    tubular::internal::fill_keeping_boundary(tube.surface, tube.patch, constant_size(0.5), recover, "Some mesher", {60},
+                                             mesh);
   } catch (const tubular::Meshing_error& e) {
     return e.what();
   }
   return "";
 }
-using tubular::internal::Boundary_arrays;
-using tubular::internal::Filling_arrays;
 
-TEST(Fill_in_child_process, ExplainsWhateverHappens) {
+TEST(Fill_keeping_boundary, ExplainsWhateverHappens) {
   const auto ends_by = [](int code, int signal) {
-    return sentence_of([=](const Boundary_arrays&, const auto&, std::size_t, Filling_arrays&) {
+    return sentence_of([=](const Boundary_arrays&, Recovered_boundary&) {
       if (signal != 0)
         std::raise(signal);
       return code;
@@ -434,32 +438,54 @@ TEST(Fill_in_child_process, ExplainsWhateverHappens) {
                                                                      {ends_by(10, 0), "input"},
                                                                      {ends_by(77, 0), "code 77"}};
   for (const auto& e : expected) {
+    EXPECT_EQ(e.first.find("Some mesher could not"), 0u) << e.first;
     EXPECT_NE(e.first.find(e.second), std::string::npos) << e.first;
     EXPECT_NE(e.first.find("fill_with_mesh_3()"), std::string::npos) << e.first;
   }
 }
 
-TEST(Fill_in_child_process, RefusesAFillingThatDoesNotKeepTheSurface) {
-  const std::string sentence =
-      sentence_of([](const Boundary_arrays&, const auto&, std::size_t, Filling_arrays& filling) {
-        filling.tetrahedra.push_back({0, 1, 12, 13});
-        return 0;
-      });
-  EXPECT_NE(sentence.find("could not keep this surface"), std::string::npos) << sentence;
+TEST(Fill_keeping_boundary, RefusesAFillingThatDoesNotKeepTheSurface) {
+  const std::string sentence = sentence_of([](const Boundary_arrays&, Recovered_boundary& recovered) {
+    recovered.tetrahedra.push_back({0, 1, 12, 13});
+    return 0;
+  });
+  EXPECT_NE(sentence.find("Some mesher could not keep this surface"), std::string::npos) << sentence;
 }
 
-// With as many points as memory would hold, a mesher has stopped before it was done.
-TEST(Fill_in_child_process, RefusesAFillingThatMemoryCutShort) {
-  const auto adds = [](std::size_t points) {
-    return sentence_of(
-        [points](const Boundary_arrays&, const auto&, std::size_t, Filling_arrays& filling) {
-          filling.inner_points.assign(points, {0, 0, 0});
-          return 0;
-        },
-        {60, 10});
-  };
-  EXPECT_NE(adds(10).find("not enough memory"), std::string::npos) << adds(10);
-  EXPECT_EQ(adds(9).find("not enough memory"), std::string::npos) << adds(9);
+// A cube as a fan of tetrahedra around its middle.
+Mesh fan_in_a_cube(double side) {
+  Mesh m;
+  for (int i = 0; i < 8; ++i)
+    m.points.push_back(Point(side * (i & 1), side * ((i >> 1) & 1), side * (i >> 2)));
+  m.points.push_back(Point(side / 2, side / 2, side / 2));
+  for (auto q :
+       {std::array<std::uint32_t, 4>{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}})
+    for (int k : {1, 2}) {
+      m.triangles.push_back({q[0], q[k], q[k + 1]}, 1);
+      m.tetrahedra.push_back({8, q[0], q[k], q[k + 1]}, 1);
+    }
+  return m;
+}
+
+TEST(Delaunay_refinement, FillsACubeAndKeepsItsBoundary) {
+  for (double side : {1., 1e-7}) {
+    Mesh mesh = fan_in_a_cube(side);
+    const Mesh before = mesh;
+    // not below the size of the boundary's triangles by much: points too near to those are not added
+    tubular::internal::add_points_inside(constant_size(0.25 * side), 100000, mesh);
+    const auto report = tubular::validity_report(mesh);
+    EXPECT_TRUE(report.is_valid()) << report.defects();
+    EXPECT_NEAR(volume(mesh) / (side * side * side), 1, 1e-12);
+    EXPECT_EQ(mesh.triangles.vertices, before.triangles.vertices);
+    EXPECT_GT(mesh.points.size(), 15u);
+    for (int i = 0; i < 8; ++i)
+      EXPECT_EQ(mesh.points[i], before.points[i]);
+  }
+}
+
+TEST(Delaunay_refinement, RefusesMorePointsThanMemoryHolds) {
+  Mesh mesh = fan_in_a_cube(1);
+  EXPECT_THROW(tubular::internal::add_points_inside(constant_size(0.2), 5, mesh), tubular::Meshing_error);
 }
 
 TEST(Unit_frame, BringsPointsToUnitExtentAndBack) {
@@ -469,7 +495,7 @@ TEST(Unit_frame, BringsPointsToUnitExtentAndBack) {
     const auto x = frame.to_frame(p);
     for (double c : x)
       EXPECT_LE(std::abs(c), 0.5);
-    const Point back = frame.from_frame<Point>(x.data());
+    const Point back = frame.from_frame<Point>(x);
     EXPECT_NEAR(back.x(), p.x(), 1e-9);
     EXPECT_NEAR(back.y(), p.y(), 1e-9);
   }

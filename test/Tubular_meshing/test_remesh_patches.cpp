@@ -415,22 +415,22 @@ TEST(Remeshed_surface, Has_blind_vessels_without_centerline_too) {
   const Remeshed r =
       tubular::make_isotropic_surface_mesh(model, tubular::parameters::points_per_circumference(24).max_size(0.15));
   EXPECT_FALSE(PMP::does_self_intersect(r.surface));
-  EXPECT_LT(distance(model.surface, r.surface), 0.1) << "the finger is 4 long";
+  // The finger is a cone 4 long and 1 wide at its foot: what triangles of 0.15 may cut off is where it is narrower.
+  EXPECT_LT(distance(model.surface, r.surface), 0.15 * 4);
   EXPECT_FALSE(r.report.problems.empty());
 }
 
-// Two turns of a coil, closer to each other than the mesh size.
+// Five sixths of a ring whose hole is narrower than the triangles: chords of its inner side would cross it.
 TEST(Remeshed_surface, Does_not_close_gaps_narrower_than_its_triangles) {
-  const int sides = 48, rings = 300;
-  const double gap = 0.004;
+  const int sides = 48, rings = 200;
   Mesh mesh;
   std::vector<std::vector<Mesh::Vertex_index>> ring(rings + 1);
   for (int k = 0; k <= rings; ++k) {
-    const double turn = 4 * pi * k / rings, height = (2 + gap) * k / rings * 2;
+    const double turn = 5. / 3 * pi * k / rings;
     for (int i = 0; i < sides; ++i) {
-      const double a = 2 * pi * i / sides, radius = 3 + std::cos(a);
+      const double a = 2 * pi * i / sides, radius = 1.04 + std::cos(a);
       ring[std::size_t(k)].push_back(
-          mesh.add_vertex(Point(radius * std::cos(turn), radius * std::sin(turn), height + std::sin(a))));
+          mesh.add_vertex(Point(radius * std::cos(turn), radius * std::sin(turn), std::sin(a))));
     }
   }
   for (std::size_t k = 0; k < std::size_t(rings); ++k)
@@ -440,9 +440,37 @@ TEST(Remeshed_surface, Does_not_close_gaps_narrower_than_its_triangles) {
       mesh.add_face(ring[k][i], ring[k + 1][i], ring[k + 1][j]);
     }
   const Model model = tubular::make_tubular_model(mesh);
-  const Remeshed r = remesh(model, 6);
+  const Remeshed r = remesh(model, 8);
   expect_good(model, r, 0.3, 0.9);
-  EXPECT_GT(r.report.refined_patches, 0u);
+}
+
+// What is done where triangles do cross: the piece, its curves and its neighbours are meshed again.
+TEST(Remeshed_surface, Is_refined_piece_by_piece) {
+  Model model = model_of(tubular::straight_tube<Point>(20, 1));
+  const auto cut = tubular::cut_by_centerlines(model.surface, model.centerlines, model.patch);
+  const auto maps = tubular::parameterize_patches(model.surface, cut);
+  ASSERT_GE(maps.size(), 3u);
+  const auto size = [](const Point&) { return 0.4; };
+  tubular::internal::Piece_mesher<Point, decltype(size)> mesher(model.surface, cut, maps, size, false, 1);
+  mesher.mesh_all();
+  const auto before = mesher.pieces();
+  const auto curves_before = mesher.curve_points();
+  mesher.mesh_finer({0});
+  EXPECT_EQ(mesher.number_of_refined_pieces(), 1u);
+  EXPECT_GT(mesher.pieces()[0].triangles.size(), 1.7 * double(before[0].triangles.size()));
+  EXPECT_EQ(mesher.pieces()[2].triangles, before[2].triangles) << "not a neighbour";
+  for (std::size_t c = 0; c < curves_before.size(); ++c) {
+    const bool concerned = cut.curves[c].left_patch == 0 || cut.curves[c].right_patch == 0;
+    EXPECT_EQ(mesher.curve_points()[c].size() > curves_before[c].size(), concerned);
+  }
+  for (const auto& piece : mesher.pieces()) { // as many corners as points on its curves and inside
+    std::size_t points = piece.inner_points.size(), largest = 0;
+    for (const auto& side : piece.sides)
+      points += mesher.curve_points()[side.curve].size();
+    for (const auto& t : piece.triangles)
+      largest = std::max({largest, t[0], t[1], t[2]});
+    EXPECT_EQ(largest + 1, points);
+  }
 }
 
 TEST(Remeshed_surface, Needs_a_map_of_each_patch) {

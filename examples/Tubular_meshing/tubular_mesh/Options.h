@@ -68,9 +68,9 @@ inline void declare_mesher_options(CLI::App& app, Options& o) {
                  "mesh_3, with the volume, or parametric: patch by patch, on the surface itself (default: mesh_3)")
       ->check(CLI::IsMember({"mesh_3", "parametric"}).description(""));
   app.add_option("--volume-mesher", o.volume_mesher,
-                 "mesh_3, or tetgen, which keeps the triangles of the parametric surface mesher (default: tetgen after "
-                 "that one, if it is there, else mesh_3)")
-      ->check(CLI::IsMember({"mesh_3", "tetgen"}).description(""));
+                 "mesh_3; or, after the parametric surface mesher, whose triangles they keep, tetgen, or ccdt of CGAL "
+                 "6.1 (default: one of these, if it is there, else mesh_3)")
+      ->check(CLI::IsMember({"mesh_3", "tetgen", "ccdt"}).description(""));
 }
 
 inline void declare_surface_options(CLI::App& app, Options& o) {

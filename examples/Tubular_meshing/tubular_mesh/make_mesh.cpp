@@ -12,8 +12,10 @@ namespace {
 
 tubular::Volume_mesher volume_mesher(const Options& o) {
   if (o.volume_mesher.empty())
-    return tubular::has_tetgen() ? tubular::Volume_mesher::tetgen : tubular::Volume_mesher::mesh_3;
-  return o.volume_mesher == "tetgen" ? tubular::Volume_mesher::tetgen : tubular::Volume_mesher::mesh_3;
+    return tubular::default_volume_mesher();
+  return o.volume_mesher == "tetgen" ? tubular::Volume_mesher::tetgen
+         : o.volume_mesher == "ccdt" ? tubular::Volume_mesher::ccdt
+                                     : tubular::Volume_mesher::mesh_3;
 }
 
 // The library's advice in the words of this tool.
@@ -25,10 +27,14 @@ std::string in_terms_of_options(std::string sentence) {
 
 } // namespace
 
-std::string why_no_tetgen() {
-  return tubular::has_tetgen() ? ""
-                               : "This program was built without TetGen; use --volume-mesher mesh_3, or build it where "
-                                 "TetGen's library is installed (libtet1.5-dev).";
+std::string why_not_filled_by(const std::string& volume_mesher) {
+  if (volume_mesher == "tetgen" && !tubular::has_tetgen())
+    return "This program was built without TetGen; use --volume-mesher mesh_3, or build it where TetGen's library is "
+           "installed (libtet1.5-dev).";
+  if (volume_mesher == "ccdt" && !tubular::has_ccdt())
+    return "This program was built with a version of CGAL before 6.1, which has no constrained triangulations in "
+           "space; use --volume-mesher tetgen or mesh_3.";
+  return "";
 }
 
 tubular::Mixed_mesh<Point_3> make_mesh(const Options& o, const tubular::Tubular_model<Point_3>& model,

@@ -46,8 +46,8 @@ tubular::Remeshed_surface<Point_3> make_surface_mesh(const Options& o, const tub
 tubular::Mixed_mesh<Point_3> make_mesh(const Options& o, const tubular::Tubular_model<Point_3>& model,
                                        tubular::Remeshed_surface<Point_3>& surface, Stage_clock& clock);
 
-// Why meshes cannot be filled by TetGen; empty if they can.
-std::string why_no_tetgen();
+// Why a volume mesher is not there; empty if it is.
+std::string why_not_filled_by(const std::string& volume_mesher);
 
 // The named parameters that all of these take.
 inline auto meshing_parameters(const Options& o, Stage_clock& clock) {

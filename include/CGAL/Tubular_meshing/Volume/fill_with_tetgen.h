@@ -5,7 +5,7 @@
 #define CGAL_TUBULAR_MESHING_VOLUME_FILL_WITH_TETGEN_H
 
 #include <CGAL/Tubular_meshing/Mixed_mesh.h>
-#include <CGAL/Tubular_meshing/Volume/internal/tetgen/fill_in_child_process.h>
+#include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/fill_keeping_boundary.h>
 #include <CGAL/Tubular_meshing/exceptions.h>
 #include <CGAL/Tubular_meshing/parameters.h>
 
@@ -31,16 +31,13 @@ constexpr bool has_tetgen() {
 
 /*! \ingroup PkgTubularMeshingRef
  *
- * fills a closed labelled surface with tetrahedra by TetGen (\cgalCite{si2015}): the surface stays as it is, facet for
- * facet; the size of the tetrahedra inside is that of the field. What makes the mesh good is optimize_tetrahedra() with
- * `keep_boundary(true)`.
+ * fills a closed labelled surface with tetrahedra and keeps it as it is, facet for facet. TetGen (\cgalCite{si2015})
+ * connects the points of the surface; Delaunay refinement adds points inside, as many as the field asks for. What makes
+ * the mesh good is optimize_tetrahedra() with `keep_boundary(true)`.
  *
- * TetGen runs in a child process of its own: whatever happens there, a crash included, this program goes on, with an
- * exception. Nothing is printed. The child uses one thread; `size` is called there, so it must not wait for others. The
- * surface is handed over in a frame of unit extent: units and distance from the origin make no difference.
- *
- * Memory: TetGen takes about 0.3 kB for each tetrahedron, in the child; the time is measured to be linear in their
- * number.
+ * TetGen runs in a child process: whatever happens there, a crash included, this program goes on, with an exception.
+ * Nothing is printed. The surface is handed over in a frame of unit extent: units and distance from the origin make no
+ * difference. One thread; the result is reproducible. About linear in the number of tetrahedra.
  *
  * \param surface a closed triangle mesh without self-intersections, its faces turned outward
  * \param patch a readable property map from its faces to `int`
@@ -63,12 +60,8 @@ template <class TriangleMesh, class FacePatchMap, class SizingField, class Point
 void fill_with_tetgen(const TriangleMesh& surface, FacePatchMap patch, const SizingField& size, Mixed_mesh<Point>& mesh,
                       const NamedParameters& np = CGAL::parameters::default_values()) {
 #ifdef CGAL_TUBULAR_MESHING_WITH_TETGEN
-  const auto tetgen = [](const internal::Boundary_arrays& boundary, const auto& size_in_frame, std::size_t most_points,
-                         internal::Filling_arrays& filling) {
-    return internal::run_tetgen(boundary, size_in_frame, most_points, filling);
-  };
   const double seconds = internal::choose(np, internal_np::time_limit, 600 + 0.01 * double(num_faces(surface)));
-  internal::fill_in_child_process(surface, patch, size, {seconds}, tetgen, mesh);
+  internal::fill_keeping_boundary(surface, patch, size, internal::run_tetgen, "TetGen", {seconds}, mesh);
 #else
   (void)surface, (void)patch, (void)size, (void)mesh, (void)np;
   throw Meshing_error(

@@ -5,18 +5,16 @@
 #define CGAL_TUBULAR_MESHING_VOLUME_OPTIMIZE_TETRAHEDRA_H
 
 #include <CGAL/Tubular_meshing/Mixed_mesh.h>
-#include <CGAL/Tubular_meshing/Volume/internal/Kept_boundary.h>
+#include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/Kept_boundary.h>
 #include <CGAL/Tubular_meshing/Volume/internal/Patch_projection.h>
 #include <CGAL/Tubular_meshing/Volume/internal/Surface_flip_guard.h>
 #include <CGAL/Tubular_meshing/Volume/internal/Tetrahedron_store.h>
 #include <CGAL/Tubular_meshing/Volume/internal/Topology_optimizer.h>
 #include <CGAL/Tubular_meshing/Volume/internal/Vertex_optimizer.h>
 #include <CGAL/Tubular_meshing/Volume/internal/reduce_deviation.h>
-#include <CGAL/Tubular_meshing/Volume/internal/remesh_worst.h>
+#include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/remesh_worst.h>
+#include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/write_inside.h>
 #include <CGAL/Tubular_meshing/parameters.h>
-
-#include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Tubular_meshing {
@@ -59,11 +57,7 @@ template <class Point> void optimize_inside(Mixed_mesh<Point>& mesh, int passes,
     Topology_optimizer<Kept_boundary>(store, boundary).improve_below(later_flips_below);
     remesh_worst(store, remeshed_below);
   }
-  Element_block<3> triangles = std::move(mesh.triangles);
-  const std::vector<Tetrahedron_store::Index> number = store.write_to(mesh);
-  for (auto& t : triangles.vertices)
-    t = {number[t[0]], number[t[1]], number[t[2]]};
-  mesh.triangles = std::move(triangles);
+  write_inside(store, mesh);
 }
 
 } // namespace internal

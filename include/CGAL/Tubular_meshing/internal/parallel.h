@@ -28,6 +28,8 @@ template <class Body> void for_each_range(std::size_t n, int threads, const Body
     });
     return;
   }
+#else
+  static_cast<void>(threads);
 #endif
   if (n > 0)
     body(std::size_t(0), n);

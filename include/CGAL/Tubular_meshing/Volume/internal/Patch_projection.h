@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_PATCH_PROJECTION_H
 #define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_PATCH_PROJECTION_H
 
+#include <CGAL/Tubular_meshing/Volume/internal/Tetrahedron_store.h>
 #include <CGAL/Tubular_meshing/internal/Nearest_tree.h>
 #include <CGAL/Tubular_meshing/internal/Vector_3d.h>
 #include <CGAL/Tubular_meshing/internal/rim_corners.h>
@@ -27,9 +28,11 @@ namespace internal {
  * its plane: what is inside its rim stays inside, and planar to rounding. Safe to query from several threads. */
 class Patch_projection {
 public:
+  typedef std::vector<std::int32_t> Patches; // sorted
+
   template <class SurfaceMesh, class FacePatchMap> Patch_projection(const SurfaceMesh& surface, FacePatchMap patch) {
-    std::map<std::int32_t, std::vector<Triangle>> triangles;
-    std::map<Patch_pair, std::vector<Segment>> segments;
+    Triangles triangles;
+    Segments segments;
     for (auto f : faces(surface)) {
       const auto h = halfedge(f, surface);
       triangles[get(patch, f)].emplace_back(point(surface, source(h, surface)), point(surface, target(h, surface)),
@@ -41,9 +44,76 @@ public:
         continue;
       const std::int32_t a = get(patch, face(h, surface)), b = get(patch, face(opposite(h, surface), surface));
       if (a != b)
-        segments[std::minmax(a, b)].emplace_back(point(surface, source(h, surface)),
-                                                 point(surface, target(h, surface)));
+        segments[{(std::min)(a, b), (std::max)(a, b)}].emplace_back(point(surface, source(h, surface)),
+                                                                    point(surface, target(h, surface)));
     }
+    build(triangles, segments);
+  }
+
+  // The labelled facets of a mesh, interfaces included, and the edges at which facets of different labels meet.
+  explicit Patch_projection(const Tetrahedron_store& mesh) {
+    typedef Tetrahedron_store::Index Index;
+    Triangles triangles;
+    Segments segments;
+    std::vector<std::pair<std::pair<Index, Index>, std::int32_t>> edges;
+    for (Index t = 0; t < mesh.number_of_slots(); ++t)
+      for (int i = 0; i < 4; ++i) {
+        if (!mesh.is_alive(t) || mesh[t].label[i] == 0)
+          continue;
+        const auto& c = Tetrahedron_store::facet_corners(i);
+        const auto vertex = [&](int k) { return mesh[t].v[c[k % 3]]; };
+        for (int k = 0; k < 3; ++k)
+          edges.push_back({std::minmax(vertex(k), vertex(k + 1)), mesh[t].label[i]});
+        // an interface is seen from both sides
+        if (mesh[t].neighbor[i] == Tetrahedron_store::none || Tetrahedron_store::facet(t, i) < mesh[t].neighbor[i])
+          triangles[mesh[t].label[i]].emplace_back(point(mesh, vertex(0)), point(mesh, vertex(1)),
+                                                   point(mesh, vertex(2)));
+      }
+    std::sort(edges.begin(), edges.end());
+    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+    for (std::size_t k = 0; k < edges.size();) {
+      const auto edge = edges[k].first;
+      Patches patches;
+      for (; k < edges.size() && edges[k].first == edge; ++k)
+        patches.push_back(edges[k].second);
+      if (patches.size() > 1)
+        segments[patches].emplace_back(point(mesh, edge.first), point(mesh, edge.second));
+    }
+    build(triangles, segments);
+  }
+
+  Vector_3d to_patch(const Vector_3d& p, std::int32_t patch) const {
+    const auto plane = planes_.find(patch);
+    if (plane != planes_.end())
+      return p - dot(p - plane->second.origin, plane->second.normal) * plane->second.normal;
+    const auto tree = patches_.find(patch);
+    return tree == patches_.end() ? p : Vector_3d(tree->second.nearest({p.x, p.y, p.z}).point);
+  }
+
+  Vector_3d to_rim(const Vector_3d& p, std::int32_t a, std::int32_t b) const {
+    return to_rim(p, {(std::min)(a, b), (std::max)(a, b)});
+  }
+  // The rim at which all of these patches meet, and no others.
+  Vector_3d to_rim(const Vector_3d& p, const Patches& patches) const {
+    const auto tree = rims_.find(patches);
+    return tree == rims_.end() ? p : Vector_3d(tree->second.nearest({p.x, p.y, p.z}).point);
+  }
+
+  // Whether p is a vertex that must stay: one at which a rim has a corner.
+  bool is_fixed(const Vector_3d& p, int dimension) const {
+    return dimension == 1 && corners_.count({p.x, p.y, p.z}) != 0;
+  }
+
+private:
+  typedef Double_kernel::Triangle_3 Triangle;
+  typedef Double_kernel::Segment_3 Segment;
+  typedef std::map<std::int32_t, std::vector<Triangle>> Triangles;
+  typedef std::map<Patches, std::vector<Segment>> Segments;
+  struct Plane {
+    Vector_3d origin, normal;
+  };
+
+  void build(Triangles& triangles, Segments& segments) {
     for (auto& t : triangles) {
       Plane plane;
       if (is_planar(t.second, plane))
@@ -57,34 +127,12 @@ public:
     }
   }
 
-  Vector_3d to_patch(const Vector_3d& p, std::int32_t patch) const {
-    const auto plane = planes_.find(patch);
-    if (plane != planes_.end())
-      return p - dot(p - plane->second.origin, plane->second.normal) * plane->second.normal;
-    const auto tree = patches_.find(patch);
-    return tree == patches_.end() ? p : Vector_3d(tree->second.nearest({p.x, p.y, p.z}).point);
-  }
-
-  Vector_3d to_rim(const Vector_3d& p, std::int32_t a, std::int32_t b) const {
-    const auto tree = rims_.find(std::minmax(a, b));
-    return tree == rims_.end() ? p : Vector_3d(tree->second.nearest({p.x, p.y, p.z}).point);
-  }
-
-  // Whether p is a vertex that must stay: one at which a rim has a corner.
-  bool is_fixed(const Vector_3d& p, int dimension) const {
-    return dimension == 1 && corners_.count({p.x, p.y, p.z}) != 0;
-  }
-
-private:
-  typedef Double_kernel::Triangle_3 Triangle;
-  typedef Double_kernel::Segment_3 Segment;
-  typedef std::pair<std::int32_t, std::int32_t> Patch_pair;
-  struct Plane {
-    Vector_3d origin, normal;
-  };
-
   template <class SurfaceMesh, class Vertex> static Double_kernel::Point_3 point(const SurfaceMesh& surface, Vertex v) {
     return to_double_point(get(CGAL::vertex_point, surface, v));
+  }
+  static Double_kernel::Point_3 point(const Tetrahedron_store& mesh, Tetrahedron_store::Index v) {
+    const Vector_3d& p = mesh.point(v);
+    return Double_kernel::Point_3(p.x, p.y, p.z);
   }
 
   static bool is_planar(const std::vector<Triangle>& triangles, Plane& plane) {
@@ -117,7 +165,7 @@ private:
 
   std::map<std::int32_t, Plane> planes_;
   std::map<std::int32_t, Nearest_tree<Triangle>> patches_;
-  std::map<Patch_pair, Nearest_tree<Segment>> rims_;
+  std::map<Patches, Nearest_tree<Segment>> rims_;
   std::set<Double_kernel::Point_3> corners_;
 };
 

@@ -109,12 +109,6 @@ public:
 
   const Vector_3d& point(Index v) const { return points_[v]; }
   void move(Index v, const Vector_3d& p) { points_[v] = p; }
-  // A vertex of no tetrahedron yet: replace() makes it one's, or takes a vertex from all of its.
-  Index add_vertex(const Vector_3d& p) {
-    points_.push_back(p);
-    at_vertex_.push_back(none);
-    return Index(points_.size() - 1);
-  }
 
   bool is_alive(Index t) const { return tetrahedra_[t].v[0] != none; }
   const Tetrahedron& operator[](Index t) const { return tetrahedra_[t]; }
@@ -189,16 +183,31 @@ public:
    * numbers of the new tetrahedra are left in `come_numbers`. */
   template <class Tetrahedra, class New, class Facets>
   void replace(const Tetrahedra& gone, const New& come, const Facets& facets, Index_list& come_numbers) {
+    const std::int32_t region = tetrahedra_[gone[0]].region;
+    replace(
+        gone, come, [region](std::size_t) { return region; }, facets, come_numbers);
+  }
+
+  /* The same for a cavity of several regions: `region_of(k)` is the region of `come[k]`, and `facets` lists all
+   * labelled facets that were not there before, on the boundary and between the new tetrahedra. */
+  template <class Tetrahedra, class New, class Region, class Facets>
+  void replace(const Tetrahedra& gone, const New& come, const Region& region_of, const Facets& facets,
+               Index_list& come_numbers) {
     struct Side {
       Facet_vertices key;
       Index code; // of the only side known so far: the outer one of an old facet, the inner one of a new facet
       std::int32_t label;
     };
     boost::container::small_vector<Side, 64> open;
+    const auto label_of = [&facets](const Facet_vertices& k) {
+      for (const Labelled_facet& f : facets)
+        if (sorted(f.v) == k)
+          return f.label;
+      return std::int32_t(0);
+    };
     ++stamp_;
     for (Index t : gone)
       visited_[t] = stamp_;
-    const std::int32_t region = tetrahedra_[gone[0]].region;
     for (Index t : gone) {
       const Tetrahedron& tet = tetrahedra_[t];
       for (int i = 0; i < 4; ++i)
@@ -208,16 +217,17 @@ public:
     for (Index t : gone)
       release(t);
     come_numbers.clear();
-    for (const Vertices& v : come) {
+    for (std::size_t n = 0; n < come.size(); ++n) {
+      const Vertices& v = come[n];
       const Index t = allocate();
       come_numbers.push_back(t);
-      tetrahedra_[t] = {v, {none, none, none, none}, {0, 0, 0, 0}, region};
+      tetrahedra_[t] = {v, {none, none, none, none}, {0, 0, 0, 0}, region_of(n)};
       for (int i = 0; i < 4; ++i) {
         at_vertex_[v[i]] = t;
         const Facet_vertices k = key(v, i);
         const auto other = std::find_if(open.begin(), open.end(), [&](const Side& s) { return s.key == k; });
         if (other == open.end()) {
-          open.push_back({k, facet(t, i), 0});
+          open.push_back({k, facet(t, i), label_of(k)});
           continue;
         }
         link(facet(t, i), other->code, other->label);
@@ -229,12 +239,69 @@ public:
     for (const Side& s : open) {
       if (s.code == none)
         continue;
-      for (const Labelled_facet& f : facets)
-        if (sorted(f.v) == s.key)
-          link(s.code, none, f.label);
+      const std::int32_t label = label_of(s.key);
+      if (label != 0)
+        link(s.code, none, label);
       for (Index v : tetrahedra_[tetrahedron_of(s.code)].v)
         at_vertex_[v] = tetrahedron_of(s.code);
     }
+  }
+
+  // A vertex that replace() can use from now on.
+  Index add_vertex(const Vector_3d& p) {
+    if (free_vertices_.empty()) {
+      points_.push_back(p);
+      at_vertex_.push_back(none);
+      return Index(points_.size() - 1);
+    }
+    const Index v = free_vertices_.back();
+    free_vertices_.pop_back();
+    points_[v] = p;
+    return v;
+  }
+  // Of a vertex that no tetrahedron has any more.
+  void remove_vertex(Index v) {
+    at_vertex_[v] = none;
+    free_vertices_.push_back(v);
+  }
+  bool is_used(Index v) const { return at_vertex_[v] != none; }
+
+  /* Renumbers: vertex i of the new numbering is order[i] of the old one, where all used vertices are listed and no
+   * others; tetrahedra follow their vertices. What is near in space comes to lie near in memory. */
+  void renumber(const std::vector<Index>& order) {
+    std::vector<Index> number(points_.size(), none);
+    std::vector<Vector_3d> points(order.size());
+    for (Index i = 0; i < order.size(); ++i) {
+      number[order[i]] = i;
+      points[i] = points_[order[i]];
+    }
+    points_.swap(points);
+    std::vector<std::pair<Index, Index>> by_vertex; // lowest vertex, tetrahedron
+    for (Index t = 0; t < tetrahedra_.size(); ++t) {
+      if (!is_alive(t))
+        continue;
+      for (Index& v : tetrahedra_[t].v)
+        v = number[v];
+      by_vertex.emplace_back(*std::min_element(tetrahedra_[t].v.begin(), tetrahedra_[t].v.end()), t);
+    }
+    std::sort(by_vertex.begin(), by_vertex.end());
+    std::vector<Index> place(tetrahedra_.size(), none);
+    for (Index k = 0; k < by_vertex.size(); ++k)
+      place[by_vertex[k].second] = k;
+    std::vector<Tetrahedron> tetrahedra;
+    tetrahedra.reserve(by_vertex.size() + by_vertex.size() / 8);
+    for (const auto& entry : by_vertex) {
+      tetrahedra.push_back(tetrahedra_[entry.second]);
+      for (Index& n : tetrahedra.back().neighbor)
+        if (n != none)
+          n = facet(place[tetrahedron_of(n)], opposite_of(n));
+    }
+    tetrahedra_.swap(tetrahedra);
+    free_.clear();
+    free_vertices_.clear();
+    visited_.assign(tetrahedra_.size(), 0);
+    stamp_ = 0;
+    collect_vertices();
   }
 
 private:
@@ -319,17 +386,21 @@ private:
              has_label ? labelled.label[entries[end - 1].second & ~is_label] : 0);
       k = end;
     }
+    visited_.assign(tetrahedra_.size(), 0);
+    collect_vertices();
+  }
+
+  void collect_vertices() {
     at_vertex_.assign(points_.size(), none);
     for (Index t = 0; t < tetrahedra_.size(); ++t)
       for (Index v : tetrahedra_[t].v)
         at_vertex_[v] = t;
-    visited_.assign(tetrahedra_.size(), 0);
   }
 
   std::vector<Vector_3d> points_;
   std::vector<Tetrahedron> tetrahedra_;
   std::vector<Index> at_vertex_; // one tetrahedron a vertex
-  std::vector<Index> free_;
+  std::vector<Index> free_, free_vertices_;
   mutable std::vector<std::uint32_t> visited_; // per tetrahedron: the last walk that came by
   mutable std::uint32_t stamp_ = 0;
 };

@@ -6,6 +6,7 @@
 
 #include <CGAL/Tubular_meshing/Quality/internal/element_measures.h>
 #include <CGAL/Tubular_meshing/Volume/internal/Tetrahedron_store.h>
+#include <CGAL/Tubular_meshing/internal/parallel.h>
 
 #include <algorithm>
 #include <array>
@@ -15,33 +16,55 @@ namespace CGAL {
 namespace Tubular_meshing {
 namespace internal {
 
+/* The measure of isotropic meshes: eq. (13), and eq. (12) of triangles, which count with the tetrahedra, scaled to a
+ * like range. */
+struct Isotropic_measure {
+  typedef Tetrahedron_store::Index Index;
+  const Tetrahedron_store& store;
+
+  double tetrahedron(Index a, Index b, Index c, Index d) const {
+    return tetrahedron_gamma(store.point(a), store.point(b), store.point(c), store.point(d));
+  }
+  double triangle(Index a, Index b, Index c) const {
+    return 0.6 * triangle_gamma(store.point(a), store.point(b), store.point(c));
+  }
+};
+
 /* Flips that raise the quality of the worst tetrahedron of the cavity they change: edges are removed (the ring around
  * an edge is filled by the best of all triangulations of its link, found by dynamic programming [Klincsek 1980];
  * 3-2, 4-4 and 2-2 flips on the surface are cases of it) and facets are (2-3 flips).
  *
  * On the surface a flip must in addition keep labels, rims and shape: `Surface_guard` is asked
  *   bool operator()(a, b, c, d, patch): may the edge ab between the facets abc and abd become the edge cd?
+ * `Measure` gives the quality, at most one and positive for what is not inverted, of tetrahedra and of triangles, which
+ * are compared with each other: see Isotropic_measure.
  */
-template <class Surface_guard> class Topology_optimizer {
+template <class Surface_guard, class Measure = Isotropic_measure> class Topology_optimizer {
 public:
   typedef Tetrahedron_store Store;
   typedef Store::Index Index;
 
   Topology_optimizer(Store& store, const Surface_guard& guard)
+      : Topology_optimizer(store, guard, Measure{store}, 1) {}
+  Topology_optimizer(Store& store, const Surface_guard& guard, const Measure& measure, int threads)
       : store_(store)
-      , guard_(guard) {
-    quality_.resize(store.number_of_slots());
-    for (Index t = 0; t < quality_.size(); ++t)
-      update(t);
+      , guard_(guard)
+      , measure_(measure) {
+    update_all(threads);
   }
 
   // Tries to improve every tetrahedron below `threshold`, new ones included; returns the number of flips done.
   std::size_t improve_below(double threshold) {
-    std::size_t flips = 0;
     std::vector<Index> todo;
     for (Index t = 0; t < store_.number_of_slots(); ++t)
       if (store_.is_alive(t) && quality_[t] < threshold)
         todo.push_back(t);
+    return improve_these(todo, threshold);
+  }
+
+  // The same for the tetrahedra listed, and what comes of them; new ones are added to the list.
+  std::size_t improve_these(std::vector<Index>& todo, double threshold) {
+    std::size_t flips = 0;
     // each flip raises the worst quality of a cavity, so this ends; the bound is against rounding
     const std::size_t most = 20 * todo.size() + 100;
     for (std::size_t k = 0; k < todo.size() && k < most; ++k) {
@@ -56,7 +79,21 @@ public:
     return flips;
   }
 
+  // Where others change the store as well, they keep the qualities up to date.
   double quality(Index t) const { return quality_[t]; }
+  void update_all(int threads) {
+    quality_.resize(store_.number_of_slots());
+    for_each_range(quality_.size(), threads, [&](std::size_t first, std::size_t last) {
+      for (std::size_t t = first; t < last; ++t)
+        update(Index(t));
+    });
+  }
+  template <class List> void update_new(const List& tetrahedra) {
+    if (quality_.size() < store_.number_of_slots())
+      quality_.resize(store_.number_of_slots());
+    for (Index t : tetrahedra)
+      update(t);
+  }
   void update(Index t) {
     if (store_.is_alive(t)) {
       const auto& v = store_[t].v;
@@ -66,16 +103,11 @@ public:
 
 private:
   static constexpr int most_link_vertices = 8;
-  static constexpr double peelable = 0.3; // worse than this, a tetrahedron on the surface is flat
-  static constexpr double triangle_weight = 0.6;
+  static constexpr double peelable = 0.3;  // worse than this, a tetrahedron on the surface is flat
   static constexpr double worth_it = 1e-3; // smaller gains invite endless exchanges between near ties
 
-  double quality_of(Index a, Index b, Index c, Index d) const {
-    return tetrahedron_gamma(store_.point(a), store_.point(b), store_.point(c), store_.point(d));
-  }
-  double triangle_quality_of(Index a, Index b, Index c) const {
-    return triangle_gamma(store_.point(a), store_.point(b), store_.point(c));
-  }
+  double quality_of(Index a, Index b, Index c, Index d) const { return measure_.tetrahedron(a, b, c, d); }
+  double triangle_quality_of(Index a, Index b, Index c) const { return measure_.triangle(a, b, c); }
 
   bool improve(Index t) {
     for (int i = 0; i < 4; ++i)
@@ -106,9 +138,12 @@ private:
       return false;
     double required = worst + worth_it;
     facets_.clear();
-    if (!ring_.closed && !surface_flip_allowed(required))
+    if (!ring_.closed && !surface_flip_improves(required))
       return false;
     if (!best_triangulation(m, required))
+      return false;
+    // asked last, as it may be dear
+    if (!ring_.closed && !guard_(ring_.a, ring_.b, ring_.link.front(), ring_.link.back(), facets_.front().label))
       return false;
     new_cells_.clear();
     collect(0, m - 1);
@@ -146,20 +181,18 @@ private:
   }
 
   // The two boundary facets of an open ring; `required` sinks where they are the worst of the cavity.
-  bool surface_flip_allowed(double& required) {
+  bool surface_flip_improves(double& required) {
     const Index a = ring_.a, b = ring_.b, c = ring_.link.front(), d = ring_.link.back();
     const Index first = ring_.tetrahedra.front(), last = ring_.tetrahedra.back();
     const std::size_t m = ring_.link.size();
     const std::int32_t label = store_[first].label[store_.corner(first, ring_.link[1])];
     if (label == 0 || label != store_[last].label[store_.corner(last, ring_.link[m - 2])])
       return false;
-    // triangles count with the tetrahedra, scaled to a like range: one measure that only ever rises
+    // triangles count with the tetrahedra: one measure that only ever rises
     const double before = (std::min)(triangle_quality_of(a, b, c), triangle_quality_of(a, b, d));
     const double after = (std::min)(triangle_quality_of(a, c, d), triangle_quality_of(b, c, d));
-    required = (std::min)(required, triangle_weight * before + worth_it);
-    if (triangle_weight * after < required)
-      return false;
-    if (!guard_(a, b, c, d, label))
+    required = (std::min)(required, before + worth_it);
+    if (after < required)
       return false;
     facets_.push_back({{a, c, d}, label});
     facets_.push_back({{b, c, d}, label});
@@ -226,13 +259,12 @@ private:
 
   template <class Tetrahedra> void commit(const Tetrahedra& gone) {
     store_.replace(gone, new_cells_, facets_, new_tetrahedra_);
-    quality_.resize(store_.number_of_slots());
-    for (Index t : new_tetrahedra_)
-      update(t);
+    update_new(new_tetrahedra_);
   }
 
   Store& store_;
   Surface_guard guard_;
+  Measure measure_;
   std::vector<float> quality_;
 
   // the cavity at hand

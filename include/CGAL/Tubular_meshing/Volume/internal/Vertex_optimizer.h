@@ -4,8 +4,10 @@
 #ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_VERTEX_OPTIMIZER_H
 #define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_VERTEX_OPTIMIZER_H
 
+#include <CGAL/Tubular_meshing/Volume/internal/Colored_stars.h>
 #include <CGAL/Tubular_meshing/Volume/internal/Shape_energy.h>
 #include <CGAL/Tubular_meshing/Volume/internal/Tetrahedron_store.h>
+#include <CGAL/Tubular_meshing/Volume/internal/newton_steps.h>
 #include <CGAL/Tubular_meshing/internal/parallel.h>
 
 #include <algorithm>
@@ -39,19 +41,13 @@ public:
       : store_(store)
       , project_(project)
       , threads_(threads) {
-    collect_stars();
-    color();
+    locate();
+    stars_.build(store, [this](Index v) { return location_[v].dimension != 0; });
   }
 
   // One visit to each vertex.
   void sweep() {
-    for (std::size_t c = 0; c + 1 < color_begin_.size(); ++c) {
-      const std::size_t begin = color_begin_[c];
-      for_each_range(color_begin_[c + 1] - begin, threads_, [&](std::size_t first, std::size_t last) {
-        for (std::size_t k = first; k < last; ++k)
-          relocate(by_color_[begin + k]);
-      });
-    }
+    stars_.for_each_movable(threads_, [this](Index v) { relocate(v); });
   }
 
   // Whether v lies on the given patches and no others.
@@ -94,64 +90,17 @@ private:
 
   static constexpr double triangle_weight = 3; // about twice as many tetrahedra as triangles meet at a surface vertex
 
-  void collect_stars() {
+  void locate() {
     const Index n = store_.number_of_vertices();
-    star_begin_.assign(n + 1, 0);
     location_.assign(n, Location());
-    for (Index t = 0; t < store_.number_of_slots(); ++t) {
-      if (!store_.is_alive(t))
-        continue;
-      for (int i = 0; i < 4; ++i) {
-        ++star_begin_[store_[t].v[i] + 1];
-        if (store_[t].label[i] == 0)
-          continue;
-        for (int c : Store::facet_corners(i))
-          location_[store_[t].v[c]].add(store_[t].label[i]);
-      }
-    }
+    for (Index t = 0; t < store_.number_of_slots(); ++t)
+      for (int i = 0; i < 4; ++i)
+        if (store_.is_alive(t) && store_[t].label[i] != 0)
+          for (int c : Store::facet_corners(i))
+            location_[store_[t].v[c]].add(store_[t].label[i]);
     for (Index v = 0; v < n; ++v)
       if (location_[v].dimension < 3 && project_.is_fixed(store_.point(v), location_[v].dimension))
         location_[v].dimension = 0;
-    for (Index v = 0; v < n; ++v)
-      star_begin_[v + 1] += star_begin_[v];
-    star_.resize(star_begin_[n]);
-    std::vector<Index> next(star_begin_.begin(), star_begin_.end() - 1);
-    for (Index t = 0; t < store_.number_of_slots(); ++t)
-      if (store_.is_alive(t))
-        for (int i = 0; i < 4; ++i)
-          star_[next[store_[t].v[i]]++] = Store::facet(t, i);
-  }
-
-  // Greedy coloring in the order of the vertices.
-  void color() {
-    const Index n = store_.number_of_vertices();
-    std::vector<std::uint8_t> color_of(n, 255);
-    std::size_t colors = 0;
-    std::vector<Index> used(256, Store::none);
-    for (Index v = 0; v < n; ++v) {
-      if (location_[v].dimension == 0 || star_begin_[v] == star_begin_[v + 1])
-        continue;
-      for (Index s = star_begin_[v]; s < star_begin_[v + 1]; ++s)
-        for (Index w : store_[Store::tetrahedron_of(star_[s])].v)
-          if (color_of[w] != 255)
-            used[color_of[w]] = v;
-      std::size_t c = 0;
-      while (c < 254 && used[c] == v)
-        ++c;
-      color_of[v] = std::uint8_t(c);
-      colors = (std::max)(colors, c + 1);
-    }
-    color_begin_.assign(colors + 1, 0);
-    for (Index v = 0; v < n; ++v)
-      if (color_of[v] != 255)
-        ++color_begin_[color_of[v] + 1];
-    for (std::size_t c = 0; c < colors; ++c)
-      color_begin_[c + 1] += color_begin_[c];
-    by_color_.resize(color_begin_[colors]);
-    std::vector<std::size_t> next(color_begin_.begin(), color_begin_.end());
-    for (Index v = 0; v < n; ++v)
-      if (color_of[v] != 255)
-        by_color_[next[color_of[v]]++] = v;
   }
 
   void relocate(Index v) {
@@ -162,8 +111,8 @@ private:
     if (!energy(v, old, normals, true, here))
       return;
     Vector_3d step = at.dimension == 3   ? newton_step(here.hessian, here.gradient)
-                     : at.dimension == 2 ? tangential_step(here, normals[0])
-                                         : step_along(here, normalized(cross(normals[0], normals[1])));
+                     : at.dimension == 2 ? tangential_step(here.hessian, here.gradient, normals[0])
+                                         : step_along(here.hessian, here.gradient, normalized(cross(normals[0], normals[1])));
     for (int attempt = 0; attempt < 4; ++attempt, step = 0.4 * step) {
       const Vector_3d moved = old + step, p = project(moved, at);
       // a projection longer than the step has landed on another part of the surface
@@ -185,9 +134,9 @@ private:
 
   bool energy(Index v, const Vector_3d& x, const Normals& normals, bool with_derivatives, Shape_energy& e) const {
     const Location& at = location_[v];
-    for (Index s = star_begin_[v]; s < star_begin_[v + 1]; ++s) {
-      const auto& tet = store_[Store::tetrahedron_of(star_[s])];
-      const int i = Store::opposite_of(star_[s]);
+    for (Index s : stars_.facets(v)) {
+      const auto& tet = store_[Store::tetrahedron_of(s)];
+      const int i = Store::opposite_of(s);
       const auto& c = Store::facet_corners(i);
       if (!e.add_tetrahedron(x, store_.point(tet.v[c[0]]), store_.point(tet.v[c[1]]), store_.point(tet.v[c[2]]),
                              with_derivatives))
@@ -209,12 +158,12 @@ private:
   // Of the tetrahedra around v, and of the triangles, which count for less as their range is higher.
   double worst_quality(Index v) const {
     double worst = 1;
-    for (Index s = star_begin_[v]; s < star_begin_[v + 1]; ++s) {
-      const auto& tet = store_[Store::tetrahedron_of(star_[s])];
+    for (Index s : stars_.facets(v)) {
+      const auto& tet = store_[Store::tetrahedron_of(s)];
       const auto& w = tet.v;
       worst = (std::min)(
           worst, tetrahedron_gamma(store_.point(w[0]), store_.point(w[1]), store_.point(w[2]), store_.point(w[3])));
-      const int i = Store::opposite_of(star_[s]);
+      const int i = Store::opposite_of(s);
       for (int j = 0; j < 4; ++j)
         if (j != i && tet.label[j] != 0) {
           const auto edge = facet_edge(tet, i, j);
@@ -236,9 +185,9 @@ private:
     Normals sum;
     if (at.dimension == 3)
       return sum;
-    for (Index s = star_begin_[v]; s < star_begin_[v + 1]; ++s) {
-      const auto& tet = store_[Store::tetrahedron_of(star_[s])];
-      const int i = Store::opposite_of(star_[s]);
+    for (Index s : stars_.facets(v)) {
+      const auto& tet = store_[Store::tetrahedron_of(s)];
+      const int i = Store::opposite_of(s);
       for (int j = 0; j < 4; ++j)
         if (j != i && tet.label[j] != 0) {
           const auto edge = facet_edge(tet, i, j);
@@ -248,44 +197,12 @@ private:
     return {normalized(sum[0]), normalized(sum[1])};
   }
 
-  static Vector_3d newton_step(Symmetric_matrix_3d h, const Vector_3d& g) {
-    // Cholesky's factors; where the Hessian is not definite, along the gradient with the trace as curvature
-    const double trace = h.xx + h.yy + h.zz;
-    const double floor = 1e-6 * trace;
-    const double a = h.xx, b = h.xy / a, c = h.xz / a;
-    const double d = h.yy - b * h.xy, e = (h.yz - b * h.xz) / d;
-    const double f = h.zz - c * h.xz - e * e * d;
-    if (!(a > floor && d > floor && f > floor))
-      return (-1 / (std::max)(std::abs(trace), (std::numeric_limits<double>::min)())) * g;
-    const double y0 = -g.x, y1 = -g.y - b * y0, y2 = -g.z - c * y0 - e * y1;
-    const double z = y2 / f, y = y1 / d - e * z, x = y0 / a - b * y - c * z;
-    return {x, y, z};
-  }
-
-  static Vector_3d tangential_step(const Shape_energy& e, const Vector_3d& n) {
-    const Vector_3d axis = std::abs(n.x) < 0.6 ? Vector_3d(1, 0, 0) : Vector_3d(0, 1, 0);
-    const Vector_3d u = normalized(cross(n, axis)), v = cross(n, u);
-    const Vector_3d hu = e.hessian * u, hv = e.hessian * v;
-    const double a = dot(hu, u), b = dot(hu, v), d = dot(hv, v), g0 = dot(e.gradient, u), g1 = dot(e.gradient, v);
-    const double det = a * d - b * b;
-    if (!(a > 0 && det > 1e-9 * a * a))
-      return (-1 / (std::max)(std::abs(a) + std::abs(d), (std::numeric_limits<double>::min)())) * (g0 * u + g1 * v);
-    return ((b * g1 - d * g0) / det) * u + ((b * g0 - a * g1) / det) * v;
-  }
-
-  static Vector_3d step_along(const Shape_energy& e, const Vector_3d& t) {
-    const double slope = dot(e.gradient, t), curvature = std::abs(dot(e.hessian * t, t));
-    return curvature > 0 ? (-slope / curvature) * t : Vector_3d();
-  }
-
   Store& store_;
   const Projection& project_;
   int threads_;
 
-  std::vector<Index> star_begin_, star_; // the facets opposite to each vertex
-  std::vector<Location> location_;       // of each vertex
-  std::vector<std::size_t> color_begin_;
-  std::vector<Index> by_color_;
+  Colored_stars stars_;
+  std::vector<Location> location_; // of each vertex
 };
 
 } // namespace internal

@@ -43,11 +43,11 @@ template <class C3t3, class Point> void mesh_complex_to_mixed_mesh(const C3t3& c
         c3t3.subdomain_index(c));
   for (auto f = c3t3.facets_in_complex_begin(); f != c3t3.facets_in_complex_end(); ++f) {
     auto facet = *f;
-    if (!c3t3.is_in_complex(facet.first)) // seen from its cell of the complex a facet turns outward
+    if (!c3t3.is_in_complex(facet.first)) // seen from its cell of the complex
       facet = tr.mirror_facet(facet);
     const int i = facet.second;
     const auto vertex = [&](int k) { return number_of(facet.first->vertex(Triangulation::vertex_triple_index(i, k))); };
-    mesh.triangles.push_back({vertex(0), vertex(1), vertex(2)}, c3t3.surface_patch_index(*f));
+    mesh.triangles.push_back({vertex(0), vertex(2), vertex(1)}, c3t3.surface_patch_index(*f)); // triples turn inward
   }
 }
 

@@ -29,48 +29,15 @@
 #pragma pop_macro("REAL")
 #endif
 
-#include <CGAL/Tubular_meshing/Volume/internal/tetgen/Filling_arrays.h>
-#include <CGAL/Tubular_meshing/internal/Vector_3d.h>
+#include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/Recovered_boundary.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <string>
 
 namespace CGAL {
 namespace Tubular_meshing {
 namespace internal {
-
-/* TetGen asks a plain function whether to split a tetrahedron. What that needs to know stands in a static variable: a
- * process runs TetGen once (see Child_process.h). */
-template <class Size> class Tetgen_size_criterion {
-public:
-  explicit Tetgen_size_criterion(const Size& size) { size_of_run() = &size; }
-
-  /* Where the circumscribed radius exceeds 0.78 h the circumcenter becomes a point: the mean edge inside is 1.05 h
-   * then, as it is with Mesh_3. Bounds on volume, longest or mean edge that give the same number were measured to leave
-   * up to twice as many slivers. */
-  static bool is_too_large(double* a, double* b, double* c, double* d, double*, double) {
-    const Vector_3d p(a[0], a[1], a[2]);
-    const Vector_3d u = Vector_3d(b[0], b[1], b[2]) - p, v = Vector_3d(c[0], c[1], c[2]) - p,
-                    w = Vector_3d(d[0], d[1], d[2]) - p;
-    const Vector_3d numerator =
-        squared_norm(u) * cross(v, w) + squared_norm(v) * cross(w, u) + squared_norm(w) * cross(u, v);
-    const Vector_3d center = p + 0.25 * (u + v + w);
-    const double bound = radius_bound * (*size_of_run())(std::array<double, 3>{center.x, center.y, center.z});
-    const double denominator = 2 * dot(u, cross(v, w));
-    return squared_norm(numerator) > bound * bound * denominator * denominator;
-  }
-
-private:
-  static constexpr double radius_bound = 0.78;
-
-  static const Size*& size_of_run() {
-    static const Size* size = nullptr;
-    return size;
-  }
-};
 
 inline void give_to_tetgen(const Boundary_arrays& boundary, tetgenio& in) {
   in.numberofpoints = int(boundary.points.size());
@@ -91,30 +58,28 @@ inline void give_to_tetgen(const Boundary_arrays& boundary, tetgenio& in) {
   }
 }
 
-inline void take_from_tetgen(const tetgenio& out, std::size_t boundary_points, Filling_arrays& filling) {
+inline void take_from_tetgen(const tetgenio& out, std::size_t boundary_points, Recovered_boundary& recovered) {
   for (std::size_t i = boundary_points; i < std::size_t(out.numberofpoints); ++i)
-    filling.inner_points.push_back({out.pointlist[3 * i], out.pointlist[3 * i + 1], out.pointlist[3 * i + 2]});
-  filling.tetrahedra.reserve(std::size_t(out.numberoftetrahedra));
+    recovered.inner_points.push_back({out.pointlist[3 * i], out.pointlist[3 * i + 1], out.pointlist[3 * i + 2]});
+  recovered.tetrahedra.reserve(std::size_t(out.numberoftetrahedra));
   for (const int* t = out.tetrahedronlist; t != out.tetrahedronlist + 4 * std::size_t(out.numberoftetrahedra); t += 4)
-    filling.tetrahedra.push_back({std::uint32_t(t[0]), std::uint32_t(t[1]), std::uint32_t(t[2]), std::uint32_t(t[3])});
+    recovered.tetrahedra.push_back(
+        {std::uint32_t(t[0]), std::uint32_t(t[1]), std::uint32_t(t[2]), std::uint32_t(t[3])});
 }
 
-/* Fills a closed surface by TetGen, in this process: tetrahedra as large as `size(std::array<double, 3>)` says, and at
- * most `most_points` points inside. Returns 0, or the number that TetGen throws; may crash. */
-template <class Size>
-int run_tetgen(const Boundary_arrays& boundary, const Size& size, std::size_t most_points, Filling_arrays& filling) {
+/* Fills a closed surface with tetrahedra of its own points, and of as few others as that takes, by TetGen, in this
+ * process. Returns 0, or the number that TetGen throws; may crash. */
+inline int run_tetgen(const Boundary_arrays& boundary, Recovered_boundary& recovered) {
   tetgenio in, out;
   give_to_tetgen(boundary, in);
-  in.tetunsuitable = Tetgen_size_criterion<Size>::is_too_large;
-  const Tetgen_size_criterion<Size> criterion(size);
-  // p: the surface, Y: kept, M: triangle by triangle, even where they are coplanar; q: refined; J: no vertex renumbered
-  std::string switches = "pYMqJQS" + std::to_string((std::min)(most_points, std::size_t(1000000000)));
+  // p: the surface, Y: kept, M: triangle by triangle even where they are coplanar, J: its vertices keep their numbers
+  char switches[] = "pYMJQ";
   try {
-    tetrahedralize(&switches[0], &in, &out);
+    tetrahedralize(switches, &in, &out);
   } catch (int code) {
     return code != 0 ? code : 255;
   }
-  take_from_tetgen(out, boundary.points.size(), filling);
+  take_from_tetgen(out, boundary.points.size(), recovered);
   return 0;
 }
 

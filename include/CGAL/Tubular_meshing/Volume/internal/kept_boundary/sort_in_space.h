@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tubular_meshing authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_TETGEN_SORT_IN_SPACE_H
-#define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_TETGEN_SORT_IN_SPACE_H
+#ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_KEPT_BOUNDARY_SORT_IN_SPACE_H
+#define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_KEPT_BOUNDARY_SORT_IN_SPACE_H
 
 #include <CGAL/Tubular_meshing/internal/Nearest_tree.h>
 
@@ -47,4 +47,4 @@ void sort_in_space(const std::vector<Point>& points, std::vector<std::array<std:
 } // namespace Tubular_meshing
 } // namespace CGAL
 
-#endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_TETGEN_SORT_IN_SPACE_H
+#endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_KEPT_BOUNDARY_SORT_IN_SPACE_H

@@ -1,13 +1,13 @@
 // Copyright (c) 2026 The Tubular_meshing authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REMESH_WORST_H
-#define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REMESH_WORST_H
+#ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_KEPT_BOUNDARY_REMESH_WORST_H
+#define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_KEPT_BOUNDARY_REMESH_WORST_H
 
 #include <CGAL/Tubular_meshing/Quality/internal/element_measures.h>
 #include <CGAL/Tubular_meshing/Volume/internal/Tetrahedron_store.h>
-#include <CGAL/Tubular_meshing/Volume/internal/Vertex_insertion.h>
-#include <CGAL/Tubular_meshing/Volume/internal/Vertex_removal.h>
+#include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/Vertex_insertion.h>
+#include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/Vertex_removal.h>
 
 #include <cstddef>
 #include <vector>
@@ -51,4 +51,4 @@ inline std::size_t remesh_worst(Tetrahedron_store& store, double threshold) {
 } // namespace Tubular_meshing
 } // namespace CGAL
 
-#endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REMESH_WORST_H
+#endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_KEPT_BOUNDARY_REMESH_WORST_H

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tubular_meshing authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_TETGEN_FILLING_ARRAYS_H
-#define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_TETGEN_FILLING_ARRAYS_H
+#ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_KEPT_BOUNDARY_RECOVERED_BOUNDARY_H
+#define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_KEPT_BOUNDARY_RECOVERED_BOUNDARY_H
 
 #include <array>
 #include <cstdint>
@@ -12,14 +12,14 @@ namespace CGAL {
 namespace Tubular_meshing {
 namespace internal {
 
-// What goes into a mesher that keeps its boundary.
+// What goes into an algorithm that fills a surface and keeps it.
 struct Boundary_arrays {
   std::vector<std::array<double, 3>> points;
   std::vector<std::array<std::uint32_t, 3>> triangles;
 };
 
-// What comes out.
-struct Filling_arrays {
+// What comes out: tetrahedra of the boundary's points and of as few points inside as it takes.
+struct Recovered_boundary {
   std::vector<std::array<double, 3>> inner_points; // numbered on from the boundary's
   std::vector<std::array<std::uint32_t, 4>> tetrahedra;
 };
@@ -28,4 +28,4 @@ struct Filling_arrays {
 } // namespace Tubular_meshing
 } // namespace CGAL
 
-#endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_TETGEN_FILLING_ARRAYS_H
+#endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_KEPT_BOUNDARY_RECOVERED_BOUNDARY_H

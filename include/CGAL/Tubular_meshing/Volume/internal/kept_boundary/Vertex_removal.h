@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tubular_meshing authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_VERTEX_REMOVAL_H
-#define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_VERTEX_REMOVAL_H
+#ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_KEPT_BOUNDARY_VERTEX_REMOVAL_H
+#define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_KEPT_BOUNDARY_VERTEX_REMOVAL_H
 
 #include <CGAL/Tubular_meshing/Quality/internal/element_measures.h>
 #include <CGAL/Tubular_meshing/Volume/internal/Tetrahedron_store.h>
@@ -104,4 +104,4 @@ private:
 } // namespace Tubular_meshing
 } // namespace CGAL
 
-#endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_VERTEX_REMOVAL_H
+#endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_KEPT_BOUNDARY_VERTEX_REMOVAL_H

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tubular_meshing authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_TETGEN_UNIT_FRAME_H
-#define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_TETGEN_UNIT_FRAME_H
+#ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_KEPT_BOUNDARY_UNIT_FRAME_H
+#define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_KEPT_BOUNDARY_UNIT_FRAME_H
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/number_utils.h>
@@ -16,8 +16,8 @@ namespace CGAL {
 namespace Tubular_meshing {
 namespace internal {
 
-/* The frame of unit extent around the middle of a set of points. TetGen's tolerances are relative, but to numbers that
- * it squares and multiplies: in a frame like this they mean the same for a model in micrometres, far from the origin.
+/* The frame of unit extent around the middle of a set of points. Tolerances that are relative, but to numbers
+ * that are squared and multiplied, mean the same there for a model in micrometres, far from the origin.
  * The scale is a power of two, so that nothing is rounded by it. */
 class Unit_frame {
 public:
@@ -41,7 +41,7 @@ public:
     return {(CGAL::to_double(p.x()) - middle_[0]) / scale_, (CGAL::to_double(p.y()) - middle_[1]) / scale_,
             (CGAL::to_double(p.z()) - middle_[2]) / scale_};
   }
-  template <class Point> Point from_frame(const double* x) const {
+  template <class Point> Point from_frame(const Coordinates& x) const {
     return Point(middle_[0] + scale_ * x[0], middle_[1] + scale_ * x[1], middle_[2] + scale_ * x[2]);
   }
 
@@ -54,4 +54,4 @@ private:
 } // namespace Tubular_meshing
 } // namespace CGAL
 
-#endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_TETGEN_UNIT_FRAME_H
+#endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_KEPT_BOUNDARY_UNIT_FRAME_H

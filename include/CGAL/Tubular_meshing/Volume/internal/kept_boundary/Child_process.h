@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tubular_meshing authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_TETGEN_CHILD_PROCESS_H
-#define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_TETGEN_CHILD_PROCESS_H
+#ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_KEPT_BOUNDARY_CHILD_PROCESS_H
+#define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_KEPT_BOUNDARY_CHILD_PROCESS_H
 
 #include <fcntl.h>
 #include <sys/resource.h>
@@ -170,4 +170,4 @@ Child_ending run_in_child_process(const Work& work, const Read& read, double sec
 } // namespace Tubular_meshing
 } // namespace CGAL
 
-#endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_TETGEN_CHILD_PROCESS_H
+#endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_KEPT_BOUNDARY_CHILD_PROCESS_H

@@ -1,10 +1,10 @@
 // Copyright (c) 2026 The Tubular_meshing authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_TETGEN_FAILURE_SENTENCE_H
-#define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_TETGEN_FAILURE_SENTENCE_H
+#ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_KEPT_BOUNDARY_FAILURE_SENTENCE_H
+#define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_KEPT_BOUNDARY_FAILURE_SENTENCE_H
 
-#include <CGAL/Tubular_meshing/Volume/internal/tetgen/Child_process.h>
+#include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/Child_process.h>
 
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/boost/graph/properties.h>
@@ -21,7 +21,7 @@ namespace CGAL {
 namespace Tubular_meshing {
 namespace internal {
 
-// What befell TetGen, as the second half of a sentence.
+// What befell a recovery of the boundary, as the second half of a sentence; the codes are TetGen's.
 inline std::string what_befell(const Child_ending& ending) {
   const std::string code = std::to_string(ending.code);
   if (ending.kind == Child_ending::no_child)
@@ -68,10 +68,11 @@ template <class TriangleMesh> std::string where_it_crosses_itself(const Triangle
   return s.str();
 }
 
-// What goes wrong in TetGen is most often that the surface crosses itself, whatever TetGen says.
-template <class TriangleMesh> std::string failure_sentence(const Child_ending& ending, const TriangleMesh& surface) {
+// What goes wrong is most often that the surface crosses itself, whatever the recovery says.
+template <class TriangleMesh>
+std::string failure_sentence(const std::string& name, const Child_ending& ending, const TriangleMesh& surface) {
   const std::string crossing = ending.kind == Child_ending::no_child ? std::string() : where_it_crosses_itself(surface);
-  return "TetGen could not fill this surface, " + what_befell(ending) + crossing +
+  return name + " could not fill this surface, " + what_befell(ending) + crossing +
          (crossing.empty() ? ": " : "; mend it, or ") + "use fill_with_mesh_3(), which makes the surface anew.";
 }
 
@@ -79,4 +80,4 @@ template <class TriangleMesh> std::string failure_sentence(const Child_ending& e
 } // namespace Tubular_meshing
 } // namespace CGAL
 
-#endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_TETGEN_FAILURE_SENTENCE_H
+#endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_KEPT_BOUNDARY_FAILURE_SENTENCE_H

@@ -1,0 +1,143 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_FIELDS_INTERNAL_BOUNDARY_LAYER_SIZES_H
+#define CGAL_TUBULAR_MESHING_FIELDS_INTERNAL_BOUNDARY_LAYER_SIZES_H
+
+#include <CGAL/Tubular_meshing/Fields/internal/Layer_octree.h>
+#include <CGAL/Tubular_meshing/exceptions.h>
+
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace CGAL {
+namespace Tubular_meshing {
+namespace internal {
+
+/* The options of Centerline_metric_field, under which they are described; lengths are relative to the local radius. */
+struct Boundary_layer_parameters {
+  double thickness, first_height, growth, smoothing_ratio, curvature_points, core_points, max_anisotropy, min_size,
+      max_size, smoothing_radius;
+
+  /* \throws Parameter_error if one of them is out of its range */
+  void check() const {
+    require(thickness > 0 && thickness <= 1, "thickness of the boundary layer", thickness,
+            "give a part of the local radius, above 0 and at most 1; 0.3 is usual");
+    require(first_height > 0 && first_height <= 1, "height of the first layer", first_height,
+            "give a part of the local radius, above 0 and at most 1; 0.015 is usual");
+    require(growth >= 1 && growth <= 100, "growth of the boundary layer", growth,
+            "give the ratio of two successive heights, at least 1; 1.3 is usual");
+    require(smoothing_ratio >= 1 && smoothing_ratio <= 1e6, "smoothing ratio", smoothing_ratio,
+            "give the largest ratio of adjacent edges, at least 1; 1.5 is usual");
+    for (double n : {curvature_points, core_points})
+      require(n >= 3 && n <= 1e6, "number of points per circumference", n, "give at least 3; 20 is usual");
+    require(max_anisotropy >= 1 && max_anisotropy <= 1e6, "largest anisotropy", max_anisotropy,
+            "give the largest ratio of two sizes at a point, from 1 to a million; 100 is usual");
+    require(min_size >= 0 && min_size <= max_size, "smallest size", min_size,
+            "give a length that is not above the largest size");
+    require(max_size > 0, "largest size", max_size, "give a length above 0");
+    require(smoothing_radius >= 0 && smoothing_radius <= 1e6, "smoothing radius of curvatures", smoothing_radius,
+            "give a part of the local radius, at least 0; 0.4 is usual");
+  }
+
+private:
+  static void require(bool condition, const char* name, double value, const char* advice) {
+    if (!condition)
+      throw Parameter_error("The " + std::string(name) + " is " + std::to_string(value) + ": " + advice + ".");
+  }
+};
+
+/* The bound (9) on a tangential size, as 1/h², for the curvature κ = 1/ρ: the solution of
+ * ρ² (β² - 1) u² + u - 1/h_n² = 0, in the form in which nothing cancels and both limits come out: β = 1 gives 1/h_n²,
+ * κ = 0 gives 0, no bound. */
+inline double smoothing_bound(double curvature, double normal_size, double smoothing_ratio) {
+  const double x = curvature * normal_size, a = 4 * (smoothing_ratio - 1) * (smoothing_ratio + 1);
+  if (a <= 0)
+    return 1 / (normal_size * normal_size);
+  return 2 * x / (normal_size * normal_size * (x + std::sqrt(x * x + a)));
+}
+
+/* The sizes of section 2.4 from the state of the layer at a point and the distance to the wall. */
+class Boundary_layer_sizes {
+public:
+  struct Log_sizes {
+    double log_normal, log_along, log_across;
+  };
+
+  explicit Boundary_layer_sizes(const Boundary_layer_parameters& p)
+      : p_(p)
+      , log_beta_(std::log(p.smoothing_ratio))
+      , log_max_anisotropy_(std::log(p.max_anisotropy)) {}
+
+  const Boundary_layer_parameters& parameters() const { return p_; }
+
+  Log_sizes operator()(const Layer_octree::State& s, double d) const {
+    const double core = limited(2 * CGAL_PI * s.radius / p_.core_points);
+    const double normal = limited((std::min)(normal_size(s.radius, d), core));
+    const double thickness = p_.thickness * s.radius;
+    const double x = s.radius > thickness ? (std::min)((std::max)((d - thickness) / (s.radius - thickness), 0.), 1.)
+                                          : (d > thickness ? 1. : 0.);
+    const Passage passage{std::log(core), x * x * (3 - 2 * x),
+                          std::log(core) + log_beta_ * elements_to_core(s.radius, d, core)};
+    const auto tangential = [&](double bend, double curvature) {
+      const double bound = tangential_bound(bend, curvature, (std::min)(d, thickness), normal);
+      // where curvature is noise, no finer than the first layer
+      const double finest = (std::min)((std::max)(p_.first_height * s.radius, p_.min_size), normal);
+      return passage(-0.5 * std::log((std::min)(bound, 1 / (finest * finest))));
+    };
+    const Log_sizes h = {std::log(normal), tangential(s.bend_along, s.curvature_along),
+                         tangential(s.bend_across, s.curvature_across)};
+    const double largest = (std::min)({h.log_normal, h.log_along, h.log_across}) + log_max_anisotropy_;
+    return {(std::min)(h.log_normal, largest), (std::min)(h.log_along, largest), (std::min)(h.log_across, largest)};
+  }
+
+private:
+  // From the layer to the core, between which tangential sizes (their logarithms) are interpolated.
+  struct Passage {
+    double log_core, core_share, log_bound;
+    double operator()(double log_size) const {
+      return (std::min)((1 - core_share) * log_size + core_share * log_core, log_bound);
+    }
+  };
+
+  double limited(double h) const { return (std::min)((std::max)(h, p_.min_size), p_.max_size); }
+
+  // (4)
+  double normal_size(double radius, double d) const { return p_.first_height * radius + (p_.growth - 1) * d; }
+
+  // How many elements lie between the distance d and where the core begins: ∫ dx / h_n(x).
+  double elements_to_core(double radius, double d, double core) const {
+    if (d >= radius)
+      return 0;
+    const double here = (std::min)(normal_size(radius, d), core);
+    const double there = (std::min)(normal_size(radius, radius), core);
+    if (p_.growth - 1 > 1e-6)
+      return std::log(there / here) / (p_.growth - 1) +
+             (there < core ? 0 : (std::max)(0., radius - (std::max)(d, distance_of(core, radius))) / core);
+    return (radius - d) / here;
+  }
+  // where (4) reaches a size
+  double distance_of(double size, double radius) const { return (size - p_.first_height * radius) / (p_.growth - 1); }
+
+  // The largest 1/h² of all criteria: the smallest size.
+  double tangential_bound(double bend, double curvature, double depth, double normal) const {
+    const double change = (std::min)((std::max)(1 - curvature * depth, 0.5), 2.); // (6): σ = -1 where convex
+    const double by_points = bend * p_.curvature_points / (2 * CGAL_PI * change); // (5)
+    const double by_smoothing = smoothing_bound(bend, normal, p_.smoothing_ratio);
+    const double largest = (std::min)(p_.max_anisotropy * normal, p_.max_size);
+    return (std::max)({by_points * by_points, by_smoothing, 1 / (largest * largest)});
+  }
+
+  Boundary_layer_parameters p_;
+  double log_beta_, log_max_anisotropy_;
+};
+
+} // namespace internal
+} // namespace Tubular_meshing
+} // namespace CGAL
+
+#endif // CGAL_TUBULAR_MESHING_FIELDS_INTERNAL_BOUNDARY_LAYER_SIZES_H

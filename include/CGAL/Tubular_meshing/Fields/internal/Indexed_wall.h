@@ -1,0 +1,173 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_FIELDS_INTERNAL_INDEXED_WALL_H
+#define CGAL_TUBULAR_MESHING_FIELDS_INTERNAL_INDEXED_WALL_H
+
+#include <CGAL/Tubular_meshing/internal/Nearest_tree.h>
+#include <CGAL/Tubular_meshing/internal/Vector_3d.h>
+
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/iterator.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Tubular_meshing {
+namespace internal {
+
+/* Some of a mesh's faces, the wall of a lumen as a rule, in compact arrays: what lies beyond (a cap) does not exist.
+ * Faces without an area are left out. Built in O(n). */
+class Indexed_wall {
+public:
+  typedef std::uint32_t Index;
+
+  Indexed_wall() = default;
+  /* The faces of which is_wall(face) is true; `vertices` becomes the mesh's vertices in the order of ours, which is
+   * that in which the faces mention them. */
+  template <class TriangleMesh, class VertexPointMap, class IsWall>
+  Indexed_wall(const TriangleMesh& mesh, const VertexPointMap& points, const IsWall& is_wall,
+               std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor>& vertices) {
+    std::unordered_map<typename boost::graph_traits<TriangleMesh>::vertex_descriptor, Index> index;
+    index.reserve(num_vertices(mesh));
+    vertices.clear();
+    for (auto f : faces(mesh)) {
+      if (!is_wall(f))
+        continue;
+      std::array<Index, 3> t;
+      auto h = halfedge(f, mesh);
+      for (Index& i : t) {
+        const auto v = target(h, mesh);
+        const auto inserted = index.emplace(v, Index(points_.size()));
+        if (inserted.second) {
+          const Double_kernel::Point_3 q = to_double_point(get(points, v));
+          points_.emplace_back(q.x(), q.y(), q.z());
+          vertices.push_back(v);
+        }
+        i = inserted.first->second;
+        h = next(h, mesh);
+      }
+      if (squared_norm(doubled_area(t)) > 0)
+        triangles_.push_back(t);
+    }
+    connect();
+  }
+
+  std::size_t number_of_vertices() const { return points_.size(); }
+  const std::vector<Vector_3d>& points() const { return points_; }
+  const std::vector<std::array<Index, 3>>& triangles() const { return triangles_; }
+  const Vector_3d& point(Index v) const { return points_[v]; }
+  /* Whether the wall ends at a vertex. */
+  bool is_on_rim(Index v) const { return on_rim_[v]; }
+
+  const Index* neighbors_begin(Index v) const { return neighbors_.data() + first_neighbor_[v]; }
+  const Index* neighbors_end(Index v) const { return neighbors_.data() + first_neighbor_[v + 1]; }
+
+  /* The normal of a triangle; its length is twice the area. */
+  Vector_3d doubled_area(const std::array<Index, 3>& t) const {
+    return cross(points_[t[1]] - points_[t[0]], points_[t[2]] - points_[t[0]]);
+  }
+
+  /* The tree of the triangles, by their numbers here. */
+  Nearest_tree<Double_kernel::Triangle_3> make_tree() const {
+    const auto point = [&](Index v) { return Double_kernel::Point_3(points_[v].x, points_[v].y, points_[v].z); };
+    std::vector<Double_kernel::Triangle_3> shapes;
+    shapes.reserve(triangles_.size());
+    for (const auto& t : triangles_)
+      shapes.emplace_back(point(t[0]), point(t[1]), point(t[2]));
+    return Nearest_tree<Double_kernel::Triangle_3>(std::move(shapes));
+  }
+
+private:
+  // Every halfedge once from either side; what comes once only is on the rim.
+  void connect() {
+    std::vector<std::array<Index, 2>> edges;
+    edges.reserve(6 * triangles_.size());
+    for (const auto& t : triangles_)
+      for (int i = 0; i < 3; ++i) {
+        edges.push_back({t[i], t[(i + 1) % 3]});
+        edges.push_back({t[(i + 1) % 3], t[i]});
+      }
+    std::sort(edges.begin(), edges.end());
+    first_neighbor_.assign(points_.size() + 1, 0);
+    on_rim_.assign(points_.size(), false);
+    for (std::size_t i = 0, j = 0; i < edges.size(); i = j) {
+      while (j < edges.size() && edges[j] == edges[i])
+        ++j;
+      if (j == i + 1)
+        on_rim_[edges[i][0]] = on_rim_[edges[i][1]] = true;
+      neighbors_.push_back(edges[i][1]);
+      ++first_neighbor_[edges[i][0] + 1];
+    }
+    std::partial_sum(first_neighbor_.begin(), first_neighbor_.end(), first_neighbor_.begin());
+  }
+
+  std::vector<Vector_3d> points_;
+  std::vector<std::array<Index, 3>> triangles_;
+  std::vector<Index> neighbors_;
+  std::vector<std::size_t> first_neighbor_;
+  std::vector<bool> on_rim_;
+};
+
+/* Visits the vertices near one of them, along edges and outward: a vessel that only passes by is not met. At most
+ * `max_vertices` are visited, which bounds the time where the mesh is very fine. Of use to one thread at a time. */
+class Wall_neighborhood {
+public:
+  static constexpr std::size_t max_vertices = 256;
+
+  explicit Wall_neighborhood(const Indexed_wall& wall)
+      : wall_(wall)
+      , seen_(table_size, Slot{0, 0}) {}
+
+  /* Calls visit(vertex, weight) for all vertices closer than the radius, the center included; the weight falls from 1
+   * at the center to 0, smoothly. */
+  template <class Visit> void for_each(Indexed_wall::Index center, double radius, const Visit& visit) {
+    ++round_;
+    found_.clear();
+    insert(center);
+    const double radius2 = radius * radius;
+    for (std::size_t head = 0; head < found_.size(); ++head) {
+      const Indexed_wall::Index v = found_[head];
+      const double x = v == center ? 0 : squared_norm(wall_.point(v) - wall_.point(center)) / radius2;
+      visit(v, (1 - x) * (1 - x));
+      for (const auto *n = wall_.neighbors_begin(v), *end = wall_.neighbors_end(v); n != end; ++n)
+        if (found_.size() < max_vertices && squared_norm(wall_.point(*n) - wall_.point(center)) < radius2)
+          insert(*n);
+    }
+  }
+
+private:
+  static constexpr std::size_t table_size = 1024; // a power of two, four times as many as there may be entries
+
+  struct Slot {
+    Indexed_wall::Index vertex;
+    std::uint32_t round;
+  };
+
+  void insert(Indexed_wall::Index v) {
+    std::size_t i = (v * 2654435761u) % table_size;
+    for (; seen_[i].round == round_; i = (i + 1) % table_size)
+      if (seen_[i].vertex == v)
+        return;
+    seen_[i] = Slot{v, round_};
+    found_.push_back(v);
+  }
+
+  const Indexed_wall& wall_;
+  std::vector<Slot> seen_;
+  std::vector<Indexed_wall::Index> found_;
+  std::uint32_t round_ = 0;
+};
+
+} // namespace internal
+} // namespace Tubular_meshing
+} // namespace CGAL
+
+#endif // CGAL_TUBULAR_MESHING_FIELDS_INTERNAL_INDEXED_WALL_H

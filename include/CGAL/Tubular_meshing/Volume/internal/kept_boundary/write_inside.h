@@ -1,0 +1,31 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_KEPT_BOUNDARY_WRITE_INSIDE_H
+#define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_KEPT_BOUNDARY_WRITE_INSIDE_H
+
+#include <CGAL/Tubular_meshing/Mixed_mesh.h>
+#include <CGAL/Tubular_meshing/Volume/internal/Tetrahedron_store.h>
+
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Tubular_meshing {
+namespace internal {
+
+/* Writes a store whose inside alone has changed back to its mesh: the labelled triangles stay in their order, and with
+ * their vertices in theirs. */
+template <class Point> void write_inside(const Tetrahedron_store& store, Mixed_mesh<Point>& mesh) {
+  Element_block<3> triangles = std::move(mesh.triangles);
+  const std::vector<Tetrahedron_store::Index> number = store.write_to(mesh);
+  for (auto& t : triangles.vertices)
+    t = {number[t[0]], number[t[1]], number[t[2]]};
+  mesh.triangles = std::move(triangles);
+}
+
+} // namespace internal
+} // namespace Tubular_meshing
+} // namespace CGAL
+
+#endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_KEPT_BOUNDARY_WRITE_INSIDE_H

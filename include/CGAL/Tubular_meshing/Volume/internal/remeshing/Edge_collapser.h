@@ -1,0 +1,209 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REMESHING_EDGE_COLLAPSER_H
+#define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REMESHING_EDGE_COLLAPSER_H
+
+#include <CGAL/Tubular_meshing/Volume/internal/remeshing/Cavity.h>
+#include <CGAL/Tubular_meshing/Volume/internal/remeshing/Edge_splitter.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Tubular_meshing {
+namespace internal {
+
+/* Takes a vertex out: it is pulled onto a neighbor that lies where it may move itself (a vertex on a patch onto one on
+ * the same patch or its rim, and so on). On the surface that must not change the surface's shape or topology. */
+template <class Mesh, class Flips> class Edge_collapser {
+public:
+  typedef Tetrahedron_store Store;
+  typedef Store::Index Index;
+
+  Edge_collapser(Mesh& mesh, Flips& flips)
+      : mesh_(mesh)
+      , flips_(flips)
+      , cavity_(mesh) {}
+
+  // The edge between corners i and j of t: the one end onto the other, or the other way.
+  bool collapse(Index t, int i, int j, const Operation_bounds& bounds) {
+    const Index v = mesh_.store[t].v[i], w = mesh_.store[t].v[j];
+    if (mesh_.location(v).dimension == 0 && mesh_.location(w).dimension == 0)
+      return false;
+    mesh_.store.ring(t, i, j, ring_);
+    const Surface_location edge = mesh_.locations.of_edge(mesh_.store, ring_);
+    const bool first = mesh_.location(v).dimension >= mesh_.location(w).dimension;
+    return first ? collapse_onto(v, w, edge, bounds) || collapse_onto(w, v, edge, bounds)
+                 : collapse_onto(w, v, edge, bounds) || collapse_onto(v, w, edge, bounds);
+  }
+
+  const Store::Index_list& new_tetrahedra() const { return come_; }
+
+private:
+  static constexpr double good_enough = 0.5;          // cones that need not be improved
+  static constexpr std::size_t most_tetrahedra = 200; // around a vertex; of what is worth the work there are some 24
+  static constexpr double least_cosine = 0.8;         // between a facet of the surface and what becomes of it
+  static constexpr double deviation = 0.1;            // of new edges from the surface, in their length
+
+  bool collapse_onto(Index v, Index w, const Surface_location& edge, const Operation_bounds& bounds) {
+    const Surface_location& at = mesh_.location(v);
+    if (at.dimension == 0 || (at.dimension < 3 && !(edge == at)))
+      return false;
+    mesh_.store.star(v, star_);
+    if (star_.size() > most_tetrahedra)
+      return false;
+    cavity_.begin(mesh_.at(w), w);
+    for (Index t : star_) {
+      cavity_.add_tetrahedron(t, flips_.quality(t));
+      cavity_.add_cone(t, mesh_.store.corner(t, v));
+    }
+    const auto is_new = [&](Index u) { return std::find(ring_.link.begin(), ring_.link.end(), u) == ring_.link.end(); };
+    if (cavity_.new_lengths(is_new)[1] > bounds.longest)
+      return false;
+    if (at.dimension < 3 && (!add_facets(v, w) || !keeps_topology(v, w)))
+      return false;
+    if (at.dimension == 3) // on the surface, vertices may come closer than tetrahedra allow for
+      cavity_.enlarge(good_enough, [this](Index t) { return flips_.quality(t); });
+    const double worst = cavity_.worst();
+    if (!(worst > 0) || !bounds.allow(cavity_.worst_before(), worst))
+      return false;
+    if (at.dimension < 3 && !keeps_shape(v, w, at))
+      return false;
+    cavity_.commit(w, come_);
+    mesh_.store.remove_vertex(v);
+    flips_.update_new(come_);
+    return true;
+  }
+
+  // What becomes of the labelled facets at v. False where one would turn too far.
+  bool add_facets(Index v, Index w) {
+    const Vector_3d from = mesh_.store.point(v), to = mesh_.store.point(w);
+    for (Index t : star_) {
+      const auto& tet = mesh_.store[t];
+      for (int k = 0; k < 4; ++k) {
+        if (tet.label[k] == 0 || tet.v[k] == v)
+          continue;
+        Index other[2];
+        int n = 0;
+        for (int c : Store::facet_corners(k))
+          if (tet.v[c] != v)
+            other[n++] = tet.v[c];
+        if (other[0] == w || other[1] == w)
+          continue;
+        const Vector_3d a = mesh_.store.point(other[0]), b = mesh_.store.point(other[1]);
+        const Vector_3d before = cross(a - from, b - from), after = cross(a - to, b - to);
+        if (dot(before, after) < least_cosine * norm(before) * norm(after))
+          return false;
+        cavity_.facets().push_back({{w, other[0], other[1]}, tet.label[k]});
+      }
+    }
+    return true;
+  }
+
+  /* No vertex but those around the edge may be joined to both its ends, and no facet of both: two sheets of the surface
+   * would be glued. */
+  bool keeps_topology(Index v, Index w) {
+    const auto& link = ring_.link;
+    const auto in_link = [&](Index u) { return std::find(link.begin(), link.end(), u) != link.end(); };
+    neighbors_.clear();
+    for (Index t : star_)
+      for (Index u : mesh_.store[t].v)
+        if (u != v && u != w)
+          neighbors_.push_back(u);
+    std::sort(neighbors_.begin(), neighbors_.end());
+    mesh_.store.star(w, other_star_);
+    for (Index t : other_star_) {
+      const auto& x = mesh_.store[t].v;
+      if (std::find(x.begin(), x.end(), v) != x.end())
+        continue;
+      int shared = 0;
+      for (Index u : x) {
+        if (u == w || !std::binary_search(neighbors_.begin(), neighbors_.end(), u))
+          continue;
+        if (!in_link(u))
+          return false;
+        ++shared;
+      }
+      if (shared > 2)
+        return false;
+      if (shared == 2 && !follows_in_link(x) && is_facet_of_star(v, x))
+        return false;
+    }
+    return true;
+  }
+  // Whether the two vertices that the tetrahedron x shares with the link are next to each other there.
+  bool follows_in_link(const Store::Vertices& x) const {
+    const auto& link = ring_.link;
+    const auto in_x = [&](Index u) { return std::find(x.begin(), x.end(), u) != x.end(); };
+    for (std::size_t k = 0; k + 1 < link.size(); ++k)
+      if (in_x(link[k]) && in_x(link[k + 1]))
+        return true;
+    return ring_.closed && in_x(link.front()) && in_x(link.back());
+  }
+  bool is_facet_of_star(Index v, const Store::Vertices& x) const {
+    return std::any_of(star_.begin(), star_.end(), [&](Index t) {
+      int shared = 0;
+      for (Index u : mesh_.store[t].v)
+        shared += u != v && std::find(ring_.link.begin(), ring_.link.end(), u) != ring_.link.end() &&
+                  std::find(x.begin(), x.end(), u) != x.end();
+      return shared == 2;
+    });
+  }
+
+  // New edges on the surface lie close to it, in their length, or closer than v's edges did.
+  bool keeps_shape(Index v, Index w, const Surface_location& at) const {
+    const double any = (std::numeric_limits<double>::infinity)();
+    if (worst_deviation(w, deviation) > deviation && worst_deviation(w, any) > worst_deviation(v, any))
+      return false;
+    if (at.dimension != 1)
+      return true;
+    const Index u = other_rim_neighbor(v, w);
+    return u == Store::none || relative_deviation(w, u, at) <= (std::max)(deviation, relative_deviation(v, u, at));
+  }
+  // The vertex but w to which v is joined along its rim: where facets with different labels meet.
+  Index other_rim_neighbor(Index v, Index w) const {
+    boost::container::small_vector<Store::Labelled_facet, 16> ends; // {u, …} and the label of a facet at vu
+    for (Index t : star_) {
+      const auto& tet = mesh_.store[t];
+      for (int k = 0; k < 4; ++k)
+        if (tet.label[k] != 0 && tet.v[k] != v)
+          for (int c : Store::facet_corners(k))
+            if (tet.v[c] != v && tet.v[c] != w)
+              ends.push_back({{tet.v[c], 0, 0}, tet.label[k]});
+    }
+    for (const auto& e : ends)
+      for (const auto& f : ends)
+        if (e.v[0] == f.v[0] && e.label != f.label)
+          return e.v[0];
+    return Store::none;
+  }
+  // Of the edges that the cavity's facets have at u; as soon as it exceeds the bound, it is known well enough.
+  double worst_deviation(Index u, double bound) const {
+    double worst = 0;
+    for (const auto& f : cavity_.facets())
+      for (int k = 1; k < 3 && worst <= bound; ++k)
+        worst = (std::max)(worst, relative_deviation(u, f.v[k], {2, f.label}));
+    return worst;
+  }
+  double relative_deviation(Index u, Index x, const Surface_location& on) const {
+    const Vector_3d p = mesh_.store.point(u), q = mesh_.store.point(x), middle = 0.5 * (p + q);
+    const double length2 = squared_norm(q - p);
+    return length2 > 0 ? std::sqrt(squared_norm(mesh_.project(middle, on) - middle) / length2) : 0;
+  }
+
+  Mesh& mesh_;
+  Flips& flips_;
+  Cavity<Mesh> cavity_;
+  Store::Ring ring_;
+  std::vector<Index> star_, other_star_, neighbors_;
+  Store::Index_list come_;
+};
+
+} // namespace internal
+} // namespace Tubular_meshing
+} // namespace CGAL
+
+#endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REMESHING_EDGE_COLLAPSER_H

@@ -1,0 +1,74 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REMESHING_EDGE_LIST_H
+#define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REMESHING_EDGE_LIST_H
+
+#include <CGAL/Tubular_meshing/Volume/internal/Tetrahedron_store.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Tubular_meshing {
+namespace internal {
+
+/* An edge, its length in the metric, and a tetrahedron where it was found. */
+struct Listed_edge {
+  typedef Tetrahedron_store::Index Index;
+  float length;
+  Index t, a, b; // a < b
+
+  // The corners of the edge in its tetrahedron; false if it is no longer there.
+  bool find(const Tetrahedron_store& store, int& i, int& j) const {
+    if (!store.is_alive(t))
+      return false;
+    i = store.corner(t, a);
+    j = store.corner(t, b);
+    return store[t].v[i] == a && store[t].v[j] == b;
+  }
+};
+typedef std::vector<Listed_edge> Edge_list;
+
+/* The edges of the tetrahedra listed (some may be gone) that have a length of interest, each once, the longest first.
+ * O(n log n) in the number of tetrahedra. */
+template <class Mesh, class IsOfInterest>
+Edge_list list_edges(const Mesh& mesh, const std::vector<Tetrahedron_store::Index>& tetrahedra,
+                     const IsOfInterest& is_of_interest) {
+  Edge_list edges;
+  for (Listed_edge::Index t : tetrahedra) {
+    if (!mesh.store.is_alive(t))
+      continue;
+    const auto& v = mesh.store[t].v;
+    for (int i = 0; i < 4; ++i)
+      for (int j = i + 1; j < 4; ++j) {
+        const double l = mesh.length(v[i], v[j]);
+        if (is_of_interest(l))
+          edges.push_back({float(l), t, (std::min)(v[i], v[j]), (std::max)(v[i], v[j])});
+      }
+  }
+  const auto ends = [](const Listed_edge& e) { return (std::uint64_t(e.a) << 32) | e.b; };
+  std::sort(edges.begin(), edges.end(), [&](const Listed_edge& x, const Listed_edge& y) { return ends(x) < ends(y); });
+  edges.erase(std::unique(edges.begin(), edges.end(),
+                          [&](const Listed_edge& x, const Listed_edge& y) { return ends(x) == ends(y); }),
+              edges.end());
+  std::sort(edges.begin(), edges.end(), [&](const Listed_edge& x, const Listed_edge& y) {
+    return x.length > y.length || (x.length == y.length && ends(x) < ends(y));
+  });
+  return edges;
+}
+
+inline std::vector<Tetrahedron_store::Index> list_tetrahedra(const Tetrahedron_store& store) {
+  std::vector<Tetrahedron_store::Index> all;
+  for (Tetrahedron_store::Index t = 0; t < store.number_of_slots(); ++t)
+    if (store.is_alive(t))
+      all.push_back(t);
+  return all;
+}
+
+} // namespace internal
+} // namespace Tubular_meshing
+} // namespace CGAL
+
+#endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REMESHING_EDGE_LIST_H

@@ -1,0 +1,122 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REMESHING_EDGE_SPLITTER_H
+#define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REMESHING_EDGE_SPLITTER_H
+
+#include <CGAL/Tubular_meshing/Volume/internal/remeshing/Cavity.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace CGAL {
+namespace Tubular_meshing {
+namespace internal {
+
+/* What an operation has to keep to. */
+struct Operation_bounds {
+  double quality_floor;               // a cavity may become as bad as this,
+  double quality_factor;              // or as bad as this times what it was;
+  double shortest, longest;           // of the new edges
+  double urgent_floor, urgent_factor; // the same where it is urgent: neither may be passed
+
+  bool allow(double before, double after) const {
+    return after >= (std::min)(quality_floor, quality_factor * before) ||
+           (after >= urgent_floor && after >= urgent_factor * before);
+  }
+};
+
+/* Puts a vertex at the middle, in the metric, of an edge; on the surface, at the nearest point of the edge's patch or
+ * rim. */
+template <class Mesh, class Flips> class Edge_splitter {
+public:
+  typedef Tetrahedron_store Store;
+  typedef Store::Index Index;
+
+  Edge_splitter(Mesh& mesh, Flips& flips)
+      : mesh_(mesh)
+      , flips_(flips)
+      , cavity_(mesh) {}
+
+  // The edge between corners i and j of t, at the share `s` of it. New tetrahedra are left in new_tetrahedra().
+  bool split(Index t, int i, int j, double s, const Operation_bounds& bounds) {
+    mesh_.store.ring(t, i, j, ring_);
+    location_ = mesh_.locations.of_edge(mesh_.store, ring_);
+    if (location_.dimension < 3 && mesh_.keep_boundary)
+      return false;
+    const Vector_3d a = mesh_.store.point(ring_.a), b = mesh_.store.point(ring_.b), middle = a + s * (b - a);
+    const Vector_3d on_surface = mesh_.project(middle, location_);
+    // where the surface is out of reach for the elements as they are, the edge itself will do
+    if (try_at(on_surface, bounds))
+      return true;
+    return location_.dimension < 3 && try_at(middle, bounds);
+  }
+  // At the middle of the length that the metrics at its ends give it.
+  bool split(Index t, int i, int j, const Operation_bounds& bounds) {
+    return split(t, i, j, middle_of(mesh_.at(mesh_.store[t].v[i]), mesh_.at(mesh_.store[t].v[j])), bounds);
+  }
+
+  const Store::Index_list& new_tetrahedra() const { return come_; }
+
+private:
+  static constexpr double good_enough = 0.7; // cones that need not be improved
+
+  static double middle_of(const Metric_point& p, const Metric_point& q) {
+    const Vector_3d e = q.position - p.position;
+    const double a = p.metric.squared_length(e), b = q.metric.squared_length(e);
+    if (!(std::abs(b - a) > 1e-3 * a))
+      return 0.5;
+    const double s = (std::pow((std::pow(a, 1.5) + std::pow(b, 1.5)) / 2, 2. / 3) - a) / (b - a);
+    return (std::min)((std::max)(s, 0.1), 0.9);
+  }
+
+  bool try_at(const Vector_3d& p, const Operation_bounds& bounds) {
+    cavity_.begin(mesh_.at(p), Store::none);
+    for (Index t : ring_.tetrahedra) {
+      cavity_.add_tetrahedron(t, flips_.quality(t));
+      cavity_.add_cone(t, mesh_.store.corner(t, ring_.a));
+      cavity_.add_cone(t, mesh_.store.corner(t, ring_.b));
+      add_facets(t);
+    }
+    cavity_.enlarge(good_enough, [this](Index t) { return flips_.quality(t); });
+    const double worst = cavity_.worst();
+    if (!(worst > 0) || !bounds.allow(cavity_.worst_before(), worst))
+      return false;
+    const auto lengths = cavity_.new_lengths([](Index) { return true; });
+    if (lengths[0] < bounds.shortest || lengths[1] > bounds.longest)
+      return false;
+    const Index v = mesh_.add_vertex(cavity_.kernel(), location_);
+    for (auto& f : cavity_.facets())
+      std::replace(f.v.begin(), f.v.end(), Store::none, v);
+    cavity_.commit(v, come_);
+    flips_.update_new(come_);
+    return true;
+  }
+
+  // The halves of the labelled facets of t at the edge; the new vertex is yet without a number.
+  void add_facets(Index t) {
+    const auto& tet = mesh_.store[t];
+    for (int k = 0; k < 4; ++k) {
+      if (tet.label[k] == 0 || tet.v[k] == ring_.a || tet.v[k] == ring_.b)
+        continue;
+      for (int c : Store::facet_corners(k))
+        if (tet.v[c] != ring_.a && tet.v[c] != ring_.b) {
+          cavity_.facets().push_back({{ring_.a, Store::none, tet.v[c]}, tet.label[k]});
+          cavity_.facets().push_back({{ring_.b, Store::none, tet.v[c]}, tet.label[k]});
+        }
+    }
+  }
+
+  Mesh& mesh_;
+  Flips& flips_;
+  Cavity<Mesh> cavity_;
+  Store::Ring ring_;
+  Surface_location location_;
+  Store::Index_list come_;
+};
+
+} // namespace internal
+} // namespace Tubular_meshing
+} // namespace CGAL
+
+#endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REMESHING_EDGE_SPLITTER_H

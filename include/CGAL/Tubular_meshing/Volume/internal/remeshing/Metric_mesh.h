@@ -1,0 +1,180 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REMESHING_METRIC_MESH_H
+#define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REMESHING_METRIC_MESH_H
+
+#include <CGAL/Tubular_meshing/Volume/internal/Patch_projection.h>
+#include <CGAL/Tubular_meshing/Volume/internal/Tetrahedron_store.h>
+#include <CGAL/Tubular_meshing/Volume/internal/remeshing/Surface_locations.h>
+#include <CGAL/Tubular_meshing/Volume/internal/remeshing/metric_quality.h>
+#include <CGAL/Tubular_meshing/Volume/internal/remeshing/remeshing_input.h>
+#include <CGAL/Tubular_meshing/internal/parallel.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/hilbert_sort.h>
+#include <CGAL/Spatial_sort_traits_adapter_3.h>
+#include <CGAL/property_map.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Tubular_meshing {
+namespace internal {
+
+/* Whether a tetrahedron is positively oriented with a thousand times the rounding error of its determinant to spare:
+ * exact arithmetic would say the same, and still would if the coordinates were written to a file with fewer digits. */
+inline bool is_positive(const Vector_3d& a, const Vector_3d& b, const Vector_3d& c, const Vector_3d& d) {
+  const Vector_3d u = b - a, v = c - a, w = d - a;
+  const auto magnitude = [](const Vector_3d& x) { return std::abs(x.x) + std::abs(x.y) + std::abs(x.z); };
+  const double rounding = std::numeric_limits<double>::epsilon() *
+                          (magnitude(a) + magnitude(u) + magnitude(v) + magnitude(w)); // of a difference
+  const double lu = magnitude(u), lv = magnitude(v), lw = magnitude(w);
+  return dot(u, cross(v, w)) > 1000 * rounding * (lu * lv + lv * lw + lw * lu);
+}
+
+/* A mesh with the metric at its vertices, and where each of them lies: what all operations of the remesher work on.
+ *
+ * `Field` gives a Metric_tensor_3 at a Vector_3d. With `keep_boundary` all vertices on labelled facets are fixed and so
+ * are the facets.
+ */
+template <class Field> class Metric_mesh {
+public:
+  typedef Tetrahedron_store Store;
+  typedef Store::Index Index;
+
+  Metric_mesh(Store& store, const Field& field, const Patch_projection& projection, bool keep_boundary, int threads)
+      : store(store)
+      , projection(projection)
+      , keep_boundary(keep_boundary)
+      , threads(threads)
+      , field_(field)
+      , limits_(extent_of(store)) {
+    metric_.resize(store.number_of_vertices());
+    for_each_range(metric_.size(), threads, [&](std::size_t first, std::size_t last) {
+      for (std::size_t v = first; v < last; ++v)
+        if (store.is_used(Index(v)))
+          metric_[v] = at(store.point(Index(v))).metric;
+    });
+    Metric_limits::check_number_of_tetrahedra(number_of_unit_tetrahedra());
+    location_ = locations.of_vertices(store, [&](Index v) { return projection.is_fixed(store.point(v), 1); });
+    if (keep_boundary)
+      for (Surface_location& l : location_)
+        if (l.dimension < 3)
+          l = {0, 0};
+  }
+
+  Store& store;
+  const Patch_projection& projection;
+  Surface_locations locations;
+  const bool keep_boundary;
+  const int threads;
+
+  const Metric_tensor_3& metric(Index v) const { return metric_[v]; }
+  const Surface_location& location(Index v) const { return location_[v]; }
+  Metric_point at(Index v) const { return {store.point(v), metric_[v]}; }
+  Metric_point at(const Vector_3d& p) const {
+    const Metric_point result = {p, field_(p)};
+    limits_.check(result.metric, p);
+    return result;
+  }
+
+  Index add_vertex(const Metric_point& p, const Surface_location& l) {
+    const Index v = store.add_vertex(p.position);
+    if (v == metric_.size()) {
+      metric_.push_back(p.metric);
+      location_.push_back(l);
+    }
+    metric_[v] = p.metric;
+    location_[v] = l;
+    return v;
+  }
+  void move(Index v, const Metric_point& p) {
+    store.move(v, p.position);
+    metric_[v] = p.metric;
+  }
+
+  // The nearest point of the surface at a location.
+  Vector_3d project(const Vector_3d& p, const Surface_location& l) const {
+    return l.dimension == 2   ? projection.to_patch(p, l.id)
+           : l.dimension == 1 ? projection.to_rim(p, locations.patches_of_rim(l.id))
+                              : p;
+  }
+
+  // By vertex; the mesh is without metrics after that.
+  std::vector<Metric_tensor_3> take_metrics() { return std::move(metric_); }
+
+  double length(Index v, Index w) const { return metric_length(at(v), at(w)); }
+  Metric_shape shape(const Store::Vertices& v) const {
+    const Vector_3d& p = store.point(v[0]);
+    return metric_shape(store.point(v[1]) - p, store.point(v[2]) - p, store.point(v[3]) - p,
+                        0.25 * (metric_[v[0]] + metric_[v[1]] + metric_[v[2]] + metric_[v[3]]));
+  }
+  // The measures that flips compare, see Topology_optimizer.
+  double tetrahedron(Index a, Index b, Index c, Index d) const {
+    return is_positive(store.point(a), store.point(b), store.point(c), store.point(d)) ? shape({a, b, c, d}).quality()
+                                                                                       : 0;
+  }
+  double triangle(Index a, Index b, Index c) const { return metric_quality(at(a), at(b), at(c)); }
+
+  // Vertices and tetrahedra along a space-filling curve; the unused are gone.
+  void renumber() {
+    typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
+    typedef CGAL::Pointer_property_map<Kernel::Point_3>::type Map;
+    std::vector<Kernel::Point_3> points;
+    std::vector<std::size_t> order;
+    for (Index v = 0; v < store.number_of_vertices(); ++v) {
+      const Vector_3d& p = store.point(v);
+      points.emplace_back(p.x, p.y, p.z);
+      if (store.is_used(v))
+        order.push_back(v);
+    }
+    CGAL::hilbert_sort(order.begin(), order.end(),
+                       CGAL::Spatial_sort_traits_adapter_3<Kernel, Map>(CGAL::make_property_map(points)));
+    std::vector<Metric_tensor_3> metric;
+    std::vector<Surface_location> location;
+    for (std::size_t v : order) {
+      metric.push_back(metric_[v]);
+      location.push_back(location_[v]);
+    }
+    metric_.swap(metric);
+    location_.swap(location);
+    store.renumber(std::vector<Index>(order.begin(), order.end()));
+  }
+
+private:
+  static double extent_of(const Store& store) {
+    Vector_3d low = store.point(store[0].v[0]), high = low;
+    for (Index v = 0; v < store.number_of_vertices(); ++v)
+      if (store.is_used(v)) {
+        const Vector_3d& p = store.point(v);
+        low = {(std::min)(low.x, p.x), (std::min)(low.y, p.y), (std::min)(low.z, p.z)};
+        high = {(std::max)(high.x, p.x), (std::max)(high.y, p.y), (std::max)(high.z, p.z)};
+      }
+    return norm(high - low);
+  }
+  // As the metrics at the vertices of the mesh foretell.
+  double number_of_unit_tetrahedra() const {
+    double n = 0;
+    for (Index t = 0; t < store.number_of_slots(); ++t)
+      if (store.is_alive(t))
+        n += shape(store[t].v).volume;
+    return n;
+  }
+
+  const Field& field_;
+  Metric_limits limits_;
+  std::vector<Metric_tensor_3> metric_;
+  std::vector<Surface_location> location_;
+};
+
+} // namespace internal
+} // namespace Tubular_meshing
+} // namespace CGAL
+
+#endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REMESHING_METRIC_MESH_H

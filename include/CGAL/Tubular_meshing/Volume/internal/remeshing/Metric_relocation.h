@@ -1,0 +1,278 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REMESHING_METRIC_RELOCATION_H
+#define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REMESHING_METRIC_RELOCATION_H
+
+#include <CGAL/Tubular_meshing/Volume/internal/Colored_stars.h>
+#include <CGAL/Tubular_meshing/Volume/internal/newton_steps.h>
+#include <CGAL/Tubular_meshing/Volume/internal/remeshing/Metric_mesh.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+namespace CGAL {
+namespace Tubular_meshing {
+namespace internal {
+
+/* What is to be small around a vertex, as a function of its position: of each tetrahedron its Q, eq. (16), and how far
+ * its edges are from unit length, s + 1/s with s their mean square. Q goes to infinity for a flat tetrahedron:
+ * descending the sum never inverts one. Derivatives hold the metrics fixed. */
+struct Metric_energy {
+  static constexpr double size_weight = 1;
+
+  double value = 0;
+  Vector_3d gradient;
+  Symmetric_matrix_3d hessian;
+  double size2 = 1;
+
+  // The tetrahedron that the vertex spans with the facet at u, v, w from it, in its mean metric. False if inverted.
+  bool add(const Vector_3d& u, const Vector_3d& v, const Vector_3d& w, const Metric_tensor_3& mean,
+           bool with_derivatives) {
+    const double density = std::sqrt(2.) * mean.density();
+    const double d = density * dot(u, cross(v, w));
+    if (!(d > 0))
+      return false;
+    const Vector_3d sum = u + v + w;
+    const double s =
+        (4 * (mean.squared_length(u) + mean.squared_length(v) + mean.squared_length(w)) - mean.squared_length(sum)) / 6;
+    const double root = std::sqrt(s), q = s * root / d;
+    value += q + size_weight * (s / size2 + size2 / s);
+    if (!with_derivatives)
+      return true;
+    const Vector_3d m(mean.xx * sum.x + mean.xy * sum.y + mean.xz * sum.z,
+                      mean.xy * sum.x + mean.yy * sum.y + mean.yz * sum.z,
+                      mean.xz * sum.x + mean.yz * sum.y + mean.zz * sum.z);
+    const Vector_3d ds = (-1. / 3) * m, dd = -density * cross(v - u, w - u);
+    const double f_s = 1.5 * root / d + size_weight * (1 / size2 - size2 / (s * s)), f_d = -q / d;
+    gradient += f_s * ds;
+    gradient += f_d * dd;
+    // s is quadratic with the Hessian `mean`, d is linear; an indefinite part of it is left out
+    const double f = (std::max)(f_s, 0.);
+    hessian.xx += f * mean.xx;
+    hessian.xy += f * mean.xy;
+    hessian.xz += f * mean.xz;
+    hessian.yy += f * mean.yy;
+    hessian.yz += f * mean.yz;
+    hessian.zz += f * mean.zz;
+    hessian.add_product(0.75 / (root * d) + 2 * size_weight * size2 / (s * s * s), ds, ds);
+    hessian.add_product(-3 * root / (d * d), ds, dd);
+    hessian.add_product(2 * q / (d * d), dd, dd);
+    return true;
+  }
+};
+
+/* Coordinates y = Lᵀ x in which a metric L Lᵀ is the identity: there steps are well scaled, however small a size is
+ * beside another one. */
+class Metric_frame {
+public:
+  explicit Metric_frame(const Metric_tensor_3& m)
+      : l00(std::sqrt(m.xx))
+      , l10(m.xy / l00)
+      , l20(m.xz / l00)
+      , l11(std::sqrt((std::max)(m.yy - l10 * l10, 1e-30 * m.yy)))
+      , l21((m.yz - l20 * l10) / l11)
+      , l22(std::sqrt((std::max)(m.zz - l20 * l20 - l21 * l21, 1e-30 * m.zz))) {}
+
+  Vector_3d vector_into(const Vector_3d& x) const {
+    return {l00 * x.x + l10 * x.y + l20 * x.z, l11 * x.y + l21 * x.z, l22 * x.z};
+  }
+  Vector_3d vector_out_of(const Vector_3d& y) const {
+    const double z = y.z / l22, v = (y.y - l21 * z) / l11;
+    return {(y.x - l10 * v - l20 * z) / l00, v, z};
+  }
+  // Of gradients and normals.
+  Vector_3d covector_into(const Vector_3d& g) const {
+    const double x = g.x / l00, y = (g.y - l10 * x) / l11;
+    return {x, y, (g.z - l20 * x - l21 * y) / l22};
+  }
+  Symmetric_matrix_3d hessian_into(const Symmetric_matrix_3d& h) const {
+    // columns of H L⁻ᵀ, transposed, are rows of L⁻¹ H; then the same from the other side
+    const Vector_3d a = covector_into({h.xx, h.xy, h.xz}), b = covector_into({h.xy, h.yy, h.yz}),
+                    c = covector_into({h.xz, h.yz, h.zz});
+    const Vector_3d x = covector_into({a.x, b.x, c.x}), y = covector_into({a.y, b.y, c.y}),
+                    z = covector_into({a.z, b.z, c.z});
+    return {x.x, x.y, x.z, y.y, y.z, z.z};
+  }
+
+private:
+  double l00, l10, l20, l11, l21, l22;
+};
+
+/* Moves vertices, topology fixed, down Metric_energy by Newton steps with backtracking; a step is judged with the
+ * metric that the field has at its end. Vertices on the surface move along it and are projected onto it. The result is
+ * the same for any number of threads. */
+template <class Mesh> class Metric_relocation {
+public:
+  typedef Tetrahedron_store Store;
+  typedef Store::Index Index;
+
+  Metric_relocation(Mesh& mesh, double size)
+      : mesh_(mesh)
+      , size2_(size * size)
+      , store_(mesh.store) {
+    stars_.build(store_, [&](Index v) { return mesh_.location(v).dimension != 0; });
+  }
+
+  // One visit to each vertex.
+  void sweep() {
+    stars_.for_each_movable(mesh_.threads, [this](Index v) { relocate(v); });
+  }
+
+  // Brings vertices that are off the surface, where it was out of reach when they were made, onto it.
+  void pull_to_surface() {
+    stars_.for_each_movable(mesh_.threads, [this](Index v) {
+      if (mesh_.location(v).dimension < 3)
+        pull(v);
+    });
+  }
+
+private:
+  static constexpr int most_attempts = 4;
+  static constexpr double least_gain = 1e-4; // of the energy; less is not worth the visit
+  static constexpr double most_loss = 1.5;   // for getting onto the surface
+  static constexpr double negligible = 1e-9; // distance from the surface, in the metric
+
+  void relocate(Index v) const {
+    const Surface_location at = mesh_.location(v);
+    const Metric_point old = mesh_.at(v);
+    Metric_energy here;
+    here.size2 = size2_;
+    if (!energy(v, old, true, here))
+      return;
+    Vector_3d step = newton(v, at, old, here);
+    if (-dot(step, here.gradient) < least_gain * here.value)
+      return;
+    const double length2 = old.metric.squared_length(step);
+    if (length2 > size2_) // further than to a neighbor
+      step = std::sqrt(size2_ / length2) * step;
+    for (int attempt = 0; attempt < most_attempts; ++attempt, step = 0.4 * step) {
+      const Vector_3d moved = old.position + step, p = mesh_.project(moved, at);
+      // a projection longer than the step has landed on another part of the surface
+      if (at.dimension < 3 && squared_norm(p - moved) > squared_norm(step))
+        continue;
+      const Metric_point there = mesh_.at(p);
+      Metric_energy e;
+      e.size2 = size2_;
+      if (energy(v, there, false, e) && e.value < here.value && keeps_surface(v, p) && is_valid(v, p)) {
+        mesh_.move(v, there);
+        return;
+      }
+    }
+  }
+
+  void pull(Index v) const {
+    const Metric_point old = mesh_.at(v);
+    const Vector_3d p = mesh_.project(old.position, mesh_.location(v));
+    const double distance2 = old.metric.squared_length(p - old.position);
+    Metric_energy here;
+    here.size2 = size2_;
+    if (distance2 < negligible * negligible * size2_ || !energy(v, old, false, here))
+      return;
+    // a part of the way, if all of it is too far for the elements as they are; they will give way
+    for (double share = 1; share > 0.1; share /= 2) {
+      const Vector_3d x = old.position + share * (p - old.position);
+      const Metric_point there = mesh_.at(share == 1 ? p : x);
+      Metric_energy e;
+      e.size2 = size2_;
+      if (energy(v, there, false, e) && e.value < most_loss * here.value && keeps_surface(v, there.position) &&
+          is_valid(v, there.position)) {
+        mesh_.move(v, there);
+        return;
+      }
+    }
+  }
+
+  Vector_3d newton(Index v, const Surface_location& at, const Metric_point& old, const Metric_energy& e) const {
+    const Metric_frame frame(old.metric);
+    const Symmetric_matrix_3d h = frame.hessian_into(e.hessian);
+    const Vector_3d g = frame.covector_into(e.gradient);
+    if (at.dimension == 3)
+      return frame.vector_out_of(newton_step(h, g));
+    const Normals n = normals(v);
+    if (at.dimension == 2)
+      return frame.vector_out_of(tangential_step(h, g, normalized(frame.covector_into(n.first))));
+    return frame.vector_out_of(step_along(h, g, normalized(frame.vector_into(cross(n.first, n.second)))));
+  }
+
+  bool energy(Index v, const Metric_point& x, bool with_derivatives, Metric_energy& e) const {
+    for (Index s : stars_.facets(v)) {
+      const auto& tet = store_[Store::tetrahedron_of(s)].v;
+      const auto& c = Store::facet_corners(Store::opposite_of(s));
+      const Metric_tensor_3 mean =
+          0.25 * (x.metric + mesh_.metric(tet[c[0]]) + mesh_.metric(tet[c[1]]) + mesh_.metric(tet[c[2]]));
+      if (!e.add(store_.point(tet[c[0]]) - x.position, store_.point(tet[c[1]]) - x.position,
+                 store_.point(tet[c[2]]) - x.position, mean, with_derivatives))
+        return false;
+    }
+    return true;
+  }
+
+  bool is_valid(Index v, const Vector_3d& p) const {
+    for (Index s : stars_.facets(v)) {
+      const auto& tet = store_[Store::tetrahedron_of(s)].v;
+      const auto& c = Store::facet_corners(Store::opposite_of(s));
+      if (!is_positive(store_.point(tet[c[0]]), store_.point(tet[c[2]]), store_.point(tet[c[1]]), p))
+        return false;
+    }
+    return true;
+  }
+
+  // Of the labelled facets at a vertex: their mean normals, those with the lowest label first, the others second.
+  struct Normals {
+    Vector_3d first, second;
+  };
+  template <class Visit> void for_each_facet(Index v, const Visit& visit) const {
+    for (Index s : stars_.facets(v)) {
+      const auto& tet = store_[Store::tetrahedron_of(s)];
+      const int i = Store::opposite_of(s);
+      for (int j = 0; j < 4; ++j) {
+        // an interface is visited from its side of lower region
+        if (j == i || tet.label[j] == 0 ||
+            (tet.neighbor[j] != Store::none && store_.region(Store::tetrahedron_of(tet.neighbor[j])) < tet.region))
+          continue;
+        const auto& f = Store::facet_corners(j);
+        const int k = f[0] == i ? 0 : f[1] == i ? 1 : 2;
+        visit(tet.v[f[(k + 1) % 3]], tet.v[f[(k + 2) % 3]], tet.label[j]);
+      }
+    }
+  }
+  Normals normals(Index v) const {
+    std::int32_t lowest = (std::numeric_limits<std::int32_t>::max)();
+    for_each_facet(v, [&](Index, Index, std::int32_t label) { lowest = (std::min)(lowest, label); });
+    const Vector_3d& x = store_.point(v);
+    Normals sum;
+    for_each_facet(v, [&](Index a, Index b, std::int32_t label) {
+      (label == lowest ? sum.first : sum.second) += cross(store_.point(a) - x, store_.point(b) - x);
+    });
+    return {normalized(sum.first), normalized(sum.second)};
+  }
+
+  // No facet at v may turn far when v comes to p.
+  bool keeps_surface(Index v, const Vector_3d& p) const {
+    if (mesh_.location(v).dimension == 3)
+      return true;
+    bool keeps = true;
+    const Vector_3d& x = store_.point(v);
+    for_each_facet(v, [&](Index a, Index b, std::int32_t) {
+      const Vector_3d& q = store_.point(a);
+      const Vector_3d& r = store_.point(b);
+      const Vector_3d before = cross(q - x, r - x), after = cross(q - p, r - p);
+      keeps = keeps && dot(before, after) > 0.8 * norm(before) * norm(after);
+    });
+    return keeps;
+  }
+
+  Mesh& mesh_;
+  double size2_;
+  Store& store_;
+  Colored_stars stars_;
+};
+
+} // namespace internal
+} // namespace Tubular_meshing
+} // namespace CGAL
+
+#endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REMESHING_METRIC_RELOCATION_H

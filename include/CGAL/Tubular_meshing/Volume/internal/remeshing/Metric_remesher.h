@@ -1,0 +1,269 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REMESHING_METRIC_REMESHER_H
+#define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REMESHING_METRIC_REMESHER_H
+
+#include <CGAL/Tubular_meshing/Volume/internal/Surface_flip_guard.h>
+#include <CGAL/Tubular_meshing/Volume/internal/Topology_optimizer.h>
+#include <CGAL/Tubular_meshing/Volume/internal/remeshing/Edge_collapser.h>
+#include <CGAL/Tubular_meshing/Volume/internal/remeshing/Edge_list.h>
+#include <CGAL/Tubular_meshing/Volume/internal/remeshing/Edge_splitter.h>
+#include <CGAL/Tubular_meshing/Volume/internal/remeshing/Metric_mesh.h>
+#include <CGAL/Tubular_meshing/Volume/internal/remeshing/Metric_relocation.h>
+#include <CGAL/Tubular_meshing/Volume/internal/remeshing/local_volumes.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Tubular_meshing {
+namespace internal {
+
+/* Flips that change the surface are refused where it is to stay. */
+struct Remeshing_flip_guard {
+  Surface_flip_guard<Patch_projection> shape;
+  bool keep_boundary;
+
+  bool operator()(Tetrahedron_store::Index a, Tetrahedron_store::Index b, Tetrahedron_store::Index c,
+                  Tetrahedron_store::Index d, std::int32_t patch) const {
+    return !keep_boundary && shape(a, b, c, d, patch);
+  }
+};
+
+/* The passes of the remesher, in their order.
+ *
+ * First sizes are brought about, from coarse to fine: for unit lengths 4, 2 and 1 edges longer than √2 units are split,
+ * the longest first, and edges shorter than 1/√2 units are collapsed, with flips and a relocation in between. A mesh
+ * that has the metric's shape at a coarse size is cheap to come by, and what is split from it has that shape from the
+ * start. Then shapes: relocations, flips, and what they leave to split or collapse in turn, vertices being taken out
+ * where they are denser than the metric asks, and put in where there are too few. Each round's work is proportional to
+ * what the one before has changed, or a linear sweep.
+ */
+template <class Field> class Metric_remesher {
+public:
+  typedef Tetrahedron_store Store;
+  typedef Store::Index Index;
+  typedef Metric_mesh<Field> Mesh;
+  struct Measure {
+    const Mesh* mesh;
+    double tetrahedron(Index a, Index b, Index c, Index d) const { return mesh->tetrahedron(a, b, c, d); }
+    double triangle(Index a, Index b, Index c) const { return mesh->triangle(a, b, c); }
+  };
+  typedef Topology_optimizer<Remeshing_flip_guard, Measure> Flips;
+
+  explicit Metric_remesher(Mesh& mesh)
+      : mesh_(mesh)
+      , store_(mesh.store)
+      , flips_(store_, Remeshing_flip_guard{{store_, mesh.projection}, mesh.keep_boundary}, Measure{&mesh},
+               mesh.threads)
+      , splitter_(mesh, flips_)
+      , collapser_(mesh, flips_) {}
+
+  // `observe(*this, what, n)` is told after each pass what was done, and how often.
+  template <class Observer> void run(const Observer& observe) {
+    observe(*this, "find", find_hidden());
+    for (double size : {4., 2., 1.})
+      if (size == 1 || has_edges_above(sqrt_2 * size))
+        adapt(size, observe);
+    const int rounds = 6;
+    for (int round = 0; round < rounds; ++round) {
+      relocate(2, 1);
+      observe(*this, "flip", flips_.improve_below(0.75));
+      observe(*this, "size", split_above(1) + collapse_below(1));
+      observe(*this, "balance", balance());
+    }
+    for (int round = 0; round < 3; ++round) {
+      relocate(2, 1);
+      observe(*this, "repair", repair_below(0.25));
+      observe(*this, "finish", flips_.improve_below(0.8));
+    }
+  }
+
+  const Mesh& mesh() const { return mesh_; }
+  const Flips& flips() const { return flips_; }
+
+private:
+  static constexpr double sqrt_2 = 1.4142135623730951;
+
+  /* Splits edges that a small feature of the field crosses unseen by both ends: their length by samples is much larger
+   * than by their ends. From there on, the ends see it. */
+  std::size_t find_hidden() {
+    std::size_t n = 0;
+    std::vector<Index> todo = list_tetrahedra(store_);
+    for (int round = 0; round < 8 && !todo.empty(); ++round) {
+      const Edge_list edges = list_edges(mesh_, todo, [](double) { return true; });
+      std::vector<float> share(edges.size(), 0);
+      for_each_range(edges.size(), mesh_.threads, [&](std::size_t first, std::size_t last) {
+        for (std::size_t k = first; k < last; ++k)
+          share[k] = float(hidden_middle(edges[k]));
+      });
+      todo.clear();
+      int i, j;
+      for (std::size_t k = 0; k < edges.size(); ++k)
+        if (share[k] > 0 && edges[k].find(store_, i, j) &&
+            splitter_.split(edges[k].t, i, j, share[k], bounds_of_split(1, 1))) {
+          todo.insert(todo.end(), splitter_.new_tetrahedra().begin(), splitter_.new_tetrahedra().end());
+          ++n;
+        }
+    }
+    return n;
+  }
+  // Where the finest of a few samples lies, if the edge is much longer than its ends tell; else 0.
+  double hidden_middle(const Listed_edge& edge) const {
+    const Vector_3d a = store_.point(edge.a), e = store_.point(edge.b) - a;
+    const int samples = 3;
+    double length = 0, largest = 0, where = 0;
+    for (int k = 1; k <= samples; ++k) {
+      const double s = double(k) / (samples + 1), l = mesh_.at(a + s * e).metric.length(e);
+      length += l / samples;
+      if (l > largest) {
+        largest = l;
+        where = s;
+      }
+    }
+    return length > sqrt_2 && length > 1.5 * edge.length ? where : 0;
+  }
+
+  bool has_edges_above(double length) const {
+    return !list_edges(mesh_, list_tetrahedra(store_), [=](double l) { return l > length; }).empty();
+  }
+
+  template <class Observer> void adapt(double size, const Observer& observe) {
+    const int most_rounds = size > 1 ? 1 : 4;
+    for (int round = 0; round < most_rounds; ++round) {
+      observe(*this, "split", split_above(size));
+      observe(*this, "collapse", collapse_below(size));
+      observe(*this, "flip", flips_.improve_below(0.5));
+      mesh_.renumber();
+      relocate(1, size);
+    }
+  }
+
+  void relocate(int sweeps, double size) {
+    Metric_relocation<Mesh> relocation(mesh_, size);
+    if (!mesh_.keep_boundary)
+      relocation.pull_to_surface();
+    for (int i = 0; i < sweeps; ++i)
+      relocation.sweep();
+    flips_.update_all(mesh_.threads);
+  }
+
+  /* Bad shapes may be split and collapsed as long as it does not make them much worse. Where an edge is many times too
+   * long, that it goes comes first; but a bound there must be, as halves of bad shapes would be worse without end. */
+  static Operation_bounds bounds_of_split(double size, double length) {
+    return {0.2, 0.8, 0.65 * size, 1e300, 0.002, 0.8 * std::sqrt((std::min)(1., sqrt_2 * size / length))};
+  }
+  static Operation_bounds bounds_of_collapse(double size) { return {0.2, 0.8, 0, sqrt_2 * size, 1, 1}; }
+
+  /* The longest edges first, those much shorter in a later round, with flips in between: splits of tetrahedra out of
+   * shape would make more of them. */
+  std::size_t split_above(double size) {
+    const double step = 0.6;
+    std::size_t n = 0;
+    double longest = 1e300;
+    std::vector<Index> todo = list_tetrahedra(store_), next, made;
+    for (int i, j; !todo.empty(); todo.swap(next)) {
+      const Edge_list edges = list_edges(mesh_, todo, [=](double l) { return l > sqrt_2 * size; });
+      next.clear();
+      made.clear();
+      if (edges.empty())
+        break;
+      longest = (std::min)(longest, double(edges.front().length));
+      for (const Listed_edge& e : edges)
+        if (e.length < step * longest)
+          next.push_back(e.t);
+        else if (e.find(store_, i, j) && splitter_.split(e.t, i, j, bounds_of_split(size, e.length))) {
+          made.insert(made.end(), splitter_.new_tetrahedra().begin(), splitter_.new_tetrahedra().end());
+          ++n;
+        }
+      longest *= step;
+      flips_.improve_these(made, 0.4);
+      next.insert(next.end(), made.begin(), made.end());
+    }
+    return n;
+  }
+
+  // The shortest edges first, again where new ones come about.
+  std::size_t collapse_below(double size) {
+    std::size_t n = 0;
+    std::vector<Index> todo = list_tetrahedra(store_);
+    for (int i, j; !todo.empty();) {
+      Edge_list edges = list_edges(mesh_, todo, [=](double l) { return l < size / sqrt_2; });
+      std::reverse(edges.begin(), edges.end());
+      todo.clear();
+      for (const Listed_edge& e : edges)
+        if (e.find(store_, i, j) && collapser_.collapse(e.t, i, j, bounds_of_collapse(size))) {
+          todo.insert(todo.end(), collapser_.new_tetrahedra().begin(), collapser_.new_tetrahedra().end());
+          ++n;
+        }
+    }
+    return n;
+  }
+
+  /* Lengths between 1/√2 and √2 allow for eight times as many elements here as there. Where the volumes of tetrahedra
+   * are too small all around, vertices are taken out; where they are too large, put in; no two next to each other in
+   * one pass, as relocation is to spread what each of them changes. */
+  std::size_t balance() {
+    const double dense = 0.9, sparse = 1.08;
+    const std::vector<float> volume = local_volumes(mesh_);
+    std::vector<char> locked(volume.size(), 0);
+    const auto lock = [&](const Store::Index_list& tetrahedra) {
+      for (Index t : tetrahedra)
+        for (Index v : store_[t].v)
+          if (v < locked.size())
+            locked[v] = 1;
+    };
+    const auto is_free = [&](Index v) { return v < locked.size() && !locked[v]; };
+    const Operation_bounds when_collapsing = {0.15, 0.5, 0, 1.75, 1, 1}, when_splitting = {0.25, 0.8, 0.6, 1e300, 1, 1};
+    std::size_t n = 0;
+    int i, j;
+    Edge_list edges = list_edges(mesh_, list_tetrahedra(store_), [](double l) { return l < 1; });
+    std::reverse(edges.begin(), edges.end());
+    for (const Listed_edge& e : edges)
+      if (is_free(e.a) && is_free(e.b) && volume[e.a] < dense && volume[e.b] < dense && e.find(store_, i, j) &&
+          collapser_.collapse(e.t, i, j, when_collapsing)) {
+        lock(collapser_.new_tetrahedra());
+        ++n;
+      }
+    for (const Listed_edge& e : list_edges(mesh_, list_tetrahedra(store_), [](double l) { return l > 1.2; }))
+      if (is_free(e.a) && is_free(e.b) && volume[e.a] > sparse && volume[e.b] > sparse && e.find(store_, i, j) &&
+          splitter_.split(e.t, i, j, when_splitting)) {
+        lock(splitter_.new_tetrahedra());
+        ++n;
+      }
+    return n;
+  }
+
+  /* The worst tetrahedra, from which neither flips nor relocation have found a way out: an edge of them is collapsed or
+   * split, short or long, if that makes the worst quality of the cavity better. */
+  std::size_t repair_below(double quality) {
+    const Operation_bounds better = {1, 1.1, 0.4, 2, 1, 1};
+    std::vector<Index> worst;
+    for (Index t = 0; t < store_.number_of_slots(); ++t)
+      if (store_.is_alive(t) && flips_.quality(t) < quality)
+        worst.push_back(t);
+    std::size_t n = 0;
+    for (Index t : worst)
+      for (int e = 0; e < 6 && store_.is_alive(t) && flips_.quality(t) < quality; ++e) {
+        const int i = e < 3 ? 0 : e < 5 ? 1 : 2, j = e < 3 ? e + 1 : e < 5 ? e - 1 : 3;
+        if (collapser_.collapse(t, i, j, better) || splitter_.split(t, i, j, better))
+          ++n;
+      }
+    return n;
+  }
+
+  Mesh& mesh_;
+  Store& store_;
+  Flips flips_;
+  Edge_splitter<Mesh, Flips> splitter_;
+  Edge_collapser<Mesh, Flips> collapser_;
+};
+
+} // namespace internal
+} // namespace Tubular_meshing
+} // namespace CGAL
+
+#endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REMESHING_METRIC_REMESHER_H

@@ -1,0 +1,69 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REMESHING_METRIC_QUALITY_H
+#define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REMESHING_METRIC_QUALITY_H
+
+#include <CGAL/Tubular_meshing/Fields/Metric_tensor_3.h>
+#include <CGAL/Tubular_meshing/Quality/internal/element_measures.h>
+#include <CGAL/Tubular_meshing/internal/Vector_3d.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace CGAL {
+namespace Tubular_meshing {
+namespace internal {
+
+/* A vertex as the measures see it. */
+struct Metric_point {
+  Vector_3d position;
+  Metric_tensor_3 metric;
+};
+
+/* What eq. (16) is made of, both one for a regular tetrahedron of unit edges. */
+struct Metric_shape {
+  double mean_square; // of the six edges
+  double volume;      // times the density, over that of the regular tetrahedron; negative for an inverted one
+
+  // The inverse of eq. (16): 1 is best, 0 is flat, negative is inverted.
+  double quality() const { return volume / (mean_square * std::sqrt(mean_square)); }
+};
+
+/* The tetrahedron spanned by u, v, w from one of its vertices, in the metric `mean`. */
+inline Metric_shape metric_shape(const Vector_3d& u, const Vector_3d& v, const Vector_3d& w,
+                                 const Metric_tensor_3& mean) {
+  const double sum =
+      4 * (mean.squared_length(u) + mean.squared_length(v) + mean.squared_length(w)) - mean.squared_length(u + v + w);
+  return {sum / 6, std::sqrt(2.) * dot(u, cross(v, w)) * mean.density()};
+}
+
+inline double metric_quality(const Metric_point& a, const Metric_point& b, const Metric_point& c,
+                             const Metric_point& d) {
+  return metric_shape(b.position - a.position, c.position - a.position, d.position - a.position,
+                      0.25 * (a.metric + b.metric + c.metric + d.metric))
+      .quality();
+}
+
+/* Of a triangle: its area in the mean metric over the sum of its squared edges, 1 if it is regular there. */
+inline double metric_quality(const Metric_point& a, const Metric_point& b, const Metric_point& c) {
+  const Metric_tensor_3 mean = (1. / 3) * (a.metric + b.metric + c.metric);
+  const Vector_3d u = b.position - a.position, v = c.position - a.position;
+  const double uu = mean.squared_length(u), vv = mean.squared_length(v), uv = mean.dot(u, v);
+  const double area = std::sqrt((std::max)(uu * vv - uv * uv, 0.)), sum = 2 * (uu + vv - uv);
+  return sum > 0 ? 2 * std::sqrt(3.) * area / sum : 0;
+}
+
+/* The length (10) of an edge, the metric varying linearly between its ends: the integral in closed form. */
+inline double metric_length(const Metric_point& a, const Metric_point& b) {
+  const Vector_3d e = b.position - a.position;
+  const double s = a.metric.squared_length(e), t = b.metric.squared_length(e);
+  const double l = std::sqrt((std::max)(s, 0.)), m = std::sqrt((std::max)(t, 0.));
+  return l + m > 0 ? 2. / 3 * (s + l * m + t) / (l + m) : 0;
+}
+
+} // namespace internal
+} // namespace Tubular_meshing
+} // namespace CGAL
+
+#endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REMESHING_METRIC_QUALITY_H

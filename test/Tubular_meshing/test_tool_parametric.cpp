@@ -1,0 +1,180 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// tubular_mesh with its parametric surface mesher: surfaces alone, and meshes that keep them.
+
+#include "test_tool_helpers.h"
+
+#include <CGAL/Tubular_meshing/IO/read_surface.h>
+#include <CGAL/Tubular_meshing/Quality/validity_report.h>
+#include <CGAL/Tubular_meshing/Volume/fill_with_tetgen.h>
+
+#include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
+#include <CGAL/boost/graph/helpers.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#ifdef TUBULAR_MESH_TOOL
+
+namespace {
+
+using namespace tool_test;
+namespace PMP = CGAL::Polygon_mesh_processing;
+
+const Arguments parametric = {"--surface-mesher", "parametric"};
+
+#define NEEDS_TETGEN()                                                                                                 \
+  if (!tubular::has_tetgen())                                                                                          \
+  GTEST_SKIP() << "needs TetGen"
+
+Surface surface_in(const std::string& file) {
+  Surface surface;
+  tubular::IO::read_surface(file, surface);
+  return surface;
+}
+
+TEST_F(Tool, Makes_a_surface_alone_in_each_format) {
+  const std::string input = make("y.off", bifurcation().surface);
+  std::map<std::string, std::size_t> triangles;
+  for (const char* format : {"stl", "vtp", "msh", "ply", "off", "obj", "vtk"}) {
+    const std::string file = out(std::string("s.") + format);
+    succeed({input, "-t", "surface", "-n", "12", "-o", file, "--report", out("r.json")});
+    const Surface s = surface_in(file);
+    triangles[format] = s.number_of_faces();
+    EXPECT_TRUE(CGAL::is_closed(s)) << format;
+    EXPECT_FALSE(PMP::does_self_intersect(s)) << format;
+    EXPECT_EQ(json_in(out("r.json"))["facets"]["triangles"], s.number_of_faces()) << format;
+  }
+  for (const auto& t : triangles)
+    EXPECT_EQ(t.second, triangles["off"]) << t.first;
+}
+
+TEST_F(Tool, Reports_the_surface_that_it_makes) {
+  const std::string input = make("y.off", bifurcation().surface);
+  const Outcome outcome = succeed({input, "-t", "surface", "-n", "16", "-o", out("s.vtp"), "--report", out("r.json")});
+  const Json r = json_in(out("r.json"));
+  EXPECT_EQ(r["valid"], true);
+  EXPECT_EQ(r["boundary_euler"], 2);
+  EXPECT_EQ(r["cells"]["tetrahedra"], 0);
+  EXPECT_GE(r["quality"]["gamma_T"]["min"].get<double>(), 0.5);
+  EXPECT_GE(r["quality"]["gamma_T"]["mean"].get<double>(), 0.95);
+  const Json& p = r["patches"];
+  EXPECT_EQ(p["junctions"], 1);
+  EXPECT_EQ(p["annular"].get<int>() + p["junctions"].get<int>() + p["disks"].get<int>(), p["count"]);
+  EXPECT_LE(p["largest_aspect_ratio"].get<double>(), 4 * (1 + 1e-9));
+  EXPECT_TRUE(p["problems"].empty());
+  EXPECT_NE(outcome.out.find("patches"), std::string::npos);
+  EXPECT_EQ(outcome.out.find("tetrahedra, gamma_tau"), std::string::npos);
+}
+
+// The boundary of the mesh, as sorted triangles of points.
+typedef std::array<Point, 3> Corners;
+Corners turned(Corners c) { // from the least point on: the same for the same triangle, however it is begun
+  std::rotate(c.begin(), std::min_element(c.begin(), c.end()), c.end());
+  return c;
+}
+std::multiset<Corners> triangles_of(const Mesh& mesh) {
+  std::multiset<Corners> all;
+  for (const auto& t : mesh.triangles.vertices)
+    all.insert(turned({{mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]}}));
+  return all;
+}
+std::multiset<Corners> triangles_of(const Surface& s) {
+  std::multiset<Corners> all;
+  for (auto f : s.faces()) {
+    const auto h = s.halfedge(f);
+    all.insert(turned({{s.point(s.source(h)), s.point(s.target(h)), s.point(s.target(s.next(h)))}}));
+  }
+  return all;
+}
+
+TEST_F(Tool, Keeps_the_surface_triangle_for_triangle) {
+  NEEDS_TETGEN();
+  const std::string input = make("y.off", bifurcation().surface);
+  succeed(
+      Arguments{input, "-n", "14", "-o", out("mesh.vtu"), "--write-surface", out("s.vtp"), "--report", out("r.json")} +
+      parametric);
+  const Mesh mesh = mesh_in(out("mesh.vtu"));
+  EXPECT_EQ(triangles_of(mesh), triangles_of(surface_in(out("s.vtp"))));
+  const auto validity = tubular::validity_report(mesh);
+  EXPECT_TRUE(validity.is_valid()) << validity.defects();
+  const Json r = json_in(out("r.json"));
+  EXPECT_EQ(r["valid"], true);
+  EXPECT_GE(r["quality"]["gamma_tau"]["min"].get<double>(), 0.25);
+  EXPECT_GE(r["quality"]["gamma_tau"]["mean"].get<double>(), 0.73);
+  EXPECT_GE(r["quality"]["gamma_T"]["min"].get<double>(), 0.5);
+  EXPECT_EQ(r["patches"]["junctions"], 1);
+}
+
+TEST_F(Tool, Fills_the_parametric_surface_by_Mesh_3_too) {
+  const std::string input = make("y.off", bifurcation().surface);
+  succeed(Arguments{input, "-n", "12", "-o", out("mesh.vtu"), "--volume-mesher", "mesh_3"} + parametric);
+  const auto validity = tubular::validity_report(mesh_in(out("mesh.vtu")));
+  EXPECT_TRUE(validity.is_valid()) << validity.defects();
+}
+
+TEST_F(Tool, Makes_the_same_parametric_files_from_the_same_input) {
+  NEEDS_TETGEN();
+  const std::string input = make("tube.off", tube().surface);
+  for (const char* name : {"a.vtu", "b.vtu"})
+    succeed(Arguments{input, "-n", "12", "-o", out(name), "--threads", "1"} + parametric);
+  EXPECT_EQ(bytes_of(out("a.vtu")), bytes_of(out("b.vtu")));
+}
+
+// --- real vessels ---
+
+#ifdef TUBULAR_MESHING_SHARED_DATA
+struct Real_vessel {
+  const char *name, *file;
+  const char *points, *loops;
+  int euler;
+};
+std::ostream& operator<<(std::ostream& out, const Real_vessel& v) {
+  return out << v.name;
+}
+class Real_parametric : public Tool, public ::testing::WithParamInterface<Real_vessel> {};
+
+TEST_P(Real_parametric, Is_meshed_well) {
+  NEEDS_TETGEN();
+  const std::string file = (fs::path(TUBULAR_MESHING_SHARED_DATA) / GetParam().file).string();
+  if (!fs::exists(file))
+    GTEST_SKIP() << "needs " << file;
+  Arguments arguments = {file, "-n", GetParam().points, "-o", out("mesh.vtu"), "--report", out("r.json")};
+  if (*GetParam().loops != 0)
+    arguments.push_back(GetParam().loops);
+  succeed(arguments + parametric);
+  const Json r = json_in(out("r.json"));
+  const auto validity = tubular::validity_report(mesh_in(out("mesh.vtu")));
+  EXPECT_TRUE(validity.is_valid()) << validity.defects();
+  EXPECT_EQ(r["boundary_euler"], GetParam().euler);
+  EXPECT_TRUE(r["patches"]["problems"].empty());
+  EXPECT_LE(r["patches"]["largest_aspect_ratio"].get<double>(), 4 * (1 + 1e-9));
+  EXPECT_GE(r["quality"]["gamma_T"]["min"].get<double>(), 0.5);
+  EXPECT_GE(r["quality"]["gamma_T"]["mean"].get<double>(), 0.95);
+  EXPECT_GE(r["quality"]["gamma_tau"]["min"].get<double>(), 0.22);
+  EXPECT_GE(r["quality"]["gamma_tau"]["mean"].get<double>(), 0.72);
+}
+
+INSTANTIATE_TEST_SUITE_P(Shared, Real_parametric,
+                         ::testing::Values(Real_vessel{"aorta", "paper/aorta.stl", "20", "", 2},
+                                           Real_vessel{"carotid", "paper/carotid.stl", "12", "", 2},
+                                           Real_vessel{"bypass", "paper/bypass.stl", "16", "--loops", 0},
+                                           Real_vessel{"cylemi", "paper/cylemi.stl", "20", "", 2},
+                                           Real_vessel{"cerebral", "paper/cerebral.stl", "12", "", 2}),
+                         [](const ::testing::TestParamInfo<Real_vessel>& info) {
+                           return std::string(info.param.name);
+                         });
+#endif
+
+} // namespace
+
+#endif // TUBULAR_MESH_TOOL
