@@ -46,12 +46,13 @@ template <class Point_3> struct Elliptic_grid {
  *
  * The patch is unrolled into coordinates in which its map is conformal: angle and logarithm of the radius. The points
  * of both loops are joined so that the grid turns as little as possible, by straight lines; rows are as high as the
- * size wants on the mean around them. Then an elliptic smoother moves the nodes inside: Winslow's, in the metric (11)
- * of the surface, with the proportions of the first grid's cells in place of control functions, so that rows and
- * columns keep their distances. No cell is folded: neither in the plane nor on the surface; where one is, smoothing
- * begins again with smaller steps.
+ * size wants on the mean around them. Then an elliptic smoother moves the nodes inside: Winslow's, as
+ * \cgalCite{brackbill1982} put it, in the metric that cells have in space, with the proportions of the first grid's
+ * cells in place of control functions, so that rows and columns keep their distances. Of all its sweeps, the one with
+ * the best sum of least and mean \f$ \eta_q \f$ (14) is returned. No cell is folded: neither in the plane nor on the
+ * surface; where one is, smoothing begins again with smaller steps.
  *
- * O(n log n) in the number of quads, with at most 100 sweeps.
+ * O(n log n) in the number of quads, with at most 50 sweeps, or three times that where cells fold.
  *
  * \param map of a patch with two loops, see parameterize_patch()
  * \param loop_points points of loop 0, and as many of loop 1, three at least; each in the order of its loop, see

@@ -138,9 +138,8 @@ inline Recombination_report report_of(const Triangle_recombiner& recombiner) {
 /*! \ingroup PkgTubularMeshingRef
  *
  * makes quads of triangles, two of each: those pairs of neighbours for which \f$ \sum (1 - \eta_q) \f$, by (14), is
- * smallest among all ways to leave as few triangles as possible. That is a matching of minimum cost in the dual graph;
- * J.-F. Remacle et al., *Blossom-Quad: a non-uniform quadrilateral mesh generator using a minimum-cost perfect-matching
- * algorithm*, Int. J. Numer. Meth. Engng 89, 2012.
+ * smallest among all ways to leave as few triangles as possible. That is a matching of minimum cost in the dual graph,
+ * \cgalCite{remacle2012}.
  *
  * A connected part of a patch with an even number of triangles, which is one whose border has an even number of edges,
  * becomes quads altogether, but for rare shapes. Where neighbours cannot all be paired, as with triangles in corners,

@@ -55,16 +55,6 @@ public:
     return map_.locate(Point_2(u.x(), u.y()), hint);
   }
 
-  /* The metric of the surface in these coordinates. */
-  Eigen::Matrix2d metric(const Eigen::Vector2d& w, const Patch_location& at) const {
-    const Plane_metric m = map_.induced_metric(at, 1);
-    const Eigen::Vector2d r = std::exp(-sign_ * w.y()) * direction(w);
-    Eigen::Matrix2d plane, derivatives;
-    plane << m.xx, m.xy, m.xy, m.yy;
-    derivatives << -r.y(), -r.x(), r.x(), -r.y();
-    return derivatives.transpose() * plane * derivatives; // the sign of both coordinates cancels
-  }
-
   const Map& map() const { return map_; }
 
 private:

@@ -64,7 +64,6 @@ public:
   /* From the straight grid, with smaller and smaller steps until no cell is folded. */
   void smooth() {
     const Ring_nodes straight = nodes_;
-    keep_if_better();
     for (double part = 1; part > 0.2; part /= 2) {
       nodes_ = straight;
       if (smooth(part))
@@ -83,7 +82,7 @@ public:
   std::size_t point_of_loop_1(std::size_t i) const { return (columns_ - (i + shift_) % columns_) % columns_; }
 
 private:
-  static constexpr std::size_t most_sweeps = 100, sweeps_a_round = 5;
+  static constexpr std::size_t most_sweeps = 50;
 
   void check_order(std::size_t l) const {
     const std::vector<Eigen::Vector2d>& row = row_[l];
@@ -148,23 +147,48 @@ private:
     }
   }
 
-  // Cells have the metric at their middle, whose scale does not matter.
-  void update_metrics(Winslow_smoother& smoother, bool shapes_too) {
-    hints_.resize(nodes_.number_of_cells(), -1);
+  void place_on_surface() {
+    locations_.resize(nodes_.places.size());
+    points_.resize(nodes_.places.size());
+    std::copy(ends_[0].begin(), ends_[0].end(), locations_.begin());
+    std::copy(ends_[1].begin(), ends_[1].end(), locations_.end() - std::ptrdiff_t(columns_));
+    for (std::size_t n = columns_; n < nodes_.places.size() - columns_; ++n)
+      locations_[n] = chart_.locate(nodes_.places[n], locations_[n - columns_].triangle);
+    for (std::size_t n = 0; n < points_.size(); ++n)
+      points_[n] = Vector_3d(chart_.map().point(locations_[n]));
+  }
+
+  // The corners of cell (i, j), as Winslow_smoother numbers them.
+  std::array<Vector_3d, 4> corners(std::size_t i, std::size_t j) const {
+    const std::size_t a = j * columns_ + i, b = j * columns_ + (i + 1) % columns_;
+    return {{points_[a], points_[b], points_[b + columns_], points_[a + columns_]}};
+  }
+
+  // At each corner of a cell, the metric in which its sides have the lengths and the angle that they have in space.
+  void update_metrics(Winslow_smoother& smoother) const {
     for (std::size_t j = 0; j < nodes_.rows; ++j)
       for (std::size_t i = 0; i < columns_; ++i) {
-        const Eigen::Vector2d a = nodes_(i, j), b = nodes_(i + 1, j), c = nodes_(i + 1, j + 1), d = nodes_(i, j + 1);
-        const Eigen::Vector2d middle = (a + b + c + d) / 4;
-        int& hint = hints_[j * columns_ + i];
-        const Patch_location at = chart_.locate(middle, hint);
-        hint = at.triangle;
-        Winslow_smoother::Cell& cell = smoother.cell(i, j);
-        const Eigen::Matrix2d metric = chart_.metric(middle, at);
-        cell.metric = metric / std::sqrt(metric.determinant());
-        if (shapes_too) {
-          const Eigen::Vector2d width = b + c - a - d, height = c + d - a - b;
-          cell.beta = std::sqrt(height.dot(cell.metric * height) / width.dot(cell.metric * width));
+        const std::array<Vector_3d, 4> p = corners(i, j);
+        for (std::size_t k = 0; k < 4; ++k) {
+          const Vector_3d a = k < 2 ? p[1] - p[0] : p[2] - p[3], b = k == 1 || k == 2 ? p[2] - p[1] : p[3] - p[0];
+          const auto sides = smoother.corner(i, j, k);
+          Eigen::Matrix2d plane, space;
+          plane << sides.a, sides.b;
+          space << dot(a, a), dot(a, b), dot(a, b), dot(b, b);
+          if (!(space.determinant() > 1e-6 * dot(a, a) * dot(b, b)) || !(plane.determinant() > 0))
+            continue; // as it was
+          const Eigen::Matrix2d inverse = plane.inverse(), metric = inverse.transpose() * space * inverse;
+          smoother.cell(i, j).metric[k] = metric / std::sqrt(metric.determinant());
         }
+      }
+  }
+  void set_shapes(Winslow_smoother& smoother) const {
+    for (std::size_t j = 0; j < nodes_.rows; ++j)
+      for (std::size_t i = 0; i < columns_; ++i) {
+        const std::array<Vector_3d, 4> p = corners(i, j);
+        const double width = norm(p[1] - p[0] + p[2] - p[3]), height = norm(p[3] - p[0] + p[2] - p[1]);
+        if (width > 0 && height > 0)
+          smoother.cell(i, j).beta = height / width;
       }
   }
 
@@ -172,36 +196,28 @@ private:
   bool smooth(double part) {
     const double small = 1e-3;
     Winslow_smoother smoother(nodes_);
-    update_metrics(smoother, true);
-    bool valid = smoother.least_corner() > 0;
-    for (std::size_t k = 0; k < most_sweeps; k += sweeps_a_round) {
-      double greatest = 0;
-      for (std::size_t n = 0; n < sweeps_a_round; ++n)
-        greatest = smoother.sweep(part);
-      valid = smoother.least_corner() > 0 && keep_if_better();
+    place_on_surface();
+    set_shapes(smoother);
+    bool valid = keep_if_better(smoother);
+    for (std::size_t k = 0; k < most_sweeps; ++k) {
+      update_metrics(smoother);
+      const double greatest = smoother.sweep(part);
+      place_on_surface();
+      valid = keep_if_better(smoother);
       if (valid && greatest < small)
         break;
-      update_metrics(smoother, false);
     }
     return valid;
   }
 
-  // By the least and the mean (14) on the surface. False if a cell is folded there.
-  bool keep_if_better() {
-    std::vector<Patch_location> locations = ends_[0];
-    for (std::size_t n = columns_; n < nodes_.places.size() - columns_; ++n)
-      locations.push_back(chart_.locate(nodes_.places[n], locations[n - columns_].triangle));
-    locations.insert(locations.end(), ends_[1].begin(), ends_[1].end());
-    std::vector<Vector_3d> points;
-    for (const Patch_location& at : locations)
-      points.emplace_back(chart_.map().point(at));
-    double least = 1, sum = 0;
+  // By the least and the mean (14) on the surface. False if a cell is folded.
+  bool keep_if_better(const Winslow_smoother& smoother) {
+    double least = smoother.least_corner() > 0 ? 1 : 0, sum = 0;
     for (std::size_t j = 0; j < nodes_.rows; ++j)
       for (std::size_t i = 0; i < columns_; ++i) {
-        const std::size_t a = j * columns_ + i, b = j * columns_ + (i + 1) % columns_;
-        const double eta = unfolded_eta({points[a], points[b], points[b + columns_], points[a + columns_]});
+        const double eta = unfolded_eta(corners(i, j));
         if (!(eta > 0))
-          folded_at_ = points[a];
+          folded_at_ = corners(i, j)[0];
         least = (std::min)(least, eta);
         sum += eta;
       }
@@ -209,7 +225,7 @@ private:
     if (score > best_score_) {
       best_score_ = score;
       best_ = nodes_;
-      best_locations_ = locations;
+      best_locations_ = locations_;
     }
     return score > 0;
   }
@@ -229,8 +245,8 @@ private:
   std::array<std::vector<Eigen::Vector2d>, 2> row_;
   std::size_t shift_ = 0;
   Ring_nodes nodes_, best_;
-  std::vector<Patch_location> best_locations_;
-  std::vector<int> hints_; // the triangles in the middles of cells
+  std::vector<Patch_location> locations_, best_locations_;
+  std::vector<Vector_3d> points_; // of the nodes as they are
   double best_score_ = 0;
   Vector_3d folded_at_;
 };

@@ -9,6 +9,7 @@
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -43,15 +44,27 @@ struct Ring_nodes {
 class Winslow_smoother {
 public:
   struct Cell {
-    Eigen::Matrix2d metric = Eigen::Matrix2d::Identity(); // of determinant one
+    std::array<Eigen::Matrix2d, 4> metric; // of determinant one, at the corners: see corner()
     double beta = 1;
+    Cell() { metric.fill(Eigen::Matrix2d::Identity()); }
   };
 
+  // A corner of a cell: the sides there, in the directions of ξ and η.
+  struct Corner {
+    Eigen::Vector2d a, b;
+    double jacobian() const { return a.x() * b.y() - a.y() * b.x(); }
+  };
   explicit Winslow_smoother(Ring_nodes& nodes)
       : nodes_(nodes)
       , cells_(nodes.number_of_cells()) {}
 
   Cell& cell(std::size_t i, std::size_t j) { return cells_[j * nodes_.columns + i]; }
+
+  // Corner 0 is at (i, j), 1 at (i + 1, j), 2 at (i + 1, j + 1), 3 at (i, j + 1).
+  Corner corner(std::size_t i, std::size_t j, std::size_t k) const {
+    const std::size_t right = k == 1 || k == 2 ? 1 : 0, top = k / 2;
+    return {nodes_(i + 1, j + top) - nodes_(i, j + top), nodes_(i + right, j + 1) - nodes_(i + right, j)};
+  }
 
   /* Twice the least area, in the coordinates, of the four corners of all cells: not positive if one is folded. */
   double least_corner() const {
@@ -76,22 +89,11 @@ public:
   }
 
 private:
-  // A corner of a cell: the sides there, in the directions of ξ and η.
-  struct Corner {
-    Eigen::Vector2d a, b;
-    double jacobian() const { return a.x() * b.y() - a.y() * b.x(); }
-  };
   struct Energy {
     double value = 0;
     Eigen::Vector2d gradient = Eigen::Vector2d::Zero();
     Eigen::Matrix2d hessian = Eigen::Matrix2d::Zero();
   };
-
-  // Corner 0 is at (i, j), 1 at (i + 1, j), 2 at (i + 1, j + 1), 3 at (i, j + 1).
-  Corner corner(std::size_t i, std::size_t j, std::size_t k) const {
-    const std::size_t right = k == 1 || k == 2 ? 1 : 0, top = k / 2;
-    return {nodes_(i + 1, j + top) - nodes_(i, j + top), nodes_(i + right, j + 1) - nodes_(i + right, j)};
-  }
 
   double mean_corner() const { // by the area of the ring
     double sum = 0;
@@ -101,7 +103,7 @@ private:
   }
 
   // As a function of a node on which a and b depend by the factors da and db. Infinite if folded, and ε is 0.
-  void add_corner(const Corner& c, const Cell& cell, double da, double db, Energy& e) const {
+  void add_corner(const Corner& c, const Cell& cell, std::size_t k, double da, double db, Energy& e) const {
     if (da == 0 && db == 0)
       return;
     const double j = c.jacobian(), root = std::hypot(j, epsilon_), chi = epsilon_ > 0 ? (j + root) / 2 : j;
@@ -111,15 +113,16 @@ private:
     }
     const double chi1 = epsilon_ > 0 ? (1 + j / root) / 2 : 1;
     const double chi2 = epsilon_ > 0 ? epsilon_ * epsilon_ / (2 * root * root * root) : 0;
-    const Eigen::Vector2d ma = cell.beta * (cell.metric * c.a), mb = 1 / cell.beta * (cell.metric * c.b);
+    const Eigen::Matrix2d& metric = cell.metric[k];
+    const Eigen::Vector2d ma = cell.beta * (metric * c.a), mb = 1 / cell.beta * (metric * c.b);
     const double value = (c.a.dot(ma) + c.b.dot(mb)) / 2 / chi;
     const Eigen::Vector2d dj(da * c.b.y() - db * c.a.y(), db * c.a.x() - da * c.b.x());
     const Eigen::Vector2d gradient = (da * ma + db * mb - value * chi1 * dj) / chi;
     const Eigen::Matrix2d mixed = chi1 * gradient * dj.transpose();
     e.value += value;
     e.gradient += gradient;
-    e.hessian += ((da * da * cell.beta + db * db / cell.beta) * cell.metric - value * chi2 * dj * dj.transpose() -
-                  mixed - mixed.transpose()) /
+    e.hessian += ((da * da * cell.beta + db * db / cell.beta) * metric - value * chi2 * dj * dj.transpose() - mixed -
+                  mixed.transpose()) /
                  chi;
   }
 
@@ -127,11 +130,11 @@ private:
     Energy e;
     const std::size_t left = i > 0 ? i - 1 : nodes_.columns - 1;
     for (std::size_t k = 0; k < 4; ++k) {
-      add_corner(corner(i, j, k), cells_[j * nodes_.columns + i], k < 2 ? -1 : 0, k == 0 || k == 3 ? -1 : 0, e);
-      add_corner(corner(left, j, k), cells_[j * nodes_.columns + left], k < 2 ? 1 : 0, k == 1 || k == 2 ? -1 : 0, e);
-      add_corner(corner(i, j - 1, k), cells_[(j - 1) * nodes_.columns + i], k < 2 ? 0 : -1, k == 0 || k == 3 ? 1 : 0,
+      add_corner(corner(i, j, k), cells_[j * nodes_.columns + i], k, k < 2 ? -1 : 0, k == 0 || k == 3 ? -1 : 0, e);
+      add_corner(corner(left, j, k), cells_[j * nodes_.columns + left], k, k < 2 ? 1 : 0, k == 1 || k == 2 ? -1 : 0, e);
+      add_corner(corner(i, j - 1, k), cells_[(j - 1) * nodes_.columns + i], k, k < 2 ? 0 : -1, k == 0 || k == 3 ? 1 : 0,
                  e);
-      add_corner(corner(left, j - 1, k), cells_[(j - 1) * nodes_.columns + left], k < 2 ? 0 : 1,
+      add_corner(corner(left, j - 1, k), cells_[(j - 1) * nodes_.columns + left], k, k < 2 ? 0 : 1,
                  k == 1 || k == 2 ? 1 : 0, e);
     }
     return e;

@@ -1,0 +1,184 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_QUADS_INTERNAL_ANNULAR_CURVE_CHAINS_H
+#define CGAL_TUBULAR_MESHING_QUADS_INTERNAL_ANNULAR_CURVE_CHAINS_H
+
+#include <CGAL/Tubular_meshing/Operators/Surface_patch.h>
+#include <CGAL/Tubular_meshing/Quads/internal/elliptic/Annular_chart.h>
+#include <CGAL/Tubular_meshing/Surface/Patch_parameterization.h>
+#include <CGAL/Tubular_meshing/Surface/internal/remeshing/Curve_divider.h>
+#include <CGAL/Tubular_meshing/internal/Vector_3d.h>
+
+#include <CGAL/Surface_mesh.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Tubular_meshing {
+namespace internal {
+
+/* The points of a curve on a loop of a patch, in the order of the loop. */
+template <class Point_3>
+std::vector<Patch_location> on_loop(const Patch_parameterization<Point_3>& map, std::size_t l, const Patch_loop& loop,
+                                    std::size_t edges, const std::vector<Curve_position<Point_3>>& points) {
+  std::vector<Patch_location> result;
+  for (const auto& p : points)
+    result.push_back(loop.forward ? map.on_loop_edge(l, p.edge, p.t)
+                                  : map.on_loop_edge(l, edges - 1 - p.edge, 1 - p.t));
+  if (!loop.forward)
+    std::reverse(result.begin(), result.end());
+  return result;
+}
+
+/* Divides the curves of a cut surface for grids: those that annular patches join, one after another, form a chain and
+ * get the same even number of points, at equal distances, and turned so that the grids between them do not twist. */
+template <class Point_3, class Size> class Curve_chains {
+public:
+  typedef CGAL::Surface_mesh<Point_3> Surface;
+  typedef Patch_parameterization<Point_3> Map;
+  typedef std::vector<Curve_position<Point_3>> Points;
+  typedef std::size_t size_type;
+
+  Curve_chains(const Surface& surface, const Surface_cut<Point_3>& cut, const std::vector<Map>& maps, const Size& size)
+      : cut_(cut)
+      , maps_(maps)
+      , points_(cut.curves.size())
+      , patches_at_(cut.curves.size()) {
+    for (const auto& curve : cut.curves)
+      measure(surface, curve, size);
+    for (size_type k = 0; k < cut.patches.size(); ++k)
+      if (is_tube(k))
+        for (const Patch_loop& loop : cut.patches[k].loops)
+          patches_at_[loop.curve].push_back(k);
+  }
+
+  std::vector<Points> divide() {
+    std::vector<char> reached(points_.size(), 0);
+    for (size_type c = 0; c < points_.size(); ++c)
+      if (!reached[c])
+        divide_chain(chain_from(c, reached));
+    return points_;
+  }
+
+  bool is_tube(size_type k) const {
+    const auto& loops = cut_.patches[k].loops;
+    return loops.size() == 2 && loops[0].curve != loops[1].curve && maps_[k].number_of_loops() == 2;
+  }
+
+private:
+  static constexpr size_type none = static_cast<size_type>(-1);
+  struct Link {
+    size_type curve, patch, before; // `before` is a curve of the chain that is divided earlier, none for the first
+  };
+
+  void measure(const Surface& surface, const Cut_curve<Point_3>& curve, const Size& size) {
+    std::vector<Vector_3d> polyline;
+    for (auto v : curve.vertices)
+      polyline.emplace_back(surface.point(v));
+    std::vector<double> length(1, 0.);
+    double in_sizes = 0;
+    for (size_type i = 0; i < polyline.size(); ++i) {
+      const Vector_3d &a = polyline[i], &b = polyline[(i + 1) % polyline.size()], middle = 0.5 * (a + b);
+      length.push_back(length.back() + norm(b - a));
+      in_sizes += norm(b - a) / size(Point_3(middle.x, middle.y, middle.z));
+    }
+    polylines_.push_back(polyline);
+    lengths_.push_back(length);
+    in_sizes_.push_back(in_sizes);
+  }
+
+  std::vector<Link> chain_from(size_type c, std::vector<char>& reached) const {
+    std::vector<Link> chain(1, {c, none, none});
+    reached[c] = 1;
+    for (size_type i = 0; i < chain.size(); ++i)
+      for (size_type k : patches_at_[chain[i].curve]) {
+        const auto& loops = cut_.patches[k].loops;
+        const size_type other = loops[loops[0].curve == chain[i].curve ? 1 : 0].curve;
+        if (!reached[other]) {
+          reached[other] = 1;
+          chain.push_back({other, k, chain[i].curve});
+        }
+      }
+    return chain;
+  }
+
+  void divide_chain(const std::vector<Link>& chain) {
+    const size_type fewest = 6; // a tube, not a prism
+    double sum = 0;
+    for (const Link& link : chain)
+      sum += in_sizes_[link.curve];
+    const size_type n = (std::max)(fewest, 2 * size_type(std::lround(sum / double(chain.size()) / 2)));
+    for (const Link& link : chain)
+      points_[link.curve] = points_from(link.curve, n, link.before == none ? 0 : best_start(link, n));
+  }
+
+  // n points at equal distances, the first at a part of the distance.
+  Points points_from(size_type c, size_type n, double start) const {
+    Points points;
+    const std::vector<double>& length = lengths_[c];
+    for (size_type i = 0; i < n; ++i) {
+      const double s = length.back() * (double(i) + start) / double(n);
+      size_type edge = size_type(std::upper_bound(length.begin(), length.end(), s) - length.begin());
+      edge = (std::min)((std::max)(edge, size_type(1)), polylines_[c].size()) - 1;
+      const double t = (std::min)((std::max)((s - length[edge]) / (length[edge + 1] - length[edge]), 0.), 1.);
+      const Vector_3d &a = polylines_[c][edge], &b = polylines_[c][(edge + 1) % polylines_[c].size()];
+      const Vector_3d p = a + t * (b - a);
+      points.push_back({edge, t, Point_3(p.x, p.y, p.z)});
+    }
+    return points;
+  }
+
+  // The mean place around the patch of points of one of its loops.
+  double mean_angle(const Annular_chart<Point_3>& chart, size_type k, size_type c, const Points& points) const {
+    const auto& loops = cut_.patches[k].loops;
+    const size_type l = loops[0].curve == c ? 0 : 1;
+    double sum = 0;
+    for (const auto& w : chart.row(on_loop(maps_[k], l, loops[l], polylines_[c].size(), points)))
+      sum += w.x();
+    return sum / double(points.size());
+  }
+
+  /* By which part of a distance the points of a curve must be moved so that they are opposite those before, on the mean
+   * around: while they move by a whole one, the mean angle grows, or falls, by 2π / n. */
+  double best_start(const Link& link, size_type n) const {
+    const int steps = 20;
+    const Annular_chart<Point_3> chart(maps_[link.patch]);
+    const double step = Annular_chart<Point_3>::period / double(n);
+    const auto angle_at = [&](double start) {
+      return mean_angle(chart, link.patch, link.curve, points_from(link.curve, n, start));
+    };
+    const double target = mean_angle(chart, link.patch, link.before, points_[link.before]), first = angle_at(0);
+    double low = 0, high = 1;
+    // How far the mean has to go, in whole steps from 0 to 1, in its own direction.
+    const double way = angle_at(0.25) - first;
+    const double direction = way - step * std::round(way / step) >= 0 ? 1 : -1;
+    double wanted = direction * (target - first) / step;
+    wanted -= std::floor(wanted);
+    for (int k = 0; k < steps; ++k) {
+      const double middle = (low + high) / 2;
+      double gone = direction * (angle_at(middle) - first) / step;
+      gone -= std::floor(gone);
+      (gone < wanted ? low : high) = middle;
+    }
+    return low;
+  }
+
+  const Surface_cut<Point_3>& cut_;
+  const std::vector<Map>& maps_;
+  std::vector<std::vector<Vector_3d>> polylines_; // the curves
+  std::vector<std::vector<double>> lengths_;      // up to each vertex, and the whole
+  std::vector<double> in_sizes_;
+  std::vector<Points> points_;
+  std::vector<std::vector<size_type>> patches_at_; // annular ones, of each curve
+};
+
+} // namespace internal
+} // namespace Tubular_meshing
+} // namespace CGAL
+
+#endif // CGAL_TUBULAR_MESHING_QUADS_INTERNAL_ANNULAR_CURVE_CHAINS_H
