@@ -134,6 +134,12 @@ TEST(Compute_centerlines, loop_keeps_all_branches_if_asked_to) {
   EXPECT_EQ(centerlines_of(surface_of(s), &s.nodes[s.inlet]).branches().size(), 2 * s.number_of_openings() - 3);
 }
 
+// Its symmetry makes vertices of the Voronoi diagram coincide, among which a path may go round in circles.
+TEST(Compute_centerlines, smooth_loop) {
+  const auto s = tubular::willis_loop<Point>();
+  expect_close_to_truth(s, 30, 0, true);
+}
+
 TEST(Compute_centerlines, tree_of_305_branches) {
   const auto s = tubular::bronchial_tree<Point>(305);
   expect_close_to_truth(s, 16);

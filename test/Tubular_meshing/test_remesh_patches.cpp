@@ -392,24 +392,42 @@ TEST(Remeshed_surface, Does_not_depend_on_unit_position_and_direction) {
     ASSERT_LT(CGAL::squared_distance(t(r.surface.point(v)), moved.surface.point(v)), close * close);
 }
 
-// A blind vessel that the centerlines leave out shrinks to a spot in the plane, but must not be lost.
-TEST(Remeshed_surface, Has_blind_vessels_without_centerline_too) {
+// A tube 6 long and 2 wide, of whose side a finger is drawn out that ends blind: a cone 4 long.
+Mesh tube_with_finger() {
   Tube tube;
   tube.length = 6;
   tube.rings = 40;
   tube.sides = 40;
   Mesh mesh = make_tube(tube);
-  for (auto v : mesh.vertices()) { // a finger drawn out of the tube's side
+  for (auto v : mesh.vertices()) {
     const Point p = mesh.point(v);
     const double d2 = p.y() * p.y() + (p.z() - 3) * (p.z() - 3);
     if (p.x() > 0 && d2 < 0.25)
       mesh.point(v) = Point(p.x() + 4 * std::min(1., 4 * (0.25 - d2)), p.y() * 0.9, p.z());
   }
+  return mesh;
+}
+
+TEST(Tubular_model, Has_centerlines_in_blind_vessels) {
+  const Mesh mesh = tube_with_finger();
+  const Model with = tubular::make_tubular_model(mesh);
+  EXPECT_EQ(with.centerlines.branches().size(), 3u);
+  double furthest = 0;
+  for (const Point& p : with.centerlines.points())
+    furthest = std::max(furthest, p.x());
+  EXPECT_GT(furthest, 3) << "the tip is at 5";
+  const Model without = tubular::make_tubular_model(mesh, tubular::parameters::blind_vessels(false));
+  EXPECT_EQ(without.centerlines.branches().size(), 1u);
+}
+
+// A blind vessel that the centerlines leave out shrinks to a spot in the plane, but must not be lost.
+TEST(Remeshed_surface, Has_blind_vessels_without_centerline_too) {
+  const Mesh mesh = tube_with_finger();
   tubular::Centerline_polylines<Point> line;
   line.lines.emplace_back();
   for (int i = 0; i <= 40; ++i) {
     line.lines[0].push_back(line.points.size());
-    line.points.push_back(Point(0, 0, tube.length * i / 40));
+    line.points.push_back(Point(0, 0, 6. * i / 40));
   }
   const Model model = tubular::make_tubular_model(mesh, line);
   const Remeshed r =
