@@ -34,7 +34,9 @@ void check_mesher(const Options& o) {
   if (o.makes_surface_only() && !o.volume_mesher.empty())
     throw tubular::Parameter_error("--volume-mesher has nothing to do in a mesh of type surface.");
   const bool keeps_surface = o.volume_mesher == "tetgen" || o.volume_mesher == "ccdt";
-  if (keeps_surface && !o.meshes_patches())
+  if (o.is_anisotropic() && o.surface_mesher == "mesh_3")
+    throw tubular::Parameter_error("Anisotropic meshes begin with those of --surface-mesher parametric.");
+  if (keeps_surface && !o.meshes_patches() && !o.is_anisotropic())
     throw tubular::Parameter_error(
         "--volume-mesher " + o.volume_mesher +
         " keeps the surface mesh that --surface-mesher parametric makes: give that as well.");
@@ -59,12 +61,12 @@ void check_output(const Options& o) {
 
 // What is wrong with the options as such; before any work is done, since work takes time.
 void check(const Options& o) {
-  if (o.type == "anisotropic" || o.type == "mixed")
-    throw tubular::Parameter_error("Meshes of type " + o.type +
-                                   " are not part of this version; it makes isotropic ones, and surfaces.");
-  if (o.type != "isotropic" && o.type != "surface")
+  if (o.type == "mixed")
+    throw tubular::Parameter_error("Meshes of type mixed are not part of this version; it makes isotropic and "
+                                   "anisotropic ones, and surfaces.");
+  if (o.type != "isotropic" && o.type != "anisotropic" && o.type != "surface")
     throw tubular::Parameter_error("There is no type of mesh named \"" + o.type +
-                                   "\"; the types are: isotropic, surface.");
+                                   "\"; the types are: isotropic, anisotropic, surface.");
   check_mesher(o);
   if (!o.outlets.empty() && o.inlet.empty())
     throw tubular::Parameter_error("--outlet needs --inlet, where the centerlines begin.");
@@ -155,6 +157,8 @@ void run(const Options& o) {
     run_report::add_patches(report, surface);
   if (o.makes_surface_only())
     run_report::describe_surface(report, surface);
+  if (o.is_anisotropic())
+    run_report::add_metric_quality(report, mesh);
   clock.begin("write");
   write(o, model, surface, mesh, report, clock);
   if (!o.quiet) {

@@ -10,6 +10,7 @@
 #include <CGAL/Tubular_meshing/Quality/validity_report.h>
 #include <CGAL/Tubular_meshing/Surface/Remeshed_surface.h>
 #include <CGAL/Tubular_meshing/Tubular_model.h>
+#include <CGAL/Tubular_meshing/Volume/anisotropic_tetrahedral_remeshing.h>
 #include <CGAL/Tubular_meshing/Volume/fill_with_ccdt.h>
 #include <CGAL/Tubular_meshing/Volume/fill_with_mesh_3.h>
 #include <CGAL/Tubular_meshing/Volume/fill_with_tetgen.h>
@@ -28,6 +29,21 @@
 
 namespace CGAL {
 namespace Tubular_meshing {
+
+/*! \ingroup PkgTubularMeshingRef
+ * What fills a surface mesh with tetrahedra. */
+enum class Volume_mesher {
+  mesh_3, ///< CGAL's Mesh_3, which meshes the surface anew
+  tetgen, ///< TetGen, which keeps it: see has_tetgen()
+  ccdt    ///< CGAL's constrained triangulations in space, which keep it: see has_ccdt()
+};
+
+/*! \ingroup PkgTubularMeshingRef
+ * One that keeps the surface mesh, if this program has it. */
+constexpr Volume_mesher default_volume_mesher() {
+  return has_tetgen() ? Volume_mesher::tetgen : has_ccdt() ? Volume_mesher::ccdt : Volume_mesher::mesh_3;
+}
+
 namespace internal {
 
 // What a mesh of the model must be beyond valid: of the model's topology, with all of its patches.
@@ -56,26 +72,38 @@ inline void check_memory(double tetrahedra) {
                         " million tetrahedra, more than the memory of this machine holds: make it coarser.");
 }
 
-inline void check_differences(const std::string& differences, const char* advice) {
-  if (!differences.empty())
-    throw Meshing_error("The mesh came out with " + differences + ": " + advice);
+template <class Point> void check_differences(const Mixed_mesh<Point>& mesh, const Tubular_model<Point>& model) {
+  const std::string s = differences(mesh, model);
+  if (!s.empty())
+    throw Meshing_error("The mesh came out with " + s +
+                        ": the mesh size may be too coarse for the surface; try a finer one.");
+}
+
+/* Meshes the surface patch by patch, and fills it; all in the model's frame. Returns the surface. */
+template <class Point_3, class NamedParameters>
+Remeshed_surface<Point_3> make_isotropic_mesh_in_frame(Model_in_its_frame<Point_3>& framed, Mixed_mesh<Point_3>& mesh,
+                                                       const NamedParameters& np) {
+  typedef Named_parameters<bool, internal_np::keep_boundary_t, NamedParameters> With_boundary;
+  typedef Centerline_sizing_field<Point_3> Sizing_field;
+  const auto observer = stage_observer(np);
+  const Volume_mesher mesher = choose(np, internal_np::volume_mesher, default_volume_mesher());
+  const Sizing_field size = framed.sizing_field(np);
+  check_memory(size.estimated_number_of_tetrahedra());
+  Remeshed_surface<Point_3> surface = remesh_in_frame(framed, size, np);
+  observer("tetrahedra");
+  if (mesher == Volume_mesher::tetgen)
+    fill_with_tetgen(surface.surface, surface.patch, size, mesh, np);
+  else if (mesher == Volume_mesher::ccdt)
+    fill_with_ccdt(surface.surface, surface.patch, size, mesh, np);
+  else
+    fill_with_mesh_3(surface.surface, surface.patch, Scaled_field<Sizing_field>{&size, 1}, mesh, np);
+  observer("optimization");
+  optimize_tetrahedra(mesh, framed.surface(), framed.patch(), With_boundary(mesher != Volume_mesher::mesh_3, np));
+  observer("check");
+  return surface;
 }
 
 } // namespace internal
-
-/*! \ingroup PkgTubularMeshingRef
- * What fills a surface mesh with tetrahedra. */
-enum class Volume_mesher {
-  mesh_3, ///< CGAL's Mesh_3, which meshes the surface anew
-  tetgen, ///< TetGen, which keeps it: see has_tetgen()
-  ccdt    ///< CGAL's constrained triangulations in space, which keep it: see has_ccdt()
-};
-
-/*! \ingroup PkgTubularMeshingRef
- * One that keeps the surface mesh, if this program has it. */
-constexpr Volume_mesher default_volume_mesher() {
-  return has_tetgen() ? Volume_mesher::tetgen : has_ccdt() ? Volume_mesher::ccdt : Volume_mesher::mesh_3;
-}
 
 /*! \ingroup PkgTubularMeshingRef
  *
@@ -127,8 +155,9 @@ Mixed_mesh<Point_3> make_isotropic_mesh(const Tubular_model<Point_3>& model,
     if (differences.empty())
       break;
   }
-  internal::check_differences(
-      differences, "the surface may intersect itself, or have parts much narrower than the mesh size there.");
+  if (!differences.empty())
+    throw Meshing_error("The mesh came out with " + differences +
+                        ": the surface may intersect itself, or have parts much narrower than the mesh size there.");
   framed.bring_back(mesh);
   mesh.patch_names = lumen_patch_names(int(model.openings.size()));
   return mesh;
@@ -158,29 +187,11 @@ Mixed_mesh<Point_3> make_isotropic_mesh(const Tubular_model<Point_3>& model,
 template <class Point_3, class NamedParameters = CGAL::parameters::Default_named_parameters>
 Mixed_mesh<Point_3> make_isotropic_mesh(const Tubular_model<Point_3>& model, Remeshed_surface<Point_3>& surface,
                                         const NamedParameters& np = CGAL::parameters::default_values()) {
-  typedef Named_parameters<bool, internal_np::keep_boundary_t, NamedParameters> With_boundary;
-  const auto observer = internal::stage_observer(np);
-  const Volume_mesher mesher = internal::choose(np, internal_np::volume_mesher, default_volume_mesher());
-
-  observer("size field");
+  internal::stage_observer(np)("size field");
   internal::Model_in_its_frame<Point_3> framed(model);
-  const Centerline_sizing_field<Point_3> size = framed.sizing_field(np);
-  internal::check_memory(size.estimated_number_of_tetrahedra());
-  surface = internal::remesh_in_frame(framed, size, np);
-  observer("tetrahedra");
   Mixed_mesh<Point_3> mesh;
-  if (mesher == Volume_mesher::tetgen)
-    fill_with_tetgen(surface.surface, surface.patch, size, mesh, np);
-  else if (mesher == Volume_mesher::ccdt)
-    fill_with_ccdt(surface.surface, surface.patch, size, mesh, np);
-  else
-    fill_with_mesh_3(surface.surface, surface.patch, internal::Scaled_field<Centerline_sizing_field<Point_3>>{&size, 1},
-                     mesh, np);
-  observer("optimization");
-  optimize_tetrahedra(mesh, framed.surface(), framed.patch(), With_boundary(mesher != Volume_mesher::mesh_3, np));
-  observer("check");
-  internal::check_differences(internal::differences(mesh, model),
-                              "the mesh size may be too coarse for the surface; try a finer one.");
+  surface = internal::make_isotropic_mesh_in_frame(framed, mesh, np);
+  internal::check_differences(mesh, model);
   framed.bring_back(mesh);
   framed.bring_back(surface.surface);
   mesh.patch_names = lumen_patch_names(int(model.openings.size()));
@@ -209,6 +220,52 @@ Mixed_mesh<Point_3> make_isotropic_mesh(const CGAL::Surface_mesh<Point_3>& surfa
 
 template <class Point_3> Mixed_mesh<Point_3> make_isotropic_mesh(const CGAL::Surface_mesh<Point_3>& surface) {
   return make_isotropic_mesh(surface, CGAL::parameters::default_values());
+}
+
+/*! \ingroup PkgTubularMeshingRef
+ *
+ * makes a mesh of anisotropic tetrahedra (section 3.3 of the paper): thin layers along the wall, of sizes along it that
+ * follow its curvature and the centerlines, and isotropic in the core. See Centerline_metric_field for the metric that
+ * the tetrahedra are of unit size in, and anisotropic_tetrahedral_remeshing() for how they come about, from an
+ * isotropic mesh.
+ *
+ * The mesh has regions and patches as isotropic ones do, and the point array `metric`: the metric that was asked for.
+ *
+ * \param model see make_tubular_model()
+ * \param np an optional sequence of named parameters among the ones listed below
+ *
+ * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{boundary_layer_thickness, first_height, growth, smoothing_ratio, curvature_points,
+ *     points_per_circumference, max_anisotropy, min_size, max_size, gradation} \cgalParamDescription{see
+ *     Centerline_metric_field} \cgalParamNEnd
+ *   \cgalParamNBegin{volume_mesher} \cgalParamDescription{what makes the isotropic mesh to begin with}
+ *     \cgalParamDefault{default_volume_mesher()} \cgalParamNEnd
+ *   \cgalParamNBegin{number_of_threads, observer} \cgalParamDescription{as for make_isotropic_mesh()} \cgalParamNEnd
+ * \cgalNamedParamsEnd
+ *
+ * O(n log n) in the size of the result.
+ *
+ * \throws Parameter_error if a parameter is out of its range
+ * \throws Meshing_error if no valid mesh comes out
+ */
+template <class Point_3, class NamedParameters = CGAL::parameters::Default_named_parameters>
+Mixed_mesh<Point_3> make_anisotropic_mesh(const Tubular_model<Point_3>& model,
+                                          const NamedParameters& np = CGAL::parameters::default_values()) {
+  const auto observer = internal::stage_observer(np);
+  observer("size field");
+  internal::Model_in_its_frame<Point_3> framed(model);
+  Mixed_mesh<Point_3> mesh;
+  internal::make_isotropic_mesh_in_frame(framed, mesh, np);
+  observer("metric field");
+  const Centerline_metric_field<Point_3> metric = framed.metric_field(np);
+  observer("anisotropic remeshing");
+  anisotropic_tetrahedral_remeshing(mesh, framed.surface(), framed.patch(), metric, np);
+  observer("check");
+  internal::check_differences(mesh, model);
+  framed.bring_back(mesh);
+  mesh.region_names = {{labels::lumen, "lumen"}};
+  mesh.patch_names = lumen_patch_names(int(model.openings.size()));
+  return mesh;
 }
 
 } // namespace Tubular_meshing

@@ -9,6 +9,7 @@
 #include <CGAL/Tubular_meshing/Quality/validity_report.h>
 #include <CGAL/Tubular_meshing/Volume/fill_with_tetgen.h>
 
+#include <CGAL/Aff_transformation_3.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/boost/graph/helpers.h>
@@ -17,6 +18,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <map>
 #include <set>
@@ -128,6 +130,46 @@ TEST_F(Tool, Makes_the_same_parametric_files_from_the_same_input) {
   for (const char* name : {"a.vtu", "b.vtu"})
     succeed(Arguments{input, "-n", "12", "-o", out(name), "--threads", "1"} + parametric);
   EXPECT_EQ(bytes_of(out("a.vtu")), bytes_of(out("b.vtu")));
+}
+
+// --- anisotropic meshes ---
+
+TEST_F(Tool, Makes_an_anisotropic_mesh) {
+  const std::string input = make("tube.off", tube().surface);
+  const Outcome outcome = succeed({input, "-t", "anisotropic", "-n", "12", "--curvature-points", "12", "--first-height",
+                                   "0.05", "-o", out("mesh.vtu"), "--report", out("r.json")});
+  EXPECT_NE(outcome.out.find("in the metric"), std::string::npos);
+  const Mesh mesh = mesh_in(out("mesh.vtu"));
+  const auto validity = tubular::validity_report(mesh);
+  EXPECT_TRUE(validity.is_valid()) << validity.defects();
+  ASSERT_EQ(mesh.point_arrays.size(), 1u);
+  EXPECT_EQ(mesh.point_arrays[0].name, "metric");
+  EXPECT_EQ(mesh.point_arrays[0].values.size(), 6 * mesh.points.size());
+  const Json q = json_in(out("r.json"))["quality"];
+  EXPECT_LE(q["Q_tau"]["mean"].get<double>(), 1.4);
+  EXPECT_LE(q["Q_tau"]["max"].get<double>(), 8);
+  EXPECT_GE(q["Q_tau"]["share_below_3"].get<double>(), 0.985);
+  EXPECT_GE(q["efficiency"].get<double>(), 0.86);
+}
+
+// The metric is that of the mesh's own space: rotated and scaled with it.
+TEST_F(Tool, Measures_in_the_metric_of_space) {
+  const Sample s = tube();
+  const double k = 1e-3, c = std::cos(0.7), t = std::sin(0.7);
+  const CGAL::Aff_transformation_3<Kernel> move(k * c, 0, k * t, 5, 0, k, 0, -3, -k * t, 0, k * c, 1);
+  std::array<double, 2> efficiency;
+  std::array<std::size_t, 2> cells;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const std::string input =
+        make("tube" + std::to_string(i) + ".off", i == 0 ? s.surface : transformed(s, move).surface);
+    succeed({input, "-t", "anisotropic", "-n", "10", "--curvature-points", "10", "--first-height", "0.08", "-o",
+             out("mesh.vtu"), "--report", out("r.json")});
+    const Json r = json_in(out("r.json"));
+    efficiency[i] = r["quality"]["efficiency"];
+    cells[i] = r["cells"]["tetrahedra"];
+  }
+  EXPECT_NEAR(efficiency[0], efficiency[1], 0.01);
+  EXPECT_NEAR(double(cells[0]), double(cells[1]), 0.05 * double(cells[0])); // a tube has symmetries
 }
 
 // --- real vessels ---

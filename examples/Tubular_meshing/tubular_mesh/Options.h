@@ -23,6 +23,7 @@ typedef Kernel::Point_3 Point_3;
 struct Options {
   std::string surface, centerlines, output, type = "isotropic";
   std::string surface_mesher, volume_mesher; // empty: not said
+  double boundary_layer = 0.3, first_height = 0, growth = 1.3, smoothing_ratio = 1.5, curvature_points = 20;
   std::string repair = "auto";
   bool smooth = false, loops = false;
   double flow_extensions = 0;
@@ -35,7 +36,9 @@ struct Options {
   bool verbose = false, quiet = false;
 
   bool makes_surface_only() const { return type == "surface"; }
-  bool meshes_patches() const { return makes_surface_only() || surface_mesher == "parametric"; }
+  bool is_anisotropic() const { return type == "anisotropic"; }
+  // Patch by patch, on the surface that is kept then.
+  bool meshes_patches() const { return makes_surface_only() || (!is_anisotropic() && surface_mesher == "parametric"); }
 
   std::vector<std::string> outputs() const {
     std::vector<std::string> files = {output};
@@ -71,6 +74,30 @@ inline void declare_mesher_options(CLI::App& app, Options& o) {
                  "mesh_3; or, after the parametric surface mesher, whose triangles they keep, tetgen, or ccdt of CGAL "
                  "6.1 (default: one of these, if it is there, else mesh_3)")
       ->check(CLI::IsMember({"mesh_3", "tetgen", "ccdt"}).description(""));
+}
+
+inline void declare_metric_options(CLI::App& app, Options& o) {
+  const char* const group = "For anisotropic meshes";
+  app.add_option("--boundary-layer", o.boundary_layer, "thickness of the layers at the wall, in local radii")
+      ->capture_default_str()
+      ->check(in_range((std::numeric_limits<double>::min)(), 1))
+      ->group(group);
+  app.add_option("--first-height", o.first_height,
+                 "height of the first layer, in local radii (default: a twentieth of their thickness)")
+      ->check(in_range((std::numeric_limits<double>::min)(), 1))
+      ->group(group);
+  app.add_option("--growth", o.growth, "ratio of the heights of successive layers")
+      ->capture_default_str()
+      ->check(in_range(1, 100))
+      ->group(group);
+  app.add_option("--smoothing-ratio", o.smoothing_ratio, "largest ratio of adjacent edges, as the wall curves")
+      ->capture_default_str()
+      ->check(in_range(1, 100))
+      ->group(group);
+  app.add_option("--curvature-points", o.curvature_points, "points on a full circle of the wall's curvature")
+      ->capture_default_str()
+      ->check(in_range(3, 1e4))
+      ->group(group);
 }
 
 inline void declare_surface_options(CLI::App& app, Options& o) {
@@ -115,7 +142,7 @@ inline void declare_options(CLI::App& app, Options& o, const std::string& versio
   app.add_option("-o,--output", o.output,
                  "mesh to write: .vtu .msh .mesh; a surface: .stl .vtp .msh .ply .off .obj .vtk")
       ->required();
-  app.add_option("-t,--type", o.type, "kind of mesh: isotropic (tetrahedra), surface (triangles only)")
+  app.add_option("-t,--type", o.type, "kind of mesh: isotropic or anisotropic (tetrahedra), surface (triangles only)")
       ->capture_default_str();
   app.add_option("-n,--points-per-circumference", o.points_per_circumference,
                  "mesh size h = 2 pi r / N, r the local radius")
@@ -129,6 +156,7 @@ inline void declare_options(CLI::App& app, Options& o, const std::string& versio
       ->capture_default_str()
       ->check(in_range(1, 1e4));
   declare_mesher_options(app, o);
+  declare_metric_options(app, o);
   declare_surface_options(app, o);
   declare_centerline_options(app, o);
   app.add_option("--report", o.report, "write the summary to this .json file");

@@ -155,6 +155,14 @@ inline void print_patches(const Json& p) {
     std::printf("note: %s\n", problem.get<std::string>().c_str());
 }
 
+// Of a mesh in a metric.
+template <class Point> void add_metric_quality(Json& report, const tubular::Mixed_mesh<Point>& mesh) {
+  const tubular::Quality_report quality = tubular::quality_report(mesh);
+  report["quality"]["Q_tau"] = statistics(quality.Q_tau);
+  report["quality"]["Q_tau"]["share_below_3"] = quality.Q_tau.share_below(3);
+  report["quality"]["efficiency"] = quality.efficiency;
+}
+
 inline void add_times(Json& report, const Stage_clock& clock) {
   for (const auto& stage : clock.stages())
     report["times"][stage.first] = stage.second;
@@ -195,6 +203,10 @@ inline void print(const Json& r, bool verbose) {
     std::printf("%-22s %8.3f %8.3f %8.3f\n", m.second, s["min"].get<double>(), s["p1"].get<double>(),
                 s["mean"].get<double>());
   }
+  if (r["quality"].contains("Q_tau"))
+    std::printf("in the metric: Q %.2f on average, at most %.2f; efficiency %.3f\n",
+                r["quality"]["Q_tau"]["mean"].get<double>(), r["quality"]["Q_tau"]["max"].get<double>(),
+                r["quality"]["efficiency"].get<double>());
   double fewest = 0, most = 0;
   for (const auto& b : r["branches"]) {
     const double p = b["points_per_circumference"];

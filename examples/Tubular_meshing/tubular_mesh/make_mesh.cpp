@@ -18,6 +18,18 @@ tubular::Volume_mesher volume_mesher(const Options& o) {
                                      : tubular::Volume_mesher::mesh_3;
 }
 
+tubular::Mixed_mesh<Point_3> make_anisotropic_mesh(const Options& o, const tubular::Tubular_model<Point_3>& model,
+                                                   Stage_clock& clock) {
+  const double first_height = o.first_height > 0 ? o.first_height : o.boundary_layer / 20;
+  return tubular::make_anisotropic_mesh(model, meshing_parameters(o, clock)
+                                                   .volume_mesher(volume_mesher(o))
+                                                   .boundary_layer_thickness(o.boundary_layer)
+                                                   .first_height(first_height)
+                                                   .growth(o.growth)
+                                                   .smoothing_ratio(o.smoothing_ratio)
+                                                   .curvature_points(o.curvature_points));
+}
+
 // The library's advice in the words of this tool.
 std::string in_terms_of_options(std::string sentence) {
   const std::string function = "fill_with_mesh_3()", option = "--volume-mesher mesh_3";
@@ -40,9 +52,11 @@ std::string why_not_filled_by(const std::string& volume_mesher) {
 tubular::Mixed_mesh<Point_3> make_mesh(const Options& o, const tubular::Tubular_model<Point_3>& model,
                                        tubular::Remeshed_surface<Point_3>& surface, Stage_clock& clock) {
   const auto np = meshing_parameters(o, clock);
-  if (!o.meshes_patches())
+  if (!o.is_anisotropic() && !o.meshes_patches())
     return tubular::make_isotropic_mesh(model, np);
   try {
+    if (o.is_anisotropic())
+      return make_anisotropic_mesh(o, model, clock);
     return tubular::make_isotropic_mesh(model, surface, np.volume_mesher(volume_mesher(o)));
   } catch (const tubular::Meshing_error& e) {
     throw tubular::Meshing_error(in_terms_of_options(e.what()));

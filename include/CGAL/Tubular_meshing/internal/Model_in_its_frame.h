@@ -8,12 +8,17 @@
 #include <CGAL/Tubular_meshing/Centerlines/Centerline_graph.h>
 #include <CGAL/Tubular_meshing/Centerlines/Wall_distance.h>
 #include <CGAL/Tubular_meshing/Centerlines/internal/Canonical_frame.h>
+#include <CGAL/Tubular_meshing/Fields/Centerline_metric_field.h>
 #include <CGAL/Tubular_meshing/Fields/Centerline_sizing_field.h>
 #include <CGAL/Tubular_meshing/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/Tubular_model.h>
 #include <CGAL/Tubular_meshing/labels.h>
 #include <CGAL/Tubular_meshing/parameters.h>
 
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cstddef>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -55,18 +60,20 @@ public:
 
   // With the limits of the size brought to the frame's unit.
   template <class NamedParameters> Centerline_sizing_field<Point> sizing_field(const NamedParameters& np) const {
-    const double min_size = choose(np, internal_np::min_size, 0.);
-    const double max_size = choose(np, internal_np::max_size, (std::numeric_limits<double>::infinity)());
-    typedef Named_parameters<double, internal_np::min_size_t, NamedParameters> With_min;
-    typedef Named_parameters<double, internal_np::max_size_t, With_min> With_both;
-    return Centerline_sizing_field<Point>(
-        Centerline_field<Point>(centerlines_), Wall_distance<Point>(surface_, patch_, labels::wall),
-        With_both(max_size / frame_.scale(), With_min(min_size / frame_.scale(), np)));
+    return Centerline_sizing_field<Point>(Centerline_field<Point>(centerlines_),
+                                          Wall_distance<Point>(surface_, patch_, labels::wall), in_frame(np));
+  }
+  template <class NamedParameters> Centerline_metric_field<Point> metric_field(const NamedParameters& np) const {
+    return Centerline_metric_field<Point>(surface_, patch_, centerlines_, in_frame(np));
   }
 
   void bring_back(Mixed_mesh<Point>& mesh) const {
     for (Point& p : mesh.points)
       p = from_frame(p);
+    for (Point_array& a : mesh.point_arrays)
+      if (a.name == "metric" && a.components == 6)
+        for (std::size_t i = 0; i + 5 < a.values.size(); i += 6)
+          bring_metric_back(&a.values[i]);
   }
   // Where it has points of a mesh they stay the same points, bit for bit.
   void bring_back(Surface& surface) const {
@@ -85,6 +92,23 @@ private:
   Point to_frame(const Point& p) const {
     const auto q = frame_.to_frame(to_double_point(p));
     return Point(q.x(), q.y(), q.z());
+  }
+
+  template <class NamedParameters> auto in_frame(const NamedParameters& np) const {
+    const double min_size = choose(np, internal_np::min_size, 0.);
+    const double max_size = choose(np, internal_np::max_size, (std::numeric_limits<double>::infinity)());
+    typedef Named_parameters<double, internal_np::min_size_t, NamedParameters> With_min;
+    typedef Named_parameters<double, internal_np::max_size_t, With_min> With_both;
+    return With_both(max_size / frame_.scale(), With_min(min_size / frame_.scale(), np));
+  }
+
+  // Of a vector v in space, the metric m measures the same vector in the frame: xx, xy, xz, yy, yz, zz.
+  void bring_metric_back(double* m) const {
+    Eigen::Matrix3d matrix;
+    matrix << m[0], m[1], m[2], m[1], m[3], m[4], m[2], m[4], m[5];
+    const Eigen::Matrix3d back = frame_.metric_from_frame(matrix);
+    const double entries[6] = {back(0, 0), back(0, 1), back(0, 2), back(1, 1), back(1, 2), back(2, 2)};
+    std::copy(entries, entries + 6, m);
   }
 
   Point from_frame(const Point& p) const {

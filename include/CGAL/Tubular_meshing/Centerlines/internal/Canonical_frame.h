@@ -62,6 +62,11 @@ public:
     return Point(x[0], x[1], x[2]);
   }
 
+  // A metric of the frame as one of space.
+  Eigen::Matrix3d metric_from_frame(const Eigen::Matrix3d& metric) const {
+    return axes_.transpose() * metric * axes_ / (scale_ * scale_);
+  }
+
 private:
   static Eigen::Vector3d vector(const Point& p) { return Eigen::Vector3d(p.x(), p.y(), p.z()); }
 
