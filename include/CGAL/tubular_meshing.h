@@ -171,6 +171,7 @@ Mixed_mesh<Point_3> make_isotropic_mesh(const Tubular_model<Point_3>& model,
  * TetGen and CGAL's constrained triangulations keep the surface mesh facet for facet: the mesh's first points are its
  * vertices, its triangles its faces, in their order. Mesh_3 meshes it anew.
  *
+ * \param model see make_tubular_model()
  * \param surface gets the surface mesh
  * \param np takes the named parameters of make_isotropic_surface_mesh() as well as
  *

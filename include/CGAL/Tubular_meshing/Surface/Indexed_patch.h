@@ -70,6 +70,8 @@ template <class Point_3> std::vector<std::vector<int>> border_loops(const Indexe
  * Some faces of a surface as an Indexed_patch, with its border_loops(). Triangle i is `faces[i]`, points are in the
  * order of the surface's vertices. O(n log n) in the size of the patch. Several threads may call it at once.
  *
+ * \param surface of triangles
+ * \param faces some of its faces
  * \param vertices if given, gets the surface's vertex of each point
  */
 template <class Point_3>

@@ -38,7 +38,8 @@ public:
 
   /*! The metric (11) that an embedding induces: \f$ x_{,u}^T x_{,u} / h^2 \f$ for size `h` in space.
    * \param x_u derivative of the embedding by the first coordinate, a vector with `x()`, `y()`, `z()`
-   * \param x_v derivative by the second coordinate */
+   * \param x_v derivative by the second coordinate
+   * \param h the size */
   template <class Vector_3> static Metric_tensor_2 induced(const Vector_3& x_u, const Vector_3& x_v, double h) {
     const auto dot = [](const Vector_3& a, const Vector_3& b) { return a.x() * b.x() + a.y() * b.y() + a.z() * b.z(); };
     const double s = 1 / (h * h);
