@@ -91,39 +91,47 @@ private:
     return result;
   }
 
-  // Two pieces on the same curve may both have an edge between two of its points that are no neighbours on it.
+  // A point on a curve, by the curve's number and its own on it.
+  typedef std::pair<size_type, size_type> Curve_point_number;
+  // An edge inside of a piece, between two points on curves.
+  struct Chord {
+    Curve_point_number a, b; // a < b
+    size_type piece;
+    bool operator<(const Chord& c) const { return std::tie(a, b, piece) < std::tie(c.a, c.b, c.piece); }
+    bool joins_the_same(const Chord& c) const { return a == c.a && b == c.b; }
+  };
+
+  // Two pieces on the same curves may both have an edge between two of their points that are no neighbours on a curve.
   void mark_pieces_that_share_an_edge(std::vector<char>& failed) const {
-    struct Chord {
-      size_type curve, i, j, piece;
-      bool operator<(const Chord& c) const { return std::tie(curve, i, j) < std::tie(c.curve, c.i, c.j); }
-      bool operator==(const Chord& c) const { return std::tie(curve, i, j) == std::tie(c.curve, c.i, c.j); }
-    };
     std::vector<Chord> chords;
-    for (size_type k = 0; k < mesher_.pieces().size(); ++k) {
-      size_type first = 0;
-      std::vector<std::pair<size_type, size_type>> place; // curve and number on it, of the points on curves
-      for (const auto& side : mesher_.pieces()[k].sides) {
-        const size_type n = mesher_.curve_points()[side.curve].size();
-        for (size_type i = 0; i < n; ++i)
-          place.emplace_back(side.curve, side.forward ? i : n - 1 - i);
-        first += n;
-      }
-      for (const auto& t : mesher_.pieces()[k].triangles)
-        for (size_type e = 0; e < 3; ++e) {
-          const size_type a = t[e], b = t[(e + 1) % 3];
-          if (a >= first || b >= first || place[a].first != place[b].first)
-            continue;
-          const size_type n = mesher_.curve_points()[place[a].first].size();
-          const size_type i = (std::min)(place[a].second, place[b].second);
-          const size_type j = (std::max)(place[a].second, place[b].second);
-          if (a < b && j != i + 1 && !(i == 0 && j == n - 1)) // inside, it is seen from both of its sides
-            chords.push_back({place[a].first, i, j, k});
-        }
-    }
+    for (size_type k = 0; k < mesher_.pieces().size(); ++k)
+      collect_chords(k, chords);
     std::sort(chords.begin(), chords.end());
     for (size_type i = 1; i < chords.size(); ++i)
-      if (chords[i] == chords[i - 1] && chords[i].piece != chords[i - 1].piece)
+      if (chords[i].joins_the_same(chords[i - 1]))
         failed[chords[i].piece] = failed[chords[i - 1].piece] = 1;
+  }
+
+  void collect_chords(size_type k, std::vector<Chord>& chords) const {
+    const auto& piece = mesher_.pieces()[k];
+    std::vector<Curve_point_number> numbers;
+    for (const auto& side : piece.sides) {
+      const size_type n = mesher_.curve_points()[side.curve].size();
+      for (size_type i = 0; i < n; ++i)
+        numbers.emplace_back(side.curve, side.forward ? i : n - 1 - i);
+    }
+    for (const auto& t : piece.triangles)
+      for (size_type e = 0; e < 3; ++e) {
+        const size_type a = t[e], b = t[(e + 1) % 3];
+        if (a < b && b < numbers.size() && !are_neighbours(numbers[a], numbers[b])) // once, of the two sides of an edge
+          chords.push_back({(std::min)(numbers[a], numbers[b]), (std::max)(numbers[a], numbers[b]), k});
+      }
+  }
+
+  bool are_neighbours(const Curve_point_number& a, const Curve_point_number& b) const {
+    const size_type n = mesher_.curve_points()[a.first].size();
+    const size_type apart = (std::max)(a.second, b.second) - (std::min)(a.second, b.second);
+    return a.first == b.first && (apart == 1 || apart == n - 1);
   }
 
   void build() {
