@@ -36,16 +36,19 @@ public:
 
   // For each halfedge of the patch whether it is too long for a linear map to be near the conformal one: on the ring it
   // reaches further than an eighth of the way around, or as far inwards; or sizes differ by more than a factor of two
-  // from one end to the other, as on a blind vessel. Empty if none is.
+  // from one end to the other, as on a blind vessel; but not where all is too small for a conformal map in floating
+  // point arithmetic. Empty if none is.
   std::vector<char> wide_halfedges() const {
     std::vector<char> is_wide;
     if (!is_mapped_)
       return is_wide;
-    const double pi = 3.14159265358979323846, most_growth = std::log(2.);
+    const double pi = 3.14159265358979323846, most_growth = std::log(2.), smallest = std::log(1e-8);
     const std::vector<double> scale = logarithms_of_scales();
+    const double least = *std::max_element(scale.begin(), scale.end()) + smallest;
     const auto growth = [&](int h) {
-      return std::abs(scale[std::size_t(source_of(patch_.triangles, h))] -
-                      scale[std::size_t(target_of(patch_.triangles, h))]);
+      const double a = scale[std::size_t(source_of(patch_.triangles, h))];
+      const double b = scale[std::size_t(target_of(patch_.triangles, h))];
+      return (std::min)(a, b) < least ? 0 : std::abs(a - b);
     };
     for (int h = 0; h < int(3 * patch_.own_triangles); ++h)
       if ((patch_.loops.size() > 1 && length_on_ring(h) > pi / 4) || growth(h) > most_growth) {
