@@ -16,7 +16,7 @@
 #include <CGAL/Tubular_meshing/Volume/fill_with_tetgen.h>
 #include <CGAL/Tubular_meshing/Volume/optimize_tetrahedra.h>
 #include <CGAL/Tubular_meshing/exceptions.h>
-#include <CGAL/Tubular_meshing/internal/Model_in_its_frame.h>
+#include <CGAL/Tubular_meshing/Volume/internal/Model_in_its_frame.h>
 #include <CGAL/Tubular_meshing/internal/Stage_observer.h>
 #include <CGAL/Tubular_meshing/make_isotropic_surface_mesh.h>
 #include <CGAL/Tubular_meshing/parameters.h>

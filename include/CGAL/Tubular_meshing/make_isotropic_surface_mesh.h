@@ -10,7 +10,7 @@
 #include <CGAL/Tubular_meshing/Surface/parameterize_patch.h>
 #include <CGAL/Tubular_meshing/Surface/remesh_patches.h>
 #include <CGAL/Tubular_meshing/Tubular_model.h>
-#include <CGAL/Tubular_meshing/internal/Model_in_its_frame.h>
+#include <CGAL/Tubular_meshing/Volume/internal/Model_in_its_frame.h>
 #include <CGAL/Tubular_meshing/internal/Stage_observer.h>
 #include <CGAL/Tubular_meshing/parameters.h>
 

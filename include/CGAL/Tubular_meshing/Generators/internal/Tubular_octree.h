@@ -119,17 +119,17 @@ private:
 
   // A leaf must not touch, by face or edge, a cell two levels deeper: the ancestors of its neighbours must be divided.
   void balance(std::vector<Cell>& cells) {
-    std::vector<Cell> todo = cells;
-    while (!todo.empty()) {
-      const Cell c = todo.back();
-      todo.pop_back();
+    std::vector<Cell> pending = cells;
+    while (!pending.empty()) {
+      const Cell c = pending.back();
+      pending.pop_back();
       if (c.level < 2)
         continue;
       for (int dx = -1; dx <= 1; ++dx)
         for (int dy = -1; dy <= 1; ++dy)
           for (int dz = -1; dz <= 1; ++dz)
             if (std::abs(dx) + std::abs(dy) + std::abs(dz) <= 2)
-              ensure_exists(parent(neighbor(c, dx, dy, dz)), todo);
+              ensure_exists(parent(neighbor(c, dx, dy, dz)), pending);
     }
     // Leaves are the undivided children of divided cells.
     for (const Cell& c : cells)
@@ -143,14 +143,14 @@ private:
     return std::all_of(c.at.begin(), c.at.end(), [n](std::int64_t x) { return x >= 0 && x < n; });
   }
 
-  void ensure_exists(const Cell& c, std::vector<Cell>& todo) {
+  void ensure_exists(const Cell& c, std::vector<Cell>& pending) {
     if (!is_inside(c) || c.level == 0)
       return;
     const Cell p = parent(c);
     if (divided_.count(key(p)))
       return;
-    ensure_exists(p, todo);
-    divide(p, todo);
+    ensure_exists(p, pending);
+    divide(p, pending);
   }
 
   void collect_leaves(const Cell& c) {

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tubular_meshing authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_TUBULAR_MESHING_INTERNAL_MODEL_IN_ITS_FRAME_H
-#define CGAL_TUBULAR_MESHING_INTERNAL_MODEL_IN_ITS_FRAME_H
+#ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_MODEL_IN_ITS_FRAME_H
+#define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_MODEL_IN_ITS_FRAME_H
 
 #include <CGAL/Tubular_meshing/Centerlines/Centerline_field.h>
 #include <CGAL/Tubular_meshing/Centerlines/Centerline_graph.h>
@@ -126,4 +126,4 @@ private:
 } // namespace Tubular_meshing
 } // namespace CGAL
 
-#endif // CGAL_TUBULAR_MESHING_INTERNAL_MODEL_IN_ITS_FRAME_H
+#endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_MODEL_IN_ITS_FRAME_H
