@@ -16,7 +16,7 @@ namespace Tubular_meshing {
 
 /*! \ingroup PkgTubularMeshingRef
  *
- * A closed surface in new triangles, with the labels of its patches.
+ * A closed surface in new triangles or quads, with the labels of its patches.
  */
 template <class Point_3_> struct Remeshed_surface {
   typedef Point_3_ Point_3;

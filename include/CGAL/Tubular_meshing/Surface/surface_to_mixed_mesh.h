@@ -11,6 +11,7 @@
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <unordered_map>
 
@@ -19,19 +20,20 @@ namespace Tubular_meshing {
 
 /*! \ingroup PkgTubularMeshingRef
  *
- * A closed labelled surface as a mesh without cells: its points and triangles, in the surface's own order. Linear.
+ * A closed labelled surface as a mesh without cells: its points, triangles and quads, in the surface's own order.
+ * Linear.
  *
- * \param surface a closed triangle mesh
+ * \param surface closed, of triangles and quads
  * \param patch a readable property map from its faces to `int`: their labels
  * \param mesh is replaced
  *
- * \throws Meshing_error if the surface is empty, not closed, or not of triangles
+ * \throws Meshing_error if the surface is empty, not closed, or has faces of more than four edges
  */
-template <class Point, class TriangleMesh, class FacePatchMap>
-void surface_to_mixed_mesh(const TriangleMesh& surface, FacePatchMap patch, Mixed_mesh<Point>& mesh) {
-  typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor Vertex;
-  if (!is_closed(surface) || !is_triangle_mesh(surface) || is_empty(surface))
-    throw Meshing_error("Only a closed surface of triangles can be filled with tetrahedra: close its openings first.");
+template <class Point, class SurfaceMesh, class FacePatchMap>
+void surface_to_mixed_mesh(const SurfaceMesh& surface, FacePatchMap patch, Mixed_mesh<Point>& mesh) {
+  typedef typename boost::graph_traits<SurfaceMesh>::vertex_descriptor Vertex;
+  if (!is_closed(surface) || is_empty(surface))
+    throw Meshing_error("Only a closed surface can be the boundary of a mesh: close its openings first.");
   mesh = Mixed_mesh<Point>();
   std::unordered_map<Vertex, std::uint32_t> number;
   mesh.points.reserve(num_vertices(surface));
@@ -42,11 +44,17 @@ void surface_to_mixed_mesh(const TriangleMesh& surface, FacePatchMap patch, Mixe
     mesh.points.emplace_back(p.x(), p.y(), p.z());
   }
   for (auto f : faces(surface)) {
-    Element_block<3>::Element corners;
-    auto corner = corners.begin();
-    for (Vertex v : vertices_around_face(halfedge(f, surface), surface))
-      *corner++ = number.at(v);
-    mesh.triangles.push_back(corners, get(patch, f));
+    Element_block<4>::Element c = {};
+    std::size_t n = 0;
+    for (Vertex v : vertices_around_face(halfedge(f, surface), surface)) {
+      if (n == c.size())
+        throw Meshing_error("A face of the surface has more than four edges: only triangles and quads can be meshed.");
+      c[n++] = number.at(v);
+    }
+    if (n == c.size())
+      mesh.quads.push_back(c, get(patch, f));
+    else
+      mesh.triangles.push_back({c[0], c[1], c[2]}, get(patch, f));
   }
 }
 

@@ -110,6 +110,8 @@ void fill_keeping_boundary(const TriangleMesh& surface, FacePatchMap patch, cons
                            Mixed_mesh<Point>& result) {
   Mixed_mesh<Point> mesh;
   surface_to_mixed_mesh(surface, patch, mesh);
+  if (!mesh.quads.empty())
+    throw Meshing_error("Only a surface of triangles can be filled with tetrahedra; this one has quads.");
   recover_in_child_process(surface, recover, name, limits.seconds, mesh);
   add_points_inside(size, limits.most_points, mesh);
   mesh.region_names = {{labels::lumen, "lumen"}};
