@@ -10,6 +10,7 @@
 #include <CGAL/Tubular_meshing/Quality/validity_report.h>
 #include <CGAL/Tubular_meshing/Surface/Remeshed_surface.h>
 #include <CGAL/Tubular_meshing/Tubular_model.h>
+#include <CGAL/Tubular_meshing/Volume/Volume_mesher.h>
 #include <CGAL/Tubular_meshing/Volume/anisotropic_tetrahedral_remeshing.h>
 #include <CGAL/Tubular_meshing/Volume/fill_with_ccdt.h>
 #include <CGAL/Tubular_meshing/Volume/fill_with_mesh_3.h>
@@ -29,20 +30,6 @@
 
 namespace CGAL {
 namespace Tubular_meshing {
-
-/*! \ingroup PkgTubularMeshingRef
- * What fills a surface mesh with tetrahedra. */
-enum class Volume_mesher {
-  mesh_3, ///< CGAL's Mesh_3, which meshes the surface anew
-  tetgen, ///< TetGen, which keeps it: see has_tetgen()
-  ccdt    ///< CGAL's constrained triangulations in space, which keep it: see has_ccdt()
-};
-
-/*! \ingroup PkgTubularMeshingRef
- * One that keeps the surface mesh, if this program has it. */
-constexpr Volume_mesher default_volume_mesher() {
-  return has_tetgen() ? Volume_mesher::tetgen : has_ccdt() ? Volume_mesher::ccdt : Volume_mesher::mesh_3;
-}
 
 namespace internal {
 
