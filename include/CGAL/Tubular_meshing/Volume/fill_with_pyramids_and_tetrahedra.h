@@ -8,7 +8,7 @@
 #include <CGAL/Tubular_meshing/Surface/surface_to_mixed_mesh.h>
 #include <CGAL/Tubular_meshing/Volume/Volume_mesher.h>
 #include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/fill_keeping_boundary.h>
-#include <CGAL/Tubular_meshing/Volume/internal/pyramids/Crowned_surface.h>
+#include <CGAL/Tubular_meshing/Volume/internal/pyramids/crown_quads.h>
 #include <CGAL/Tubular_meshing/Volume/internal/pyramids/optimize_with_apexes.h>
 #include <CGAL/Tubular_meshing/exceptions.h>
 #include <CGAL/Tubular_meshing/labels.h>
@@ -91,6 +91,9 @@ void fill_between_pyramids(Crowned_surface<Point>& crowned, const SizingField& s
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{volume_mesher} \cgalParamDescription{what makes the tetrahedra: `Volume_mesher::tetgen` or
  *     `Volume_mesher::ccdt`} \cgalParamDefault{default_volume_mesher()} \cgalParamNEnd
+ *   \cgalParamNBegin{split_quads} \cgalParamDescription{whether quads on which no pyramid fits become two triangles
+ *     each, which follow the surface's own in the mesh. No mesh of the wall conforms with these}
+ *     \cgalParamDefault{`false`} \cgalParamNEnd
  *   \cgalParamNBegin{optimization_passes} \cgalParamDescription{see optimize_tetrahedra()} \cgalParamDefault{2}
  *     \cgalParamNEnd
  *   \cgalParamNBegin{number_of_threads} \cgalParamDescription{0 takes all cores; the result does not depend on it}
@@ -100,8 +103,11 @@ void fill_between_pyramids(Crowned_surface<Point>& crowned, const SizingField& s
  *
  * About linear in the number of cells.
  *
- * \throws Meshing_error if the surface is not closed, if a quad has a corner of 180 degrees or more, if pyramids meet
- *   however low they are (the surface meets itself), or if the mesher of the tetrahedra fails or is not there
+ * No pyramid fits on a quad that has a corner of about 180 degrees or more, in the plane or by being bent, as one with
+ * two edges on the rim of a cap; nor where the surface meets itself.
+ *
+ * \throws Meshing_error if the surface is not closed, if no pyramid fits on a quad, or if the mesher of the tetrahedra
+ *   fails or is not there
  */
 template <class SurfaceMesh, class FacePatchMap, class SizingField, class Point,
           class NamedParameters = CGAL::parameters::Default_named_parameters>
@@ -112,8 +118,8 @@ void fill_with_pyramids_and_tetrahedra(const SurfaceMesh& surface, FacePatchMap 
   internal::check_keeps_boundary(mesher);
   Mixed_mesh<Point> boundary;
   surface_to_mixed_mesh(surface, patch, boundary);
-  internal::Crowned_surface<Point> crowned(boundary);
-  crowned.make_room();
+  internal::Crowned_surface<Point> crowned =
+      internal::crown_quads(boundary, internal::choose(np, internal_np::split_quads, false));
 
   internal::Filling_limits limits = {
       internal::choose(np, internal_np::time_limit, 600 + 0.01 * double(num_faces(crowned.surface())))};

@@ -7,7 +7,6 @@
 #include <CGAL/Tubular_meshing/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/Volume/internal/pyramids/Quad_crown.h>
 #include <CGAL/Tubular_meshing/Volume/internal/pyramids/crown_heights.h>
-#include <CGAL/Tubular_meshing/exceptions.h>
 #include <CGAL/Tubular_meshing/internal/Vector_3d.h>
 
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
@@ -19,8 +18,6 @@
 #include <cstddef>
 #include <iterator>
 #include <limits>
-#include <sstream>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -40,17 +37,20 @@ public:
   typedef typename Surface::Vertex_index Vertex;
   typedef typename Surface::Face_index Face;
   typedef typename Surface::template Property_map<Face, int> Face_patch_map;
+  typedef std::vector<std::size_t> Quads; // sorted
 
-  /* Of a mesh of nothing but triangles and quads. Throws Meshing_error where a quad cannot be crowned. */
+  // Of the pyramids' sides in patch(): no label of a user's.
+  static constexpr int side_label = (std::numeric_limits<int>::min)();
+
+  // Of a mesh of nothing but triangles and quads.
   explicit Crowned_surface(const Mixed_mesh<Point>& mesh)
       : triangles_(mesh.triangles.size()) {
-    for (const auto& q : mesh.quads.vertices) {
+    crowns_.reserve(mesh.quads.size());
+    for (const auto& q : mesh.quads.vertices)
       crowns_.emplace_back(std::array<Vector_3d, 4>{Vector_3d(mesh.points[q[0]]), Vector_3d(mesh.points[q[1]]),
                                                     Vector_3d(mesh.points[q[2]]), Vector_3d(mesh.points[q[3]])});
-      if (!std::isfinite(crowns_.back().lowest))
-        throw Meshing_error("No pyramid can stand on the quad at " + text_of(crowns_.back().foot) +
-                            ", which has a corner of 180 degrees or more: make the quads better there.");
-    }
+    if (!quads_without_crown().empty())
+      return;
     height_ = crown_heights(mesh, crowns_);
     for (std::size_t k = 0; k < crowns_.size(); ++k)
       height_[k] = (std::max)(height_[k], floor_of(k));
@@ -59,32 +59,33 @@ public:
 
   const Surface& surface() const { return surface_; }
   Face_patch_map patch() const { return patch_; }
-  std::size_t number_of_quads() const { return crowns_.size(); }
+  const Vector_3d& middle(std::size_t quad) const { return crowns_[quad].foot; }
 
-  // The apex of quad k is a vertex of the surface, behind those of the quads themselves.
-  Vertex apex(std::size_t k) const { return Vertex(typename Surface::size_type(first_apex_ + k)); }
-
-  // Lowers pyramids until there is room around each, or they are as low as they may be.
-  void make_room() {
-    std::vector<std::size_t> met = meeting(surface_.faces(), room);
-    for (int round = 0; round < most_rounds && !met.empty() && lower(met); ++round)
-      met = meeting(faces_of(met), room);
-    raise_to(1);
+  // Those on which no pyramid can stand; if there are any, there is no surface.
+  Quads quads_without_crown() const {
+    Quads quads;
+    for (std::size_t k = 0; k < crowns_.size(); ++k)
+      if (!std::isfinite(crowns_[k].lowest))
+        quads.push_back(k);
+    return quads;
   }
 
-  // Lowers those that meet without any room between them; returns whether there were any. Throws where they are as low
-  // as they may be.
-  bool make_way() {
-    std::vector<std::size_t> met = meeting(surface_.faces(), 1);
-    if (met.empty())
-      return false;
-    for (int round = 0; !met.empty(); ++round) {
-      if (round == most_rounds || !lower(met))
-        throw Meshing_error("The pyramids on the quads at " + text_of(crowns_[met.front()].foot) +
-                            " meet others, however low they are: mend the surface there, or mesh it finer.");
+  // Lowers pyramids until there is room around each, or they are as low as they may be. Returns those that meet others
+  // all the same.
+  Quads make_room() {
+    Quads met = lower_those_meeting(meeting(surface_.faces(), room), room);
+    if (!met.empty())
       met = meeting(faces_of(met), 1);
-    }
-    return true;
+    raise_to(1);
+    return met;
+  }
+
+  // Lowers all that meet others; returns false if none do. Those that are left may still.
+  bool make_way() {
+    const Quads met = meeting(surface_.faces(), 1);
+    lower_those_meeting(met, 1);
+    raise_to(1);
+    return !met.empty();
   }
 
 private:
@@ -98,11 +99,8 @@ private:
     return (std::max)(lowest_part * crowns_[k].mean_edge, above_planes * crowns_[k].lowest);
   }
 
-  static std::string text_of(const Vector_3d& p) {
-    std::ostringstream s;
-    s << "(" << p.x << ", " << p.y << ", " << p.z << ")";
-    return s.str();
-  }
+  // The apex of quad k comes behind the points of the quads themselves.
+  Vertex apex(std::size_t k) const { return Vertex(typename Surface::size_type(first_apex_ + k)); }
 
   void build(const Mixed_mesh<Point>& mesh) {
     const std::size_t n = crowns_.size();
@@ -135,7 +133,7 @@ private:
       surface_.point(apex(k)) = point_of(k, factor);
   }
 
-  std::vector<Face> faces_of(const std::vector<std::size_t>& quads) const {
+  std::vector<Face> faces_of(const Quads& quads) const {
     std::vector<Face> faces;
     for (std::size_t i = 0; i < triangles_; ++i)
       faces.push_back(Face(typename Surface::size_type(i)));
@@ -146,11 +144,11 @@ private:
   }
 
   // The quads whose pyramids, `factor` times as high as they are, meet others among the faces, or triangles.
-  template <class Faces> std::vector<std::size_t> meeting(const Faces& faces, double factor) {
+  template <class Faces> Quads meeting(const Faces& faces, double factor) {
     raise_to(factor);
     std::vector<std::pair<Face, Face>> pairs;
     Polygon_mesh_processing::self_intersections(faces, surface_, std::back_inserter(pairs));
-    std::vector<std::size_t> quads;
+    Quads quads;
     for (const auto& pair : pairs)
       for (Face f : {pair.first, pair.second})
         if (std::size_t(f) >= triangles_)
@@ -160,8 +158,15 @@ private:
     return quads;
   }
 
+  // Returns those that are left: they meet others as low as they may be.
+  Quads lower_those_meeting(Quads met, double factor) {
+    for (int round = 0; round < most_rounds && !met.empty() && lower(met); ++round)
+      met = meeting(faces_of(met), factor);
+    return met;
+  }
+
   // False if all of them are as low as they may be.
-  bool lower(const std::vector<std::size_t>& quads) {
+  bool lower(const Quads& quads) {
     bool any = false;
     for (std::size_t k : quads) {
       const double to = (std::max)(lowering * height_[k], floor_of(k));
@@ -176,10 +181,6 @@ private:
   std::vector<double> height_;
   Surface surface_; // its faces: the triangles, then four sides a quad
   Face_patch_map patch_;
-
-public:
-  // Of the pyramids' sides in patch(): no label of a user's.
-  static constexpr int side_label = (std::numeric_limits<int>::min)();
 };
 
 } // namespace internal

@@ -17,7 +17,7 @@ namespace internal {
 
 /* The ray on which the apex of a quad's pyramid lies: from the quad's middle inward. The pyramid is positive at all
  * corners of its base where the apex lies beyond the planes of all of them, that is, higher than `lowest`; that is 0
- * for a flat quad, and infinite for one with a corner of 180 degrees or more, on which no pyramid can stand. */
+ * for a flat quad, and infinite for one with a corner of about 180 degrees or more, on which no pyramid can stand. */
 struct Quad_crown {
   Vector_3d foot, direction;
   double lowest = (std::numeric_limits<double>::infinity)();
@@ -31,7 +31,8 @@ struct Quad_crown {
     for (std::size_t i = 0; i < 4; ++i) {
       const Vector_3d next = quad[(i + 1) % 4] - quad[i], previous = quad[(i + 3) % 4] - quad[i];
       const Vector_3d normal = cross(previous, next);
-      inward[i] = normalized(normal);
+      if (norm(normal) > least_sine * norm(previous) * norm(next))
+        inward[i] = normalized(normal); // otherwise it stays 0, and cannot be risen above
       area += normal;
       foot += 0.25 * quad[i];
       mean_edge += 0.25 * norm(next);
@@ -52,7 +53,8 @@ struct Quad_crown {
   Vector_3d apex(double height) const { return foot + height * direction; }
 
 private:
-  static constexpr double least_rise = 1e-3;
+  static constexpr double least_rise = 0.05;
+  static constexpr double least_sine = 0.02; // of a corner's angle
   static constexpr double good_rise = 0.5;
 
   // Where the quad is so warped that its normal is not well inside of all corners, another direction may be.
