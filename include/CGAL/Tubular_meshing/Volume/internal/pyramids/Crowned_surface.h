@@ -7,6 +7,7 @@
 #include <CGAL/Tubular_meshing/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/Volume/internal/pyramids/Quad_crown.h>
 #include <CGAL/Tubular_meshing/Volume/internal/pyramids/crown_heights.h>
+#include <CGAL/Tubular_meshing/exceptions.h>
 #include <CGAL/Tubular_meshing/internal/Vector_3d.h>
 
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
@@ -18,6 +19,7 @@
 #include <cstddef>
 #include <iterator>
 #include <limits>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -113,14 +115,21 @@ private:
       surface_.add_vertex(p);
     for (std::size_t k = 0; k < n; ++k)
       surface_.add_vertex(point_of(k, 1));
+    const auto add = [this](Vertex a, Vertex b, Vertex c) {
+      const Face f = surface_.add_face(a, b, c);
+      if (f == Surface::null_face())
+        throw Meshing_error("The surface is not manifold at the edge of its points " + std::to_string(std::size_t(a)) +
+                            " and " + std::to_string(std::size_t(b)) + ": mend it there.");
+      return f;
+    };
     for (std::size_t i = 0; i < triangles_; ++i) {
       const auto& t = mesh.triangles.vertices[i];
-      patch_[surface_.add_face(Vertex(t[0]), Vertex(t[1]), Vertex(t[2]))] = mesh.triangles.label[i];
+      patch_[add(Vertex(t[0]), Vertex(t[1]), Vertex(t[2]))] = mesh.triangles.label[i];
     }
     for (std::size_t k = 0; k < n; ++k) {
       const auto& q = mesh.quads.vertices[k];
       for (std::size_t i = 0; i < 4; ++i)
-        surface_.add_face(Vertex(q[i]), Vertex(q[(i + 1) % 4]), apex(k));
+        add(Vertex(q[i]), Vertex(q[(i + 1) % 4]), apex(k));
     }
   }
 

@@ -14,6 +14,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <set>
 #include <sstream>
 #include <utility>
 #include <vector>
@@ -34,41 +35,67 @@ template <class Point>
   throw Meshing_error(s.str());
 }
 
-// The two triangles of a quad: by the diagonal that makes them the better ones, and the flatter edge.
-template <class Point>
-std::array<std::array<std::uint32_t, 3>, 2> halves_of(const Mixed_mesh<Point>& mesh,
-                                                      const std::array<std::uint32_t, 4>& q) {
-  const auto halves = [&](std::size_t i) {
-    return std::array<std::array<std::uint32_t, 3>, 2>{{{q[i], q[i + 1], q[i + 2]}, {q[i], q[i + 2], q[(i + 3) % 4]}}};
-  };
-  const auto merit = [&](std::size_t i) {
+/* Makes two triangles of a quad: by the diagonal that makes them the better ones, and the flatter edge, unless it is an
+ * edge of the surface already, as it may be where a vertex has two quads only. */
+template <class Point> class Quad_splitter {
+public:
+  explicit Quad_splitter(Mixed_mesh<Point>& mesh)
+      : mesh_(mesh) {
+    add_edges(mesh.triangles);
+    add_edges(mesh.quads);
+  }
+
+  void split(const std::vector<std::size_t>& quads) {
+    Element_block<4> kept;
+    auto next = quads.begin();
+    for (std::size_t k = 0; k < mesh_.quads.size(); ++k) {
+      const auto& q = mesh_.quads.vertices[k];
+      const int label = mesh_.quads.label[k];
+      if (next == quads.end() || *next != k) {
+        kept.push_back(q, label);
+        continue;
+      }
+      const std::size_t i = merit(q, 0) >= merit(q, 1) ? 0 : 1;
+      for (const Triangle& t : halves(q, i))
+        mesh_.triangles.push_back(t, label);
+      edges_.insert(std::minmax(q[i], q[i + 2]));
+      ++next;
+    }
+    mesh_.quads = std::move(kept);
+  }
+
+private:
+  typedef std::array<std::uint32_t, 4> Quad;
+  typedef std::array<std::uint32_t, 3> Triangle;
+
+  template <std::size_t N> void add_edges(const Element_block<N>& faces) {
+    for (const auto& f : faces.vertices)
+      for (std::size_t i = 0; i < N; ++i)
+        edges_.insert(std::minmax(f[i], f[(i + 1) % N]));
+  }
+
+  static std::array<Triangle, 2> halves(const Quad& q, std::size_t i) {
+    return {{{q[i], q[i + 1], q[i + 2]}, {q[i], q[i + 2], q[(i + 3) % 4]}}};
+  }
+
+  // Of the diagonal from corner i.
+  double merit(const Quad& q, std::size_t i) const {
+    if (edges_.count(std::minmax(q[i], q[i + 2])) != 0)
+      return -1;
     double worst = 1;
     std::array<Vector_3d, 2> normal;
     for (std::size_t k = 0; k < 2; ++k) {
-      const auto t = halves(i)[k];
-      const Vector_3d a(mesh.points[t[0]]), b(mesh.points[t[1]]), c(mesh.points[t[2]]);
+      const Triangle t = halves(q, i)[k];
+      const Vector_3d a(mesh_.points[t[0]]), b(mesh_.points[t[1]]), c(mesh_.points[t[2]]);
       worst = (std::min)(worst, triangle_gamma(a, b, c));
       normal[k] = normalized(cross(b - a, c - a));
     }
     return worst * (1 + dot(normal[0], normal[1]));
-  };
-  return halves(merit(0) >= merit(1) ? 0 : 1);
-}
-
-template <class Point> void split_quads(Mixed_mesh<Point>& mesh, const std::vector<std::size_t>& quads) {
-  Element_block<4> kept;
-  auto next = quads.begin();
-  for (std::size_t k = 0; k < mesh.quads.size(); ++k) {
-    if (next == quads.end() || *next != k) {
-      kept.push_back(mesh.quads.vertices[k], mesh.quads.label[k]);
-      continue;
-    }
-    for (const auto& t : halves_of(mesh, mesh.quads.vertices[k]))
-      mesh.triangles.push_back(t, mesh.quads.label[k]);
-    ++next;
   }
-  mesh.quads = std::move(kept);
-}
+
+  Mixed_mesh<Point>& mesh_;
+  std::set<std::pair<std::uint32_t, std::uint32_t>> edges_;
+};
 
 /* Crowns the quads of a surface. Those on which no pyramid fits are split into triangles first, if they may be; else
  * Meshing_error is thrown. */
@@ -82,7 +109,7 @@ template <class Point> Crowned_surface<Point> crown_quads(Mixed_mesh<Point>& sur
       return crowned;
     if (!may_split)
       refuse_quads(crowned, bad);
-    split_quads(surface, bad); // there are fewer each time
+    Quad_splitter<Point>(surface).split(bad); // there are fewer each time
   }
 }
 
