@@ -99,8 +99,9 @@ void write_mesh(Output_file& file, const Mixed_mesh<Point>& mesh,
  * and meshes without cells are refused.
  *
  * .vtu files are compressed with zlib, .msh files binary in format 4.1 and ASCII in format 2.2, others ASCII.
- * Coordinates are kept to the last bit. The file is written whole or not at all; a file that was there is replaced.
- * The same mesh makes the same file, byte for byte. O(n log l) for n elements with l different labels.
+ * Coordinates are kept to the last bit, but in .inp files. The file is written whole or not at all; a file that was
+ * there is replaced. The same mesh makes the same file, byte for byte. O(n log l) for n elements with l different
+ * labels.
  *
  * \param file the name of the file
  * \param mesh the mesh

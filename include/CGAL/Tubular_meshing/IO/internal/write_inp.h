@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <charconv>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -74,7 +75,7 @@ public:
     for (std::size_t i = 0; i < mesh_.points.size(); ++i) {
       out_ << i + 1;
       for (int k = 0; k < 3; ++k)
-        out_ << ", " << CGAL::to_double(mesh_.points[i][k]);
+        out_ << ", " << short_number(CGAL::to_double(mesh_.points[i][k]));
       out_ << '\n';
     }
     write_cells(mesh_.tetrahedra);
@@ -104,6 +105,16 @@ private:
   [[noreturn]] void fail(const std::string& reason) const {
     throw Output_error("The file \"" + file_.name() + "\" cannot be written: " + reason +
                        "; write a .vtu file instead.");
+  }
+
+  // Exactly, if that takes no more than the twenty characters that a field of a deck may have; else to 13 digits or
+  // more.
+  static std::string short_number(double x) {
+    char text[32];
+    std::to_chars_result end = std::to_chars(text, text + sizeof text, x);
+    for (int digits = 15; end.ptr - text > 20; --digits)
+      end = std::to_chars(text, text + sizeof text, x, std::chars_format::scientific, digits);
+    return std::string(text, end.ptr);
   }
 
   // Letters, digits and underscores, a letter first, are what all programs take.
