@@ -5,6 +5,7 @@
 #define CGAL_TUBULAR_MESHING_SURFACE_REMESHED_SURFACE_H
 
 #include <CGAL/Tubular_meshing/Surface/Patch_report.h>
+#include <CGAL/Tubular_meshing/Surface/Quad_report.h>
 #include <CGAL/Tubular_meshing/labels.h>
 
 #include <CGAL/Surface_mesh.h>
@@ -28,6 +29,7 @@ template <class Point_3_> struct Remeshed_surface {
   Face_map patch_of_face; ///< the number of the patch of the cut, −1 on caps: property map `f:surface_patch`
   std::vector<std::vector<typename Surface::Vertex_index>> curves; ///< the vertices on each curve of the cut, in order
   Patch_report report;                                             ///< on the patches that it was meshed by
+  Quad_report quads;                                               ///< on its quads, if it has some
 
   Remeshed_surface() {
     patch = surface.template add_property_map<typename Surface::Face_index, int>("f:patch", labels::wall).first;

@@ -7,6 +7,7 @@
 #include <CGAL/Tubular_meshing/Operators/Surface_patch.h>
 #include <CGAL/Tubular_meshing/Surface/Patch_parameterization.h>
 #include <CGAL/Tubular_meshing/Surface/Remeshed_surface.h>
+#include <CGAL/Tubular_meshing/Surface/internal/remeshing/Piece_mesher.h>
 #include <CGAL/Tubular_meshing/Surface/internal/remeshing/Surface_remesher.h>
 #include <CGAL/Tubular_meshing/exceptions.h>
 #include <CGAL/Tubular_meshing/parameters.h>
@@ -60,10 +61,10 @@ Remeshed_surface<Point_3> remesh_patches(const CGAL::Surface_mesh<Point_3>& surf
   if (maps.size() != cut.patches.size())
     throw Input_error("There are " + std::to_string(maps.size()) + " parameterizations of " +
                       std::to_string(cut.patches.size()) + " patches; pass what parameterize_patches() returns.");
-  return internal::Surface_remesher<Point_3, SizingField>(surface, cut, maps, size,
-                                                          internal::choose(np, internal_np::even_curves, false),
-                                                          internal::choose(np, internal_np::number_of_threads, 0))
-      .run();
+  typedef internal::Piece_mesher<Point_3, SizingField> Mesher;
+  Mesher mesher(surface, cut, maps, size, internal::choose(np, internal_np::even_curves, false),
+                internal::choose(np, internal_np::number_of_threads, 0));
+  return internal::Surface_remesher<Point_3, Mesher>(surface, cut, maps, mesher).run();
 }
 
 } // namespace Tubular_meshing

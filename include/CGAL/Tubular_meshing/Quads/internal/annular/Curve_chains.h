@@ -8,6 +8,7 @@
 #include <CGAL/Tubular_meshing/Quads/internal/elliptic/Annular_chart.h>
 #include <CGAL/Tubular_meshing/Surface/Patch_parameterization.h>
 #include <CGAL/Tubular_meshing/Surface/internal/remeshing/Curve_divider.h>
+#include <CGAL/Tubular_meshing/exceptions.h>
 #include <CGAL/Tubular_meshing/internal/Vector_3d.h>
 
 #include <CGAL/Surface_mesh.h>
@@ -47,7 +48,6 @@ public:
   Curve_chains(const Surface& surface, const Surface_cut<Point_3>& cut, const std::vector<Map>& maps, const Size& size)
       : cut_(cut)
       , maps_(maps)
-      , points_(cut.curves.size())
       , patches_at_(cut.curves.size()) {
     for (const auto& curve : cut.curves)
       measure(surface, curve, size);
@@ -57,12 +57,15 @@ public:
           patches_at_[loop.curve].push_back(k);
   }
 
-  std::vector<Points> divide() {
-    std::vector<char> reached(points_.size(), 0);
-    for (size_type c = 0; c < points_.size(); ++c)
+  /* The points of all curves. `fineness`, if given, is what the size is multiplied by, of each curve: that of a chain is
+   * the least one. */
+  std::vector<Points> divide(const std::vector<double>& fineness = {}) const {
+    std::vector<Points> points(polylines_.size());
+    std::vector<char> reached(polylines_.size(), 0);
+    for (size_type c = 0; c < points.size(); ++c)
       if (!reached[c])
-        divide_chain(chain_from(c, reached));
-    return points_;
+        divide_chain(chain_from(c, reached), fineness, points);
+    return points;
   }
 
   bool is_tube(size_type k) const {
@@ -107,14 +110,28 @@ private:
     return chain;
   }
 
-  void divide_chain(const std::vector<Link>& chain) {
+  void divide_chain(const std::vector<Link>& chain, const std::vector<double>& fineness,
+                    std::vector<Points>& points) const {
     const size_type fewest = 6; // a tube, not a prism
-    double sum = 0;
-    for (const Link& link : chain)
+    double sum = 0, finest = 1;
+    for (const Link& link : chain) {
       sum += in_sizes_[link.curve];
-    const size_type n = (std::max)(fewest, 2 * size_type(std::lround(sum / double(chain.size()) / 2)));
-    for (const Link& link : chain)
-      points_[link.curve] = points_from(link.curve, n, link.before == none ? 0 : best_start(link, n));
+      finest = fineness.empty() ? 1 : (std::min)(finest, fineness[link.curve]);
+    }
+    const size_type n = (std::max)(fewest, 2 * size_type(std::lround(sum / double(chain.size()) / finest / 2)));
+    for (const Link& link : chain) {
+      const double start = link.before == none ? 0 : start_after(link, n, points[link.before]);
+      points[link.curve] = points_from(link.curve, n, start);
+    }
+  }
+
+  // Anywhere, if the patch between cannot be unrolled: it gets no grid.
+  double start_after(const Link& link, size_type n, const Points& before) const {
+    try {
+      return best_start(link, n, before);
+    } catch (const Meshing_error&) {
+      return 0;
+    }
   }
 
   // n points at equal distances, the first at a part of the distance.
@@ -145,14 +162,14 @@ private:
 
   /* By which part of a distance the points of a curve must be moved so that they are opposite those before, on the mean
    * around: while they move by a whole one, the mean angle grows, or falls, by 2π / n. */
-  double best_start(const Link& link, size_type n) const {
+  double best_start(const Link& link, size_type n, const Points& before) const {
     const int steps = 20;
     const Annular_chart<Point_3> chart(maps_[link.patch]);
     const double step = Annular_chart<Point_3>::period / double(n);
     const auto angle_at = [&](double start) {
       return mean_angle(chart, link.patch, link.curve, points_from(link.curve, n, start));
     };
-    const double target = mean_angle(chart, link.patch, link.before, points_[link.before]), first = angle_at(0);
+    const double target = mean_angle(chart, link.patch, link.before, before), first = angle_at(0);
     double low = 0, high = 1;
     // How far the mean has to go, in whole steps from 0 to 1, in its own direction.
     const double way = angle_at(0.25) - first;
@@ -173,7 +190,6 @@ private:
   std::vector<std::vector<Vector_3d>> polylines_; // the curves
   std::vector<std::vector<double>> lengths_;      // up to each vertex, and the whole
   std::vector<double> in_sizes_;
-  std::vector<Points> points_;
   std::vector<std::vector<size_type>> patches_at_; // annular ones, of each curve
 };
 

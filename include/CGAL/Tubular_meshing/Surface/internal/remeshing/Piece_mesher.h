@@ -9,36 +9,21 @@
 #include <CGAL/Tubular_meshing/Surface/internal/remeshing/Chart.h>
 #include <CGAL/Tubular_meshing/Surface/internal/remeshing/Curve_divider.h>
 #include <CGAL/Tubular_meshing/Surface/internal/remeshing/Curve_gaps.h>
-#include <CGAL/Tubular_meshing/Surface/triangulate_in_metric.h>
+#include <CGAL/Tubular_meshing/Surface/internal/remeshing/Remeshed_piece.h>
 #include <CGAL/Tubular_meshing/exceptions.h>
 #include <CGAL/Tubular_meshing/internal/parallel.h>
-#include <CGAL/Tubular_meshing/parameters.h>
 
 #include <CGAL/Surface_mesh.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <numeric>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Tubular_meshing {
 namespace internal {
-
-/* A piece of the surface in its new triangles. Its points are those of its curves, one curve after another, then those
- * inside. */
-template <class Point_3> struct Remeshed_piece {
-  struct Side {
-    std::size_t curve;
-    bool forward;
-  };
-  std::vector<Side> sides; // in the order of their points
-  std::vector<Point_3> inner_points;
-  std::vector<std::array<std::size_t, 3>> triangles;
-};
 
 /* Meshes the pieces of a cut surface, each on its own: the patches and, after them, the caps. Each can be meshed again
  * with smaller sizes. */
@@ -50,6 +35,7 @@ public:
   typedef Remeshed_piece<Point_3> Piece;
   typedef std::vector<Curve_position<Point_3>> Curve_points;
   typedef std::size_t size_type;
+  static constexpr bool makes_quads = false;
 
   Piece_mesher(const Surface& surface, const Surface_cut<Point_3>& cut, const std::vector<Map>& maps, const Size& size,
                bool even, int threads)
@@ -173,58 +159,13 @@ private:
   }
 
   template <class Piece_size> void mesh_patch(size_type k, const Piece_size& size, Piece& piece) const {
-    const Map& map = maps_[k];
-    std::vector<std::vector<Point_2>> polygons;
-    const auto add_loop = [&](size_type l) {
-      const Patch_loop& loop = cut_.patches[k].loops[l];
-      piece.sides.push_back({loop.curve, loop.forward});
-      polygons.push_back(polygon_of(map, l, loop));
-    };
-    add_loop(map.outer_loop());
-    for (size_type l = 0; l < map.number_of_loops(); ++l)
-      if (l != map.outer_loop())
-        add_loop(l);
-    triangulate(Patch_chart<Point_3, Piece_size>(map, size), polygons, false, piece);
+    const auto polygons = patch_polygons(maps_[k], cut_, k, curve_points_, piece);
+    triangulate_piece(Patch_chart<Point_3, Piece_size>(maps_[k], size), polygons, false, piece);
   }
 
   template <class Piece_size> void mesh_cap(size_type rim, const Piece_size& size, Piece& piece) const {
     const Cap_chart<Point_3, Point_2, Piece_size> chart(polylines_[rim], size);
-    piece.sides.push_back({rim, false});
-    std::vector<std::vector<Point_2>> polygons(1);
-    for (const auto& p : curve_points_[rim])
-      polygons[0].push_back(chart.uv(p.point));
-    std::reverse(polygons[0].begin(), polygons[0].end());
-    triangulate(chart, polygons, true, piece);
-  }
-
-  std::vector<Point_2> polygon_of(const Map& map, size_type l, const Patch_loop& loop) const {
-    const size_type edges = polylines_[loop.curve].size();
-    std::vector<Point_2> polygon;
-    for (const auto& p : curve_points_[loop.curve])
-      polygon.push_back(
-          map.uv(loop.forward ? map.on_loop_edge(l, p.edge, p.t) : map.on_loop_edge(l, edges - 1 - p.edge, 1 - p.t)));
-    if (!loop.forward)
-      std::reverse(polygon.begin(), polygon.end());
-    return polygon;
-  }
-
-  // A rim runs with the wall on its left: seen along its normal, as the cap's chart is, the cap is turned inwards.
-  template <class Chart>
-  static void triangulate(const Chart& chart, const std::vector<std::vector<Point_2>>& polygons, bool turn,
-                          Piece& piece) {
-    const auto metric = [&](const Point_2& uv) { return chart.metric(uv); };
-    const auto image = [&](const Point_2& uv) { return chart.point(uv); };
-    auto plane =
-        triangulate_in_metric(polygons, metric, parameters::embedding(image).interior_points(chart.hidden_places()));
-    size_type on_boundary = 0;
-    for (const auto& polygon : polygons)
-      on_boundary += polygon.size();
-    for (size_type i = on_boundary; i < plane.points.size(); ++i)
-      piece.inner_points.push_back(chart.point(plane.points[i]));
-    if (turn)
-      for (auto& t : plane.triangles)
-        std::swap(t[1], t[2]);
-    piece.triangles = std::move(plane.triangles);
+    triangulate_piece(chart, cap_polygons(chart, rim, curve_points_[rim], piece), true, piece);
   }
 
   const Surface_cut<Point_3>& cut_;

@@ -8,19 +8,16 @@
 #include <CGAL/Tubular_meshing/Surface/Patch_parameterization.h>
 #include <CGAL/Tubular_meshing/Surface/Patch_report.h>
 #include <CGAL/Tubular_meshing/Surface/Remeshed_surface.h>
-#include <CGAL/Tubular_meshing/Surface/internal/remeshing/Piece_mesher.h>
 #include <CGAL/Tubular_meshing/Surface/internal/remeshing/Triangle_improver.h>
+#include <CGAL/Tubular_meshing/Surface/internal/remeshing/crossing_faces.h>
 #include <CGAL/Tubular_meshing/exceptions.h>
 #include <CGAL/Tubular_meshing/internal/Nearest_tree.h>
 #include <CGAL/Tubular_meshing/labels.h>
 
-#include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/tags.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <iterator>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -30,22 +27,23 @@ namespace CGAL {
 namespace Tubular_meshing {
 namespace internal {
 
-/* The steps of remesh_patches().
+/* The steps of remesh_patches(), and those of quadrangulate_patches(): `Mesher` makes the pieces, see Piece_mesher.
  *
  * Where the outcome is no surface, as pieces touch themselves or each other in meshes that are too coarse for them, the
  * pieces concerned are meshed again, finer. */
-template <class Point_3, class Size> class Surface_remesher {
+template <class Point_3, class Mesher> class Surface_remesher {
 public:
   typedef CGAL::Surface_mesh<Point_3> Surface;
   typedef Patch_parameterization<Point_3> Map;
   typedef std::size_t size_type;
 
+  /* The mesher of the same surface, cut and maps. */
   Surface_remesher(const Surface& surface, const Surface_cut<Point_3>& cut, const std::vector<Map>& maps,
-                   const Size& size, bool even, int threads)
+                   Mesher& mesher)
       : surface_(surface)
       , cut_(cut)
       , maps_(maps)
-      , mesher_(surface, cut, maps, size, even, threads) {}
+      , mesher_(mesher) {}
 
   Remeshed_surface<Point_3> run() {
     const int most_rounds = 6;
@@ -54,13 +52,14 @@ public:
       std::vector<size_type> failed = pieces_that_do_not_fit();
       if (failed.empty()) {
         build();
-        improve();
+        if constexpr (!Mesher::makes_quads)
+          improve();
         failed = crossing_pieces();
       }
       if (failed.empty())
         break;
       if (round == most_rounds)
-        throw Meshing_error("The new triangles of " + mesher_.name_of(failed.front()) +
+        throw Meshing_error("The new faces of " + mesher_.name_of(failed.front()) +
                             " meet each other or their neighbours, however fine they are: the surface may intersect "
                             "itself there; see repair_surface().");
       mesher_.mesh_finer(failed);
@@ -78,7 +77,7 @@ private:
   std::vector<size_type> pieces_that_do_not_fit() const {
     std::vector<char> failed;
     for (const auto& piece : mesher_.pieces())
-      failed.push_back(piece.triangles.empty());
+      failed.push_back(piece.empty());
     mark_pieces_that_share_an_edge(failed);
     return marked(failed);
   }
@@ -120,12 +119,15 @@ private:
       for (size_type i = 0; i < n; ++i)
         numbers.emplace_back(side.curve, side.forward ? i : n - 1 - i);
     }
-    for (const auto& t : piece.triangles)
-      for (size_type e = 0; e < 3; ++e) {
-        const size_type a = t[e], b = t[(e + 1) % 3];
+    const auto collect = [&](const auto& face) {
+      for (size_type e = 0; e < face.size(); ++e) {
+        const size_type a = face[e], b = face[(e + 1) % face.size()];
         if (a < b && b < numbers.size() && !are_neighbours(numbers[a], numbers[b])) // once, of the two sides of an edge
           chords.push_back({(std::min)(numbers[a], numbers[b]), (std::max)(numbers[a], numbers[b]), k});
       }
+    };
+    std::for_each(piece.triangles.begin(), piece.triangles.end(), collect);
+    std::for_each(piece.quads.begin(), piece.quads.end(), collect);
   }
 
   bool are_neighbours(const Curve_point_number& a, const Curve_point_number& b) const {
@@ -136,16 +138,16 @@ private:
 
   void build() {
     Surface& surface = result_.surface;
-    size_type points = 0, triangles = 0;
+    size_type points = 0, faces = 0;
     for (const auto& curve : mesher_.curve_points())
       points += curve.size();
     for (const auto& piece : mesher_.pieces()) {
       points += piece.inner_points.size();
-      triangles += piece.triangles.size();
+      faces += piece.triangles.size() + piece.quads.size();
     }
     surface.clear_without_removing_property_maps();
-    surface.reserve(typename Surface::size_type(points), typename Surface::size_type(points + triangles),
-                    typename Surface::size_type(triangles));
+    surface.reserve(typename Surface::size_type(points), typename Surface::size_type(points + faces),
+                    typename Surface::size_type(faces));
     result_.curves.assign(mesher_.curve_points().size(), {});
     for (size_type c = 0; c < result_.curves.size(); ++c)
       for (const auto& p : mesher_.curve_points()[c])
@@ -165,15 +167,19 @@ private:
     }
     for (const Point_3& p : piece.inner_points)
       vertices.push_back(result_.surface.add_vertex(p));
+    for (const auto& t : piece.triangles)
+      register_face(k, result_.surface.add_face(vertices[t[0]], vertices[t[1]], vertices[t[2]]));
+    for (const auto& q : piece.quads)
+      register_face(k, result_.surface.add_face(vertices[q[0]], vertices[q[1]], vertices[q[2]], vertices[q[3]]));
+  }
+
+  void register_face(size_type k, Face f) {
+    if (f == Surface::null_face())
+      throw Meshing_error("The faces of " + mesher_.name_of(k) + " do not fit together with their neighbours.");
     const int opening = mesher_.opening(k);
-    for (const auto& t : piece.triangles) {
-      const Face f = result_.surface.add_face(vertices[t[0]], vertices[t[1]], vertices[t[2]]);
-      if (f == Surface::null_face())
-        throw Meshing_error("The triangles of " + mesher_.name_of(k) + " do not fit together with their neighbours.");
-      result_.patch[f] = opening == 0 ? labels::wall : opening;
-      result_.patch_of_face[f] = opening == 0 ? int(k) : -1;
-      piece_of_face_.push_back(k);
-    }
+    result_.patch[f] = opening == 0 ? labels::wall : opening;
+    result_.patch_of_face[f] = opening == 0 ? int(k) : -1;
+    piece_of_face_.push_back(k);
   }
 
   void improve() {
@@ -219,11 +225,8 @@ private:
   }
 
   std::vector<size_type> crossing_pieces() const {
-    std::vector<std::pair<Face, Face>> crossings;
-    CGAL::Polygon_mesh_processing::self_intersections<CGAL::Parallel_if_available_tag>(result_.surface,
-                                                                                       std::back_inserter(crossings));
     std::vector<char> failed(mesher_.pieces().size(), 0);
-    for (const auto& c : crossings)
+    for (const auto& c : crossing_faces(result_.surface))
       failed[piece_of_face_[size_type(c.first)]] = failed[piece_of_face_[size_type(c.second)]] = 1;
     return marked(failed);
   }
@@ -231,7 +234,7 @@ private:
   const Surface& surface_;
   const Surface_cut<Point_3>& cut_;
   const std::vector<Map>& maps_;
-  Piece_mesher<Point_3, Size> mesher_;
+  Mesher& mesher_;
   Remeshed_surface<Point_3> result_;
   std::vector<size_type> piece_of_face_;
 };

@@ -1,0 +1,126 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_QUADS_INTERNAL_UNSTRUCTURED_QUAD_PATCH_H
+#define CGAL_TUBULAR_MESHING_QUADS_INTERNAL_UNSTRUCTURED_QUAD_PATCH_H
+
+#include <CGAL/Tubular_meshing/Quads/internal/unstructured/Sheet.h>
+#include <CGAL/Tubular_meshing/Quality/internal/element_measures.h>
+#include <CGAL/Tubular_meshing/internal/Vector_3d.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Tubular_meshing {
+namespace internal {
+
+/* The quads of a patch while they are improved: its vertices, of which the first ones are on its loops and stay, and
+ * its quads, counterclockwise; removed ones keep their number. */
+class Quad_patch {
+public:
+  typedef std::array<int, 4> Quad;
+
+  std::vector<Sheet_place> places;
+  std::size_t on_loops = 0;
+  std::vector<Quad> quads;
+  std::vector<std::vector<int>> around; // the quads of each vertex, in no order
+
+  bool is_fixed(int v) const { return std::size_t(v) < on_loops; }
+  bool is_alive(int q) const { return quads[std::size_t(q)][0] >= 0; }
+  const Quad& quad(int q) const { return quads[std::size_t(q)]; }
+  const Vector_3d& point(int v) const { return places[std::size_t(v)].point; }
+  const std::vector<int>& quads_at(int v) const { return around[std::size_t(v)]; }
+  int valence(int v) const { return int(around[std::size_t(v)].size()); }
+
+  int add_vertex(const Sheet_place& place) {
+    places.push_back(place);
+    around.emplace_back();
+    return int(places.size()) - 1;
+  }
+  int add_quad(const Quad& q) {
+    const int number = int(quads.size());
+    quads.push_back(q);
+    attach(number);
+    return number;
+  }
+  /* A removed quad may come back in its place. */
+  void remove_quad(int q) {
+    for (int v : quad(q)) {
+      std::vector<int>& list = around[std::size_t(v)];
+      list.erase(std::find(list.begin(), list.end(), q));
+    }
+    quads[std::size_t(q)].fill(-1);
+  }
+  void restore_quad(int number, const Quad& q) {
+    quads[std::size_t(number)] = q;
+    attach(number);
+  }
+  // The last quads and vertices, which no quad uses any more, are forgotten.
+  void shrink(std::size_t number_of_quads, std::size_t number_of_vertices) {
+    quads.resize(number_of_quads);
+    places.resize(number_of_vertices);
+    around.resize(number_of_vertices);
+  }
+
+  /* Which corner of the quad a vertex is. */
+  std::size_t corner(int q, int v) const {
+    const Quad& c = quad(q);
+    return std::size_t(std::find(c.begin(), c.end(), v) - c.begin());
+  }
+  int after(int q, int v) const { return quad(q)[(corner(q, v) + 1) % 4]; }
+  int before(int q, int v) const { return quad(q)[(corner(q, v) + 3) % 4]; }
+  int opposite(int q, int v) const { return quad(q)[(corner(q, v) + 2) % 4]; }
+
+  /* The quad that has the edge from u to v, on its left; −1 if there is none. */
+  int quad_left_of(int u, int v) const {
+    for (int q : quads_at(u))
+      if (after(q, u) == v)
+        return q;
+    return -1;
+  }
+  bool are_neighbours(int u, int v) const { return quad_left_of(u, v) >= 0 || quad_left_of(v, u) >= 0; }
+
+  /* By how far it is from turning over at a corner: sines of its angles about the surface's normal. */
+  double least_turn(int q) const {
+    double least = (std::numeric_limits<double>::max)();
+    for (std::size_t k = 0; k < 4; ++k) {
+      const Sheet_place& c = at(q, k);
+      const Vector_3d a = at(q, k + 1).point - c.point, b = at(q, k + 3).point - c.point;
+      const double lengths = std::sqrt(squared_norm(a) * squared_norm(b));
+      least = (std::min)(least, lengths > 0 ? dot(c.normal, cross(a, b)) / lengths : -1);
+    }
+    return least;
+  }
+
+  /* (14); not positive if it turns over. */
+  double eta(int q) const {
+    const double turn = least_turn(q);
+    return turn > 0 ? quad_eta({at(q, 0).point, at(q, 1).point, at(q, 2).point, at(q, 3).point}) : turn;
+  }
+
+  double least_eta() const {
+    double least = 1;
+    for (int q = 0; q < int(quads.size()); ++q)
+      if (is_alive(q))
+        least = (std::min)(least, eta(q));
+    return least;
+  }
+
+private:
+  const Sheet_place& at(int q, std::size_t k) const { return places[std::size_t(quad(q)[k % 4])]; }
+  void attach(int number) {
+    for (int v : quads[std::size_t(number)])
+      around[std::size_t(v)].push_back(number);
+  }
+};
+
+} // namespace internal
+} // namespace Tubular_meshing
+} // namespace CGAL
+
+#endif // CGAL_TUBULAR_MESHING_QUADS_INTERNAL_UNSTRUCTURED_QUAD_PATCH_H

@@ -1,0 +1,109 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_QUADS_QUADRANGULATE_PATCHES_H
+#define CGAL_TUBULAR_MESHING_QUADS_QUADRANGULATE_PATCHES_H
+
+#include <CGAL/Tubular_meshing/Centerlines/Centerline_field.h>
+#include <CGAL/Tubular_meshing/Centerlines/Centerline_graph.h>
+#include <CGAL/Tubular_meshing/Centerlines/Wall_distance.h>
+#include <CGAL/Tubular_meshing/Fields/Centerline_sizing_field.h>
+#include <CGAL/Tubular_meshing/Operators/Surface_patch.h>
+#include <CGAL/Tubular_meshing/Operators/cut_by_centerlines.h>
+#include <CGAL/Tubular_meshing/Quads/internal/surface/Quad_piece_mesher.h>
+#include <CGAL/Tubular_meshing/Quads/internal/surface/make_quad_report.h>
+#include <CGAL/Tubular_meshing/Surface/Patch_parameterization.h>
+#include <CGAL/Tubular_meshing/Surface/Remeshed_surface.h>
+#include <CGAL/Tubular_meshing/Surface/internal/remeshing/Surface_remesher.h>
+#include <CGAL/Tubular_meshing/Surface/parameterize_patch.h>
+#include <CGAL/Tubular_meshing/exceptions.h>
+#include <CGAL/Tubular_meshing/labels.h>
+#include <CGAL/Tubular_meshing/parameters.h>
+
+#include <CGAL/Surface_mesh.h>
+
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Tubular_meshing {
+
+/*! \ingroup PkgTubularMeshingRef
+ *
+ * meshes a cut surface anew with quads alone (section 2.5 of the paper): its wall; caps get triangles, unless quads are
+ * wanted there too.
+ *
+ * Annular patches are covered by structured grids, see elliptic_grid(), with the same even number of points all along a
+ * branch, see quadrangulate_annular_patches(). The other patches, junctions first of all, and those whose grids would
+ * fold, get unstructured quads.
+ *
+ * As patches share the points of their curves, the result is conforming. It is closed, manifold, turned outward, and
+ * free of self-intersections, whichever diagonal its quads are split by; where pieces would meet themselves or each
+ * other, they are meshed again with smaller sizes. Quads are convex: their corners turn the way that the surface does.
+ *
+ * \param surface the surface that was cut
+ * \param cut its patches, see cut_by_centerlines()
+ * \param maps their parameterizations, see parameterize_patches()
+ * \param size a function object: the wanted length of edges at a `Point_3`, such as a Centerline_sizing_field. Several
+ *   threads call it at once
+ * \param np an optional sequence of named parameters among the ones listed below
+ *
+ * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{quad_caps} \cgalParamDescription{whether caps are made of quads, too} \cgalParamDefault{`false`}
+ *     \cgalParamNEnd
+ *   \cgalParamNBegin{number_of_threads} \cgalParamDescription{threads that mesh patches at the same time; 0: as many as
+ *     there are cores. The result does not depend on it} \cgalParamDefault{0} \cgalParamNEnd
+ * \cgalNamedParamsEnd
+ *
+ * \returns the surface with the labels of its patches; its member `quads` is the report on them
+ *
+ * About O(n log n) in the number of quads, and that of vertices on curves.
+ *
+ * \throws Input_error if there is not one parameterization a patch
+ * \throws Meshing_error if a patch cannot be meshed by quads, or they meet each other even where they are eight times
+ *   finer, or this program was built without LEMON, see has_lemon()
+ */
+template <class Point_3, class SizingField, class NamedParameters = CGAL::parameters::Default_named_parameters>
+Remeshed_surface<Point_3> quadrangulate_patches(const CGAL::Surface_mesh<Point_3>& surface,
+                                                const Surface_cut<Point_3>& cut,
+                                                const std::vector<Patch_parameterization<Point_3>>& maps,
+                                                const SizingField& size,
+                                                const NamedParameters& np = CGAL::parameters::default_values()) {
+  if (maps.size() != cut.patches.size())
+    throw Input_error("There are " + std::to_string(maps.size()) + " parameterizations of " +
+                      std::to_string(cut.patches.size()) + " patches; pass what parameterize_patches() returns.");
+  typedef internal::Quad_piece_mesher<Point_3, SizingField> Mesher;
+  Mesher mesher(surface, cut, maps, size, internal::choose(np, internal_np::quad_caps, false),
+                internal::choose(np, internal_np::number_of_threads, 0));
+  Remeshed_surface<Point_3> result = internal::Surface_remesher<Point_3, Mesher>(surface, cut, maps, mesher).run();
+  result.quads = internal::make_quad_report(result, mesher.kinds());
+  return result;
+}
+
+/*! \ingroup PkgTubularMeshingRef
+ *
+ * The same for a closed, labelled surface and its centerlines: cuts it, maps its patches, and meshes them, with the
+ * mesh size h = 2 π r / N of a Centerline_sizing_field.
+ *
+ * \param surface of triangles, closed. It is cut: its faces are divided
+ * \param patch a property map from its faces to `int`: `labels::wall`, or the label of an opening
+ * \param graph its centerlines with their radii
+ * \param np an optional sequence of named parameters: those of Centerline_sizing_field, of cut_by_centerlines(), and of
+ *   the other overload
+ *
+ * \throws Input_error, Meshing_error, Parameter_error as these do
+ */
+template <class Point_3, class FacePatchMap, class NamedParameters = CGAL::parameters::Default_named_parameters>
+Remeshed_surface<Point_3> quadrangulate_patches(CGAL::Surface_mesh<Point_3>& surface, FacePatchMap patch,
+                                                const Centerline_graph<Point_3>& graph,
+                                                const NamedParameters& np = CGAL::parameters::default_values()) {
+  const Centerline_sizing_field<Point_3> size(Centerline_field<Point_3>(graph),
+                                              Wall_distance<Point_3>(surface, patch, labels::wall), np);
+  const Surface_cut<Point_3> cut = cut_by_centerlines(surface, graph, patch, np);
+  return quadrangulate_patches(surface, cut, parameterize_patches(surface, cut, np), size, np);
+}
+
+} // namespace Tubular_meshing
+} // namespace CGAL
+
+#endif // CGAL_TUBULAR_MESHING_QUADS_QUADRANGULATE_PATCHES_H
