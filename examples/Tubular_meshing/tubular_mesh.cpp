@@ -36,6 +36,9 @@ void check_mesher(const Options& o) {
   const bool keeps_surface = o.volume_mesher == "tetgen" || o.volume_mesher == "ccdt";
   if (o.is_anisotropic() && o.surface_mesher == "mesh_3")
     throw tubular::Parameter_error("Anisotropic meshes begin with those of --surface-mesher parametric.");
+  if (o.is_mixed() && (o.surface_mesher == "mesh_3" || o.volume_mesher == "mesh_3"))
+    throw tubular::Parameter_error("Mesh_3 makes no quads, and would not keep them: mixed meshes are made by "
+                                   "--surface-mesher parametric and --volume-mesher tetgen or ccdt.");
   if (keeps_surface && !o.meshes_patches() && !o.is_anisotropic())
     throw tubular::Parameter_error(
         "--volume-mesher " + o.volume_mesher +
@@ -52,22 +55,37 @@ void check_output(const Options& o) {
                                      "\": give a .stl, .vtp, .msh, .ply, .off, .obj or .vtk file.");
   } else if (!tubular::IO::is_supported_mesh_format(o.output)) {
     throw tubular::Parameter_error("The mesh cannot be written to \"" + o.output +
-                                   "\": give a .vtu, .msh or .mesh file.");
+                                   "\": give a .vtu, .msh, .mesh or .inp file.");
   }
   if (!o.surface_output.empty() && !tubular::IO::is_supported_surface_format(o.surface_output))
     throw tubular::Parameter_error("The surface cannot be written to \"" + o.surface_output +
                                    "\": give a .vtp, .stl, .off, .obj or .ply file.");
 }
 
+void check_layers(const Options& o) {
+  if (o.makes_surface_only() && o.has_wall())
+    throw tubular::Parameter_error("A surface has no cells, hence no --wall; choose another --type.");
+  if (!o.makes_surface_only() && o.surface_elements != "triangles")
+    throw tubular::Parameter_error("--surface-elements is for --type surface; --type mixed has quads on its own.");
+  if (o.is_mixed() && o.wall_elements == "tetrahedra")
+    throw tubular::Parameter_error("The wall of a mixed mesh is of hexahedra, which match its quads: leave "
+                                   "--wall-elements away, or choose --type isotropic.");
+  if (o.boundary_layer_prisms > 0 && (o.makes_surface_only() || o.is_anisotropic()))
+    throw tubular::Parameter_error(
+        "--boundary-layer-prisms is for the types isotropic and mixed" +
+        std::string(o.is_anisotropic() ? "; anisotropic tetrahedra are layers already." : "."));
+  if (o.boundary_layer_prisms > 0 && o.surface_mesher == "mesh_3")
+    throw tubular::Parameter_error("Layers inside the lumen grow from the mesh of --surface-mesher parametric.");
+}
+
 // What is wrong with the options as such; before any work is done, since work takes time.
 void check(const Options& o) {
-  if (o.type == "mixed")
-    throw tubular::Parameter_error("Meshes of type mixed are not part of this version; it makes isotropic and "
-                                   "anisotropic ones, and surfaces.");
-  if (o.type != "isotropic" && o.type != "anisotropic" && o.type != "surface")
+  const std::set<std::string> types = {"isotropic", "anisotropic", "mixed", "surface"};
+  if (types.count(o.type) == 0)
     throw tubular::Parameter_error("There is no type of mesh named \"" + o.type +
-                                   "\"; the types are: isotropic, anisotropic, surface.");
+                                   "\"; the types are: isotropic, anisotropic, mixed, surface.");
   check_mesher(o);
+  check_layers(o);
   if (!o.outlets.empty() && o.inlet.empty())
     throw tubular::Parameter_error("--outlet needs --inlet, where the centerlines begin.");
   if (o.min_size > o.max_size)
@@ -145,11 +163,14 @@ void run(const Options& o) {
   const tubular::Tubular_model<Point_3> model = prepare(o, input, extensions, clock);
   Remeshed_surface surface;
   tubular::Mixed_mesh<Point_3> mesh;
+  tubular::Layer_report<Point_3> wall;
   if (o.makes_surface_only()) {
     surface = make_surface_mesh(o, model, clock);
     mesh = without_cells(surface, model.openings.size());
   } else {
     mesh = make_mesh(o, model, surface, clock);
+    if (o.has_wall())
+      wall = add_wall(o, model, mesh, clock);
   }
   clock.begin("report");
   run_report::Json report = run_report::make(o, version, repairs, extensions.lengths, model, mesh);
@@ -157,6 +178,8 @@ void run(const Options& o) {
     run_report::add_patches(report, surface);
   if (o.makes_surface_only())
     run_report::describe_surface(report, surface);
+  if (o.has_wall())
+    run_report::add_wall(report, wall);
   if (o.is_anisotropic())
     run_report::add_metric_quality(report, mesh);
   clock.begin("write");

@@ -21,9 +21,20 @@ typedef Kernel::Point_3 Point_3;
 
 /* What the user of tubular_mesh asks for. */
 struct Options {
+  // of cells outside the lumen, none where the thickness is 0
+  struct Layers {
+    double thickness; // in local radii
+    int number;
+    double growth;
+  };
+
   std::string surface, centerlines, output, type = "isotropic";
   std::string surface_mesher, volume_mesher; // empty: not said
   double boundary_layer = 0.3, first_height = 0, growth = 1.3, smoothing_ratio = 1.5, curvature_points = 20;
+  std::string surface_elements = "triangles";
+  Layers wall = {0, 4, 1}, second_wall = {0, 0, 0}; // 0: as the wall
+  std::string wall_elements = "auto";
+  int boundary_layer_prisms = 0;
   std::string repair = "auto";
   bool smooth = false, loops = false;
   double flow_extensions = 0;
@@ -37,8 +48,13 @@ struct Options {
 
   bool makes_surface_only() const { return type == "surface"; }
   bool is_anisotropic() const { return type == "anisotropic"; }
+  bool is_mixed() const { return type == "mixed"; }
+  bool has_wall() const { return wall.thickness > 0; }
   // Patch by patch, on the surface that is kept then.
-  bool meshes_patches() const { return makes_surface_only() || (!is_anisotropic() && surface_mesher == "parametric"); }
+  bool meshes_patches() const {
+    return makes_surface_only() || is_mixed() ||
+           (!is_anisotropic() && (surface_mesher == "parametric" || boundary_layer_prisms > 0));
+  }
 
   std::vector<std::string> outputs() const {
     std::vector<std::string> files = {output};
@@ -76,8 +92,46 @@ inline void declare_mesher_options(CLI::App& app, Options& o) {
       ->check(CLI::IsMember({"mesh_3", "tetgen", "ccdt"}).description(""));
 }
 
+inline void declare_wall_options(CLI::App& app, const std::string& name, const char* what, Options::Layers& layers) {
+  const char* const group = "Layers outside the lumen";
+  auto* wall = app.add_option("--" + name, layers.thickness, std::string("thickness of ") + what + ", in local radii")
+                   ->check(in_range((std::numeric_limits<double>::min)(), 10))
+                   ->group(group);
+  const bool as_the_wall = layers.number == 0;
+  auto* number =
+      app.add_option("--" + name + "-layers", layers.number,
+                     std::string("number of its layers of cells") + (as_the_wall ? " (default: as of the wall)" : ""))
+          ->check(CLI::Range(1, 1000))
+          ->needs(wall)
+          ->group(group);
+  auto* growth = app.add_option("--" + name + "-growth", layers.growth,
+                                std::string("ratio of the thicknesses of successive layers, outward") +
+                                    (as_the_wall ? " (default: as of the wall)" : ""))
+                     ->check(in_range(0.1, 10))
+                     ->needs(wall)
+                     ->group(group);
+  if (!as_the_wall)
+    for (CLI::Option* o : {number, growth})
+      o->capture_default_str();
+}
+
+inline void declare_layer_options(CLI::App& app, Options& o) {
+  declare_wall_options(app, "wall", "the vessel's wall, of prisms or hexahedra", o.wall);
+  app.add_option("--wall-elements", o.wall_elements, "auto: prisms on triangles, hexahedra on quads; or tetrahedra")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"auto", "tetrahedra"}).description(""))
+      ->needs("--wall")
+      ->group("Layers outside the lumen");
+  declare_wall_options(app, "second-wall", "a second wall around it", o.second_wall);
+  app.get_option("--second-wall")->needs("--wall");
+  app.add_option("--boundary-layer-prisms", o.boundary_layer_prisms,
+                 "layers of prisms, or hexahedra, along the wall inside the lumen; of --first-height, by --growth")
+      ->check(CLI::Range(1, 1000))
+      ->group("Layers inside the lumen");
+}
+
 inline void declare_metric_options(CLI::App& app, Options& o) {
-  const char* const group = "For anisotropic meshes";
+  const char* const group = "Layers inside the lumen";
   app.add_option("--boundary-layer", o.boundary_layer, "thickness of the layers at the wall, in local radii")
       ->capture_default_str()
       ->check(in_range((std::numeric_limits<double>::min)(), 1))
@@ -134,7 +188,7 @@ inline void declare_centerline_options(CLI::App& app, Options& o) {
 }
 
 inline void declare_options(CLI::App& app, Options& o, const std::string& version) {
-  app.description("Makes a tetrahedral mesh of a vessel or airway tree from its triangulated surface, along its "
+  app.description("Makes a mesh of a vessel or airway tree from its triangulated surface, along its "
                   "centerlines.\nLengths are in the unit of the surface.");
   app.footer(std::string(command_line::exit_statuses()) + "\nNothing is written unless all of it is whole.");
   app.set_version_flag("--version", version);
@@ -142,8 +196,13 @@ inline void declare_options(CLI::App& app, Options& o, const std::string& versio
   app.add_option("-o,--output", o.output,
                  "mesh to write: .vtu .msh .mesh; a surface: .stl .vtp .msh .ply .off .obj .vtk")
       ->required();
-  app.add_option("-t,--type", o.type, "kind of mesh: isotropic or anisotropic (tetrahedra), surface (triangles only)")
+  app.add_option("-t,--type", o.type,
+                 "kind of mesh: isotropic or anisotropic (tetrahedra), mixed (hexahedra, pyramids, tetrahedra) or "
+                 "surface (no cells)")
       ->capture_default_str();
+  app.add_option("--surface-elements", o.surface_elements, "of a surface: triangles or quads")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"triangles", "quads"}).description(""));
   app.add_option("-n,--points-per-circumference", o.points_per_circumference,
                  "mesh size h = 2 pi r / N, r the local radius")
       ->capture_default_str()
@@ -156,6 +215,7 @@ inline void declare_options(CLI::App& app, Options& o, const std::string& versio
       ->capture_default_str()
       ->check(in_range(1, 1e4));
   declare_mesher_options(app, o);
+  declare_layer_options(app, o);
   declare_metric_options(app, o);
   declare_surface_options(app, o);
   declare_centerline_options(app, o);

@@ -9,6 +9,7 @@
 
 #include <CGAL/Tubular_meshing/Centerlines/Centerline_field.h>
 #include <CGAL/Tubular_meshing/Mixed_mesh.h>
+#include <CGAL/Tubular_meshing/Operators/Layer_report.h>
 #include <CGAL/Tubular_meshing/Operators/Repair_report.h>
 #include <CGAL/Tubular_meshing/Quality/branch_resolution.h>
 #include <CGAL/Tubular_meshing/Quality/quality_report.h>
@@ -52,9 +53,11 @@ template <class Point> Json repairs(const tubular::Repair_report<Point>& report)
 
 template <class Point>
 Json openings(const tubular::Tubular_model<Point>& model, const tubular::Mixed_mesh<Point>& mesh) {
-  std::map<int, std::size_t> triangles;
+  std::map<int, std::size_t> triangles, quads;
   for (int label : mesh.triangles.label)
     ++triangles[label];
+  for (int label : mesh.quads.label)
+    ++quads[label];
   Json list = Json::array();
   for (const auto& o : model.openings) {
     Json entry = {{"name", mesh.patch_names.at(o.patch)},
@@ -64,7 +67,8 @@ Json openings(const tubular::Tubular_model<Point>& model, const tubular::Mixed_m
                   {"area", o.area},
                   {"perimeter", o.perimeter},
                   {"radius", o.radius},
-                  {"triangles", triangles[o.patch]}};
+                  {"triangles", triangles[o.patch]},
+                  {"quads", quads[o.patch]}};
     entry["branch"] = o.branch == tubular::Opening<Point>::no_branch ? Json() : Json(o.branch);
     list.push_back(entry);
   }
@@ -89,6 +93,18 @@ Json branches(const tubular::Tubular_model<Point>& model, const tubular::Mixed_m
   return list;
 }
 
+// Of the measures of elements that are not always there, those of elements that are.
+inline Json qualities(const tubular::Quality_report& quality) {
+  Json q = {{"gamma_tau", statistics(quality.gamma_tau)}, {"gamma_T", statistics(quality.gamma_T)}};
+  const auto add = [&](const char* name, const tubular::Measure_statistics& s) {
+    if (s.count() > 0)
+      q[name] = statistics(s);
+  };
+  add("eta_q", quality.eta_q);
+  add("zeta_H", quality.zeta_H);
+  return q;
+}
+
 template <class Point>
 Json make(const Options& options, const std::string& version, const tubular::Repair_report<Point>& repair_report,
           const std::vector<double>& flow_extensions, const tubular::Tubular_model<Point>& model,
@@ -105,11 +121,15 @@ Json make(const Options& options, const std::string& version, const tubular::Rep
                  {"type", options.type},
                  {"points_per_circumference", options.points_per_circumference},
                  {"points", mesh.points.size()},
-                 {"cells", {{"tetrahedra", mesh.tetrahedra.size()}}},
-                 {"facets", {{"triangles", mesh.triangles.size()}}},
+                 {"cells",
+                  {{"tetrahedra", mesh.tetrahedra.size()},
+                   {"pyramids", mesh.pyramids.size()},
+                   {"prisms", mesh.prisms.size()},
+                   {"hexahedra", mesh.hexahedra.size()}}},
+                 {"facets", {{"triangles", mesh.triangles.size()}, {"quads", mesh.quads.size()}}},
                  {"valid", validity.is_valid()},
                  {"boundary_euler", validity.boundary_euler},
-                 {"quality", {{"gamma_tau", statistics(quality.gamma_tau)}, {"gamma_T", statistics(quality.gamma_T)}}},
+                 {"quality", qualities(quality)},
                  {"openings", openings(model, mesh)},
                  {"branches", branches(model, mesh)}};
   return report;
@@ -155,6 +175,13 @@ inline void print_patches(const Json& p) {
     std::printf("note: %s\n", problem.get<std::string>().c_str());
 }
 
+// Where layers had to give way.
+template <class Point> void add_wall(Json& report, const tubular::Layer_report<Point>& wall) {
+  report["wall"] = {
+      {"vertices", wall.vertices},     {"reduced_vertices", wall.reduced_vertices},  {"min_ratio", wall.min_ratio},
+      {"mean_ratio", wall.mean_ratio}, {"worst_place", vector_of(wall.worst_place)}, {"sentence", wall.text()}};
+}
+
 // Of a mesh in a metric.
 template <class Point> void add_metric_quality(Json& report, const tubular::Mixed_mesh<Point>& mesh) {
   const tubular::Quality_report quality = tubular::quality_report(mesh);
@@ -187,19 +214,35 @@ inline void print_branches(const Json& branches) {
                 branches[i]["points_per_circumference"].get<double>());
 }
 
+// The measures of quality in the order of the table, with what they are called there.
+inline const std::vector<std::pair<const char*, const char*>>& measures() {
+  static const std::vector<std::pair<const char*, const char*>> list = {{"gamma_tau", "tetrahedra, gamma_tau"},
+                                                                        {"zeta_H", "hexahedra, zeta_H"},
+                                                                        {"gamma_T", "triangles, gamma_T"},
+                                                                        {"eta_q", "quads, eta_q"}};
+  return list;
+}
+
+inline void print_counts(const Json& r) {
+  std::printf("%s: %ld points", r["output"].get<std::string>().c_str(), r["points"].get<long>());
+  for (const char* kinds : {"cells", "facets"})
+    for (const auto& kind : r[kinds].items())
+      if (kind.value() > 0)
+        std::printf(", %ld %s", kind.value().get<long>(), kind.key().c_str());
+  std::printf("\n\n");
+}
+
 inline void print(const Json& r, bool verbose) {
-  std::printf("%s: %ld points, %ld tetrahedra, %ld triangles\n\n", r["output"].get<std::string>().c_str(),
-              r["points"].get<long>(), r["cells"]["tetrahedra"].get<long>(), r["facets"]["triangles"].get<long>());
+  print_counts(r);
   for (const auto& repair : r["repairs"])
     std::printf("repair: %s\n", repair["sentence"].get<std::string>().c_str());
   if (!r["repairs"].empty())
     std::printf("\n");
   std::printf("%-22s %8s %8s %8s\n", "quality", "min", "1 %", "mean");
-  for (const auto& m :
-       {std::make_pair("gamma_tau", "tetrahedra, gamma_tau"), std::make_pair("gamma_T", "triangles, gamma_T")}) {
-    const auto& s = r["quality"][m.first];
-    if (s["count"] == 0)
+  for (const auto& m : measures()) {
+    if (!r["quality"].contains(m.first) || r["quality"][m.first]["count"] == 0)
       continue;
+    const auto& s = r["quality"][m.first];
     std::printf("%-22s %8.3f %8.3f %8.3f\n", m.second, s["min"].get<double>(), s["p1"].get<double>(),
                 s["mean"].get<double>());
   }
@@ -217,12 +260,15 @@ inline void print(const Json& r, bool verbose) {
   }
   std::printf("\n%ld branches, %.1f to %.1f points round their circumference\n", long(r["branches"].size()), fewest,
               most);
+  if (r.contains("wall"))
+    std::printf("wall: %s\n", r["wall"]["sentence"].get<std::string>().c_str());
   if (r.contains("patches"))
     print_patches(r["patches"]);
-  std::printf("\n%-12s %6s %10s %12s %12s\n", "opening", "patch", "triangles", "radius", "area");
+  std::printf("\n%-12s %6s %10s %12s %12s\n", "opening", "patch", "facets", "radius", "area");
   for (const auto& o : r["openings"])
     std::printf("%-12s %6d %10ld %12.5g %12.5g\n", o["name"].get<std::string>().c_str(), o["patch"].get<int>(),
-                o["triangles"].get<long>(), o["radius"].get<double>(), o["area"].get<double>());
+                o["triangles"].get<long>() + o["quads"].get<long>(), o["radius"].get<double>(),
+                o["area"].get<double>());
   for (const auto& o : r["openings"])
     if (o["branch"].is_null())
       std::printf("note: no centerline leads to %s; the mesh size there is that of the nearest branch\n",
@@ -232,8 +278,9 @@ inline void print(const Json& r, bool verbose) {
                 "unless --loops keeps them all\n");
   if (verbose) {
     print_branches(r["branches"]);
-    print_histogram(r["quality"]["gamma_tau"], "tetrahedra, gamma_tau");
-    print_histogram(r["quality"]["gamma_T"], "triangles, gamma_T");
+    for (const auto& m : measures())
+      if (r["quality"].contains(m.first))
+        print_histogram(r["quality"][m.first], m.second);
   }
   std::printf("\n%-22s %8s\n", "stage", "seconds");
   for (const auto& t : r["times"].items())

@@ -12,6 +12,7 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Tubular_meshing/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/Opening.h>
+#include <CGAL/Tubular_meshing/Operators/Layer_report.h>
 #include <CGAL/Tubular_meshing/Operators/Repair_report.h>
 #include <CGAL/Tubular_meshing/Surface/Remeshed_surface.h>
 #include <CGAL/Tubular_meshing/Tubular_model.h>
@@ -42,9 +43,13 @@ tubular::Tubular_model<Point_3> prepare(const Options& o, const Surface& surface
 tubular::Remeshed_surface<Point_3> make_surface_mesh(const Options& o, const tubular::Tubular_model<Point_3>& model,
                                                      Stage_clock& clock);
 
-// Tetrahedra; with the parametric surface mesher, `surface` becomes the surface mesh.
+// The cells of the lumen; with the parametric surface mesher, `surface` becomes the surface mesh.
 tubular::Mixed_mesh<Point_3> make_mesh(const Options& o, const tubular::Tubular_model<Point_3>& model,
                                        tubular::Remeshed_surface<Point_3>& surface, Stage_clock& clock);
+
+// The walls around it.
+tubular::Layer_report<Point_3> add_wall(const Options& o, const tubular::Tubular_model<Point_3>& model,
+                                        tubular::Mixed_mesh<Point_3>& mesh, Stage_clock& clock);
 
 // Why a volume mesher is not there; empty if it is.
 std::string why_not_filled_by(const std::string& volume_mesher);
