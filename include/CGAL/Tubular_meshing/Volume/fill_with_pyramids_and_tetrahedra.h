@@ -8,6 +8,7 @@
 #include <CGAL/Tubular_meshing/Surface/surface_to_mixed_mesh.h>
 #include <CGAL/Tubular_meshing/Volume/Volume_mesher.h>
 #include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/fill_keeping_boundary.h>
+#include <CGAL/Tubular_meshing/Volume/internal/pyramids/Size_near_surface.h>
 #include <CGAL/Tubular_meshing/Volume/internal/pyramids/crown_quads.h>
 #include <CGAL/Tubular_meshing/Volume/internal/pyramids/optimize_with_apexes.h>
 #include <CGAL/Tubular_meshing/exceptions.h>
@@ -82,7 +83,8 @@ void fill_between_pyramids(Crowned_surface<Point>& crowned, const SizingField& s
  *
  * \param surface a closed mesh of triangles and quads without self-intersections, its faces turned outward
  * \param patch a readable property map from its faces to `int`
- * \param size a model of `MeshDomainField_3`: the wanted length of edges. Must outlive the call only.
+ * \param size a model of `MeshDomainField_3`: the wanted length of edges; near the surface they are no longer than its
+ *   own, if these are shorter. Must outlive the call only.
  * \param mesh is replaced: pyramids and tetrahedra of region labels::lumen, and the surface's faces. Its first points
  *   are the surface's, followed by the pyramids' apexes; its triangles and quads are the surface's faces, in their
  *   order and bit for bit; pyramid i stands on quad i.
@@ -125,7 +127,8 @@ void fill_with_pyramids_and_tetrahedra(const SurfaceMesh& surface, FacePatchMap 
       internal::choose(np, internal_np::time_limit, 600 + 0.01 * double(num_faces(crowned.surface())))};
   limits.way_out = "mend the surface, or mesh it finer";
   Mixed_mesh<Point> result;
-  internal::fill_between_pyramids(crowned, size, mesher, limits, result);
+  const internal::Size_near_surface<SizingField> graded(size, boundary);
+  internal::fill_between_pyramids(crowned, graded, mesher, limits, result);
   result.pyramids = internal::pyramids_on<Point>(boundary.quads, boundary.points.size());
   internal::optimize_with_apexes(result, internal::choose(np, internal_np::optimization_passes, 2),
                                  internal::choose(np, internal_np::number_of_threads, 0));

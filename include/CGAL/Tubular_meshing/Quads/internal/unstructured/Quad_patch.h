@@ -27,6 +27,7 @@ public:
 
   std::vector<Sheet_place> places;
   std::size_t on_loops = 0;
+  std::vector<int> loop_valences; // how many quads there should be at each vertex on a loop
   std::vector<Quad> quads;
   std::vector<std::vector<int>> around; // the quads of each vertex, in no order
 
