@@ -49,6 +49,8 @@ struct Options {
   bool makes_surface_only() const { return type == "surface"; }
   bool is_anisotropic() const { return type == "anisotropic"; }
   bool is_mixed() const { return type == "mixed"; }
+  // of the layers inside the lumen, in local radii
+  double first_layer() const { return first_height > 0 ? first_height : boundary_layer / 20; }
   bool has_wall() const { return wall.thickness > 0; }
   // Patch by patch, on the surface that is kept then.
   bool meshes_patches() const {

@@ -10,26 +10,6 @@
 
 namespace {
 
-tubular::Volume_mesher volume_mesher(const Options& o) {
-  if (o.volume_mesher.empty())
-    return tubular::default_volume_mesher();
-  return o.volume_mesher == "tetgen" ? tubular::Volume_mesher::tetgen
-         : o.volume_mesher == "ccdt" ? tubular::Volume_mesher::ccdt
-                                     : tubular::Volume_mesher::mesh_3;
-}
-
-tubular::Mixed_mesh<Point_3> make_anisotropic_mesh(const Options& o, const tubular::Tubular_model<Point_3>& model,
-                                                   Stage_clock& clock) {
-  const double first_height = o.first_height > 0 ? o.first_height : o.boundary_layer / 20;
-  return tubular::make_anisotropic_mesh(model, meshing_parameters(o, clock)
-                                                   .volume_mesher(volume_mesher(o))
-                                                   .boundary_layer_thickness(o.boundary_layer)
-                                                   .first_height(first_height)
-                                                   .growth(o.growth)
-                                                   .smoothing_ratio(o.smoothing_ratio)
-                                                   .curvature_points(o.curvature_points));
-}
-
 // The library's advice in the words of this tool.
 std::string in_terms_of_options(std::string sentence) {
   const std::string function = "fill_with_mesh_3()", option = "--volume-mesher mesh_3";
@@ -38,6 +18,14 @@ std::string in_terms_of_options(std::string sentence) {
 }
 
 } // namespace
+
+tubular::Volume_mesher volume_mesher(const Options& o) {
+  if (o.volume_mesher.empty())
+    return tubular::default_volume_mesher();
+  return o.volume_mesher == "tetgen" ? tubular::Volume_mesher::tetgen
+         : o.volume_mesher == "ccdt" ? tubular::Volume_mesher::ccdt
+                                     : tubular::Volume_mesher::mesh_3;
+}
 
 std::string why_not_filled_by(const std::string& volume_mesher) {
   if (volume_mesher == "tetgen" && !tubular::has_tetgen())
@@ -57,6 +45,8 @@ tubular::Mixed_mesh<Point_3> make_mesh(const Options& o, const tubular::Tubular_
   try {
     if (o.is_anisotropic())
       return make_anisotropic_mesh(o, model, clock);
+    if (o.is_mixed())
+      return make_mixed_mesh(o, model, surface, clock);
     return tubular::make_isotropic_mesh(model, surface, np.volume_mesher(volume_mesher(o)));
   } catch (const tubular::Meshing_error& e) {
     throw tubular::Meshing_error(in_terms_of_options(e.what()));

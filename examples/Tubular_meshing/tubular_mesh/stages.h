@@ -16,6 +16,7 @@
 #include <CGAL/Tubular_meshing/Operators/Repair_report.h>
 #include <CGAL/Tubular_meshing/Surface/Remeshed_surface.h>
 #include <CGAL/Tubular_meshing/Tubular_model.h>
+#include <CGAL/Tubular_meshing/Volume/Volume_mesher.h>
 #include <CGAL/Tubular_meshing/parameters.h>
 
 #include <string>
@@ -47,9 +48,18 @@ tubular::Remeshed_surface<Point_3> make_surface_mesh(const Options& o, const tub
 tubular::Mixed_mesh<Point_3> make_mesh(const Options& o, const tubular::Tubular_model<Point_3>& model,
                                        tubular::Remeshed_surface<Point_3>& surface, Stage_clock& clock);
 
+// What this is for the types that need another mesher.
+tubular::Mixed_mesh<Point_3> make_anisotropic_mesh(const Options& o, const tubular::Tubular_model<Point_3>& model,
+                                                   Stage_clock& clock);
+tubular::Mixed_mesh<Point_3> make_mixed_mesh(const Options& o, const tubular::Tubular_model<Point_3>& model,
+                                             tubular::Remeshed_surface<Point_3>& surface, Stage_clock& clock);
+
 // The walls around it.
 tubular::Layer_report<Point_3> add_wall(const Options& o, const tubular::Tubular_model<Point_3>& model,
                                         tubular::Mixed_mesh<Point_3>& mesh, Stage_clock& clock);
+
+// The mesher that was asked for, or the default.
+tubular::Volume_mesher volume_mesher(const Options& o);
 
 // Why a volume mesher is not there; empty if it is.
 std::string why_not_filled_by(const std::string& volume_mesher);

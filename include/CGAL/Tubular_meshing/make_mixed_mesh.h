@@ -36,6 +36,7 @@ namespace Tubular_meshing {
  * labels::wall has triangles there, and the wall prisms.
  *
  * \param model see make_tubular_model()
+ * \param surface gets the surface of quads, see make_quad_surface_mesh()
  * \param np an optional sequence of named parameters among the ones listed below
  *
  * \cgalNamedParamsBegin
@@ -58,7 +59,7 @@ namespace Tubular_meshing {
  *   CGAL 6.1, see has_lemon(), has_tetgen() and has_ccdt()
  */
 template <class Point_3, class NamedParameters = CGAL::parameters::Default_named_parameters>
-Mixed_mesh<Point_3> make_mixed_mesh(const Tubular_model<Point_3>& model,
+Mixed_mesh<Point_3> make_mixed_mesh(const Tubular_model<Point_3>& model, Remeshed_surface<Point_3>& surface,
                                     const NamedParameters& np = CGAL::parameters::default_values()) {
   typedef Named_parameters<bool, internal_np::split_quads_t, NamedParameters> With_splits;
   const auto observer = internal::stage_observer(np);
@@ -67,7 +68,7 @@ Mixed_mesh<Point_3> make_mixed_mesh(const Tubular_model<Point_3>& model,
   internal::Model_in_its_frame<Point_3> framed(model);
   const Centerline_sizing_field<Point_3> size = framed.sizing_field(np);
   internal::check_memory(size.estimated_number_of_tetrahedra());
-  const Remeshed_surface<Point_3> surface = internal::quadrangulate_in_frame(framed, size, np);
+  surface = internal::quadrangulate_in_frame(framed, size, np);
   observer("pyramids and tetrahedra");
   Mixed_mesh<Point_3> mesh;
   fill_with_pyramids_and_tetrahedra(surface.surface, surface.patch, size, mesh, With_splits(true, np));
@@ -78,9 +79,21 @@ Mixed_mesh<Point_3> make_mixed_mesh(const Tubular_model<Point_3>& model,
   observer("check");
   internal::check_differences(mesh, model);
   framed.bring_back(mesh);
+  framed.bring_back(surface.surface);
   const Label_names names = lumen_patch_names(int(model.openings.size()));
   mesh.patch_names.insert(names.begin(), names.end());
   return mesh;
+}
+
+/*! \ingroup PkgTubularMeshingRef
+ *
+ * the same, for those who have no use for the surface.
+ */
+template <class Point_3, class NamedParameters = CGAL::parameters::Default_named_parameters>
+Mixed_mesh<Point_3> make_mixed_mesh(const Tubular_model<Point_3>& model,
+                                    const NamedParameters& np = CGAL::parameters::default_values()) {
+  Remeshed_surface<Point_3> surface;
+  return make_mixed_mesh(model, surface, np);
 }
 
 /*! \ingroup PkgTubularMeshingRef

@@ -1,0 +1,17 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "stages.h"
+
+#include <CGAL/tubular_meshing.h>
+
+tubular::Mixed_mesh<Point_3> make_anisotropic_mesh(const Options& o, const tubular::Tubular_model<Point_3>& model,
+                                                   Stage_clock& clock) {
+  return tubular::make_anisotropic_mesh(model, meshing_parameters(o, clock)
+                                                   .volume_mesher(volume_mesher(o))
+                                                   .boundary_layer_thickness(o.boundary_layer)
+                                                   .first_height(o.first_layer())
+                                                   .growth(o.growth)
+                                                   .smoothing_ratio(o.smoothing_ratio)
+                                                   .curvature_points(o.curvature_points));
+}
