@@ -7,9 +7,11 @@
 #include <CGAL/Tubular_meshing/Operators/Surface_patch.h>
 #include <CGAL/Tubular_meshing/Quads/elliptic_grid.h>
 #include <CGAL/Tubular_meshing/Quads/internal/annular/Curve_chains.h>
+#include <CGAL/Tubular_meshing/Quads/internal/surface/Quad_surface_improver.h>
 #include <CGAL/Tubular_meshing/Quads/internal/unstructured/Patch_quadrangulator.h>
 #include <CGAL/Tubular_meshing/Quads/internal/unstructured/Sheet.h>
 #include <CGAL/Tubular_meshing/Surface/Patch_parameterization.h>
+#include <CGAL/Tubular_meshing/Surface/Remeshed_surface.h>
 #include <CGAL/Tubular_meshing/Surface/internal/remeshing/Chart.h>
 #include <CGAL/Tubular_meshing/Surface/internal/remeshing/Remeshed_piece.h>
 #include <CGAL/Tubular_meshing/exceptions.h>
@@ -71,6 +73,11 @@ public:
       concerned[k] = 1;
     }
     mesh(std::move(concerned));
+  }
+
+  /* Raises the worst quads of a surface made of the pieces. */
+  void improve(Remeshed_surface<Point_3>& result) const {
+    Quad_surface_improver<Point_3>(result, surface_, cut_).run();
   }
 
   const std::vector<Piece>& pieces() const { return pieces_; }

@@ -177,9 +177,8 @@ private:
   template <class Test> bool try_step(int v, const Eigen::Vector2d& step, const Test& test) {
     const Sheet_place old = place(v);
     const Tangents t(old.normal);
-    const Eigen::Vector2d by = sheet_.plane_step(old, step.x() * t.first + step.y() * t.second);
     Sheet_place& now = mesh_.places[std::size_t(v)];
-    if (std::isfinite(by.squaredNorm()) && sheet_.place(old.uv + by, old.triangle, now) && test())
+    if (sheet_.move(old, step.x() * t.first + step.y() * t.second, now) && test())
       return true;
     now = old;
     return false;
