@@ -63,7 +63,7 @@ public:
     std::vector<char> patches(cut_.patches.size(), 0);
     std::vector<int> vertices;
     for (int q = 0; q < int(wall_.quads.size()); ++q)
-      if (wall_.eta(q) < good_enough) {
+      if (wall_.quality(q) < good_enough) {
         patches[std::size_t(patch_of_quad_[std::size_t(q)])] = 1;
         vertices.insert(vertices.end(), wall_.quad(q).begin(), wall_.quad(q).end());
       }
@@ -80,7 +80,7 @@ public:
   }
 
 private:
-  static constexpr double good_enough = 0.6; // η
+  static constexpr double good_enough = 0.6;
 
   // Vertices of caps first: they stay.
   void copy_wall() {

@@ -53,7 +53,7 @@ public:
     const double factors[] = {1, 0.9, 1.12, 0.8};
     const Plane_triangulation<Point_2> isotropic = isotropic_triangles(1);
     try_triangles(right_triangles(isotropic));
-    for (std::size_t i = 0; i < 4 && best_eta_ < good_enough; ++i)
+    for (std::size_t i = 0; i < 4 && best_quality_ < good_enough; ++i)
       try_triangles(i == 0 ? isotropic : isotropic_triangles(factors[i]));
     return !best_.quads.empty();
   }
@@ -61,7 +61,7 @@ public:
   const Quad_patch& mesh() const { return best_; }
 
 private:
-  static constexpr double good_enough = 0.1; // η, where all that is left to do is to move curves
+  static constexpr double good_enough = 0.1; // where all that is left to do is to move curves
   // An equilateral triangle with sides as long as this has half the area of a square of side one.
   static constexpr double triangle_side = 1.0746;
 
@@ -173,9 +173,9 @@ private:
   }
 
   void keep_if_better(Quad_patch&& mesh) {
-    const double eta = mesh.least_eta();
-    if (best_.quads.empty() || eta > best_eta_) {
-      best_eta_ = eta;
+    const double quality = mesh.least_quality();
+    if (best_.quads.empty() || quality > best_quality_) {
+      best_quality_ = quality;
       best_ = std::move(mesh);
     }
   }
@@ -185,7 +185,7 @@ private:
   const Polygons& polygons_;
   std::vector<Sheet_place> loop_places_;
   Quad_patch best_;
-  double best_eta_ = 0;
+  double best_quality_ = 0;
 };
 
 } // namespace internal

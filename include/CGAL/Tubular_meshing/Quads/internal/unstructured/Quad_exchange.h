@@ -45,7 +45,7 @@ public:
     double worst_before = 1;
     for (int q : removed) {
       concerned.insert(concerned.end(), mesh_.quad(q).begin(), mesh_.quad(q).end());
-      worst_before = (std::min)(worst_before, mesh_.eta(q));
+      worst_before = (std::min)(worst_before, mesh_.quality(q));
     }
     sort_and_unite(concerned);
     const int cost_before = sum_of_costs(concerned);
