@@ -75,9 +75,11 @@ public:
     mesh(std::move(concerned));
   }
 
-  /* Raises the worst quads of a surface made of the pieces. */
-  void improve(Remeshed_surface<Point_3>& result) const {
-    Quad_surface_improver<Point_3>(result, surface_, cut_).run();
+  /* Raises the worst quads of a surface made of the pieces. Returns the pieces where quads turn over even so. */
+  std::vector<size_type> improve(Remeshed_surface<Point_3>& result) const {
+    Quad_surface_improver<Point_3> improver(result, surface_, cut_);
+    improver.run();
+    return improver.folded_patches();
   }
 
   const std::vector<Piece>& pieces() const { return pieces_; }

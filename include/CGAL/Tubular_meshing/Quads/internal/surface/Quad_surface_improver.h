@@ -5,7 +5,7 @@
 #define CGAL_TUBULAR_MESHING_QUADS_INTERNAL_SURFACE_QUAD_SURFACE_IMPROVER_H
 
 #include <CGAL/Tubular_meshing/Operators/Surface_patch.h>
-#include <CGAL/Tubular_meshing/Quads/internal/unstructured/Quad_patch.h>
+#include <CGAL/Tubular_meshing/Quads/internal/surface/Wall_quads.h>
 #include <CGAL/Tubular_meshing/Quads/internal/unstructured/Quad_smoother.h>
 #include <CGAL/Tubular_meshing/Quads/internal/unstructured/Sheet.h>
 #include <CGAL/Tubular_meshing/Surface/Remeshed_surface.h>
@@ -50,81 +50,61 @@ private:
 template <class Point_3> class Quad_surface_improver {
 public:
   typedef CGAL::Surface_mesh<Point_3> Surface;
-  typedef typename Surface::Vertex_index Vertex;
 
   Quad_surface_improver(Remeshed_surface<Point_3>& result, const Surface& old_surface, const Surface_cut<Point_3>& cut)
       : result_(result)
       , old_surface_(old_surface)
-      , cut_(cut) {}
+      , cut_(cut)
+      , wall_(result) {}
 
   void run() {
     const int rounds = 8;
-    copy_wall();
-    std::vector<char> patches(cut_.patches.size(), 0);
     std::vector<int> vertices;
-    for (int q = 0; q < int(wall_.quads.size()); ++q)
-      if (wall_.quality(q) < good_enough) {
-        patches[std::size_t(patch_of_quad_[std::size_t(q)])] = 1;
-        vertices.insert(vertices.end(), wall_.quad(q).begin(), wall_.quad(q).end());
-      }
+    for (int q : quads_below(good_enough))
+      vertices.insert(vertices.end(), wall_.mesh.quad(q).begin(), wall_.mesh.quad(q).end());
     if (vertices.empty())
       return;
     std::sort(vertices.begin(), vertices.end());
     vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-    const Triangle_sheet sheet(old_triangles(old_surface_, cut_, patches));
-    Quad_smoother<Triangle_sheet>(wall_, sheet).raise_worst(vertices, good_enough, rounds);
+    const Triangle_sheet sheet(old_triangles(old_surface_, cut_, patches_below(good_enough)));
+    Quad_smoother<Triangle_sheet>(wall_.mesh, sheet).raise_worst(vertices, good_enough, rounds);
     for (int v : vertices) {
-      const Vector_3d& p = wall_.point(v);
-      result_.surface.point(vertices_[std::size_t(v)]) = Point_3(p.x, p.y, p.z);
+      const Vector_3d& p = wall_.mesh.point(v);
+      result_.surface.point(wall_.vertices[std::size_t(v)]) = Point_3(p.x, p.y, p.z);
     }
   }
 
-private:
-  static constexpr double good_enough = 0.6;
+  // The patches with quads that turn over.
+  std::vector<std::size_t> folded_patches() const {
+    const std::vector<char> marks = patches_below(0);
+    std::vector<std::size_t> result;
+    for (std::size_t k = 0; k < marks.size(); ++k)
+      if (marks[k])
+        result.push_back(k);
+    return result;
+  }
 
-  // Vertices of caps first: they stay.
-  void copy_wall() {
-    const Surface& surface = result_.surface;
-    std::vector<int> number(std::size_t(surface.number_of_vertices()), -1);
-    const auto add = [&](Vertex v) {
-      int& n = number[std::size_t(v)];
-      if (n >= 0)
-        return;
-      Sheet_place place;
-      place.point = Vector_3d(surface.point(v));
-      n = wall_.add_vertex(place);
-      vertices_.push_back(v);
-    };
-    for (auto f : surface.faces())
-      if (result_.patch_of_face[f] < 0)
-        for (Vertex v : surface.vertices_around_face(surface.halfedge(f)))
-          add(v);
-    wall_.on_loops = wall_.places.size();
-    for (auto f : surface.faces()) {
-      if (result_.patch_of_face[f] < 0)
-        continue;
-      Quad_patch::Quad q;
-      std::size_t i = 0;
-      for (Vertex v : surface.vertices_around_face(surface.halfedge(f))) {
-        add(v);
-        q[i++] = number[std::size_t(v)];
-      }
-      wall_.add_quad(q);
-      patch_of_quad_.push_back(result_.patch_of_face[f]);
-      const Vector_3d n = cross(wall_.point(q[2]) - wall_.point(q[0]), wall_.point(q[3]) - wall_.point(q[1]));
-      for (int v : q)
-        wall_.places[std::size_t(v)].normal += n;
-    }
-    for (Sheet_place& p : wall_.places)
-      p.normal = normalized(p.normal);
+private:
+  static constexpr double good_enough = 0.65; // three quads at a vertex have 2/3 at most
+
+  std::vector<int> quads_below(double quality) const {
+    std::vector<int> result;
+    for (int q = 0; q < int(wall_.mesh.quads.size()); ++q)
+      if (!(wall_.mesh.quality(q) > quality))
+        result.push_back(q);
+    return result;
+  }
+  std::vector<char> patches_below(double quality) const {
+    std::vector<char> marks(cut_.patches.size(), 0);
+    for (int q : quads_below(quality))
+      marks[wall_.patch_of_quad[std::size_t(q)]] = 1;
+    return marks;
   }
 
   Remeshed_surface<Point_3>& result_;
   const Surface& old_surface_;
   const Surface_cut<Point_3>& cut_;
-  Quad_patch wall_;
-  std::vector<Vertex> vertices_;   // of the surface, for each of the wall's
-  std::vector<int> patch_of_quad_; // of the cut
+  Wall_quads<Point_3> wall_;
 };
 
 } // namespace internal

@@ -58,15 +58,13 @@ public:
     }
   }
 
-  /* False outside of the patch. */
+  /* False outside of the patch; the nearest place is found then. */
   bool place(const Eigen::Vector2d& uv, int hint, Sheet_place& result) const {
     const double outside = 1e-24; // of the unit circle
     const Patch_location at = map_.locate(Point_2(uv.x(), uv.y()), hint);
-    if (!(at.squared_distance <= outside))
-      return false;
     result = place(at);
     result.uv = uv;
-    return true;
+    return at.squared_distance <= outside;
   }
   Sheet_place place(const Patch_location& at) const {
     Sheet_place result;

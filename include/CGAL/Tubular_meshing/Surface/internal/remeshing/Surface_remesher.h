@@ -47,17 +47,20 @@ public:
       , mesher_(mesher) {}
 
   Remeshed_surface<Point_3> run() {
-    const int most_rounds = 6;
+    const int most_rounds = 6, rounds_for_shape = 2;
     mesher_.mesh_all();
     for (int round = 0;; ++round) {
       std::vector<size_type> failed = pieces_that_do_not_fit();
       if (failed.empty()) {
         build();
+        std::vector<size_type> folded;
         if constexpr (Mesher::makes_quads)
-          mesher_.improve(result_);
+          folded = mesher_.improve(result_);
         else
           improve();
         failed = crossing_pieces();
+        if (failed.empty() && round < rounds_for_shape) // quads that are turned over, but meet nothing, may stay
+          failed = folded;
       }
       if (failed.empty())
         break;
