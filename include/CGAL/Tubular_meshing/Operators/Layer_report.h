@@ -19,16 +19,16 @@ namespace Tubular_meshing {
  * how thin they are there.
  */
 template <class Point_3> struct Layer_report {
-  std::size_t vertices = 0;          ///< of the surface that the layers grew on
-  std::size_t reduced_vertices = 0;  ///< of those, where layers are thinner than wanted, by more than a hundredth
-  std::size_t prisms = 0;            ///< that were added
-  std::size_t hexahedra = 0;         ///< that were added
-  std::size_t tetrahedra = 0;        ///< that were added
-  std::size_t relabelled_facets = 0; ///< of the wall, that lie in an opening's plane: they belong to its cap now
-  double min_ratio = 1;              ///< smallest ratio of the thickness obtained to that wanted
-  double mean_ratio = 1;             ///< mean of that ratio, over all vertices
+  std::size_t vertices = 0;               ///< of the surface that the layers grew on
+  std::size_t reduced_vertices = 0;       ///< of those, where layers are thinner than wanted, by more than a hundredth
+  std::size_t prisms = 0;                 ///< that were added
+  std::size_t hexahedra = 0;              ///< that were added
+  std::size_t tetrahedra = 0;             ///< that were added
+  std::size_t relabelled_facets = 0;      ///< of the wall, that lie in an opening's plane: they belong to its cap now
+  double min_ratio = 1;                   ///< smallest ratio of the thickness obtained to that wanted
+  double mean_ratio = 1;                  ///< mean of that ratio, over all vertices
   Point_3 worst_place = Point_3(0, 0, 0); ///< the vertex with the smallest ratio
-  int rounds = 0; ///< how often the thickness was reduced because of folded or crossing cells
+  int rounds = 0;                         ///< how often the thickness was reduced because of folded or crossing cells
 
   /// One or two sentences.
   std::string text() const {

@@ -71,17 +71,16 @@ public:
   void add_facets(std::size_t level, int label) {
     for (const Face& f : surface_.faces)
       if (Layer_surface::degree(f) == 4)
-        mesh_.quads.push_back(inward_ ? std::array<Index, 4>{point(f[3], level), point(f[2], level), point(f[1], level),
-                                                             point(f[0], level)}
-                                      : std::array<Index, 4>{point(f[0], level), point(f[1], level), point(f[2], level),
-                                                             point(f[3], level)},
-                              label);
+        mesh_.quads.push_back(
+            inward_
+                ? std::array<Index, 4>{point(f[3], level), point(f[2], level), point(f[1], level), point(f[0], level)}
+                : std::array<Index, 4>{point(f[0], level), point(f[1], level), point(f[2], level), point(f[3], level)},
+            label);
       else
-        mesh_.triangles.push_back(inward_
-                                      ? std::array<Index, 3>{point(f[2], level), point(f[1], level), point(f[0], level)}
-                                      : std::array<Index, 3>{point(f[0], level), point(f[1], level),
-                                                             point(f[2], level)},
-                                  label);
+        mesh_.triangles.push_back(
+            inward_ ? std::array<Index, 3>{point(f[2], level), point(f[1], level), point(f[0], level)}
+                    : std::array<Index, 3>{point(f[0], level), point(f[1], level), point(f[2], level)},
+            label);
   }
 
   /* \param label called with the label of an opening */

@@ -50,6 +50,7 @@ public:
 
 private:
   static constexpr double good_visibility = 0.8; // with less, a better direction is looked for
+  static constexpr double least_sine = 1e-7;     // of a face's angles
   static constexpr double no_visibility = 1e-3;
   static constexpr double kept_visibility = 0.7; // part of the largest, by smoothing
 
@@ -58,11 +59,13 @@ private:
     for (const Corner* c = surface_.corners_begin(v); c != surface_.corners_end(v); ++c) {
       const Vector_3d n = surface_.corner_normal(v, *c);
       const double area = norm(n);
-      if (!(area > 0))
-        throw Input_error("A face of the wall has no area at " + place_of(surface_.points[v]) +
-                          ": no layer can grow on it; repair the surface, or mesh it anew.");
-      const double angle = std::atan2(area, dot(surface_.points[c->next] - surface_.points[v],
-                                                surface_.points[c->previous] - surface_.points[v]));
+      const double product =
+          norm(surface_.points[c->next] - surface_.points[v]) * norm(surface_.points[c->previous] - surface_.points[v]);
+      if (!(area > least_sine * product))
+        throw Input_error("A face of the wall has an angle of 0 or 180 degrees at " + place_of(surface_.points[v]) +
+                          ": no cell on it is valid; repair the surface, or mesh it anew.");
+      const double angle = std::atan2(
+          area, dot(surface_.points[c->next] - surface_.points[v], surface_.points[c->previous] - surface_.points[v]));
       normal += (angle / area) * n;
     }
     Vector_3d d = normalized(surface_.along_rims(v, normal));

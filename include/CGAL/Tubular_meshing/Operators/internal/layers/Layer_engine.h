@@ -44,9 +44,8 @@ public:
   /* \param points those of the surface, and then others
    * \param obstacles triangles that the layers must stay clear of, by points
    * \param closure triangles that close the far side with its rims */
-  Layer_engine(const Layer_surface& surface, std::vector<Vector_3d> points,
-               std::vector<Box_tree::Triangle> obstacles, std::vector<Box_tree::Triangle> closure,
-               std::vector<double> wanted, const Layer_options& options)
+  Layer_engine(const Layer_surface& surface, std::vector<Vector_3d> points, std::vector<Box_tree::Triangle> obstacles,
+               std::vector<Box_tree::Triangle> closure, std::vector<double> wanted, const Layer_options& options)
       : surface_(surface)
       , points_(std::move(points))
       , obstacles_(std::move(obstacles))
@@ -80,7 +79,7 @@ private:
       if (bad.empty())
         bad = crossing_vertices();
       if (bad.empty())
-        return;
+        return check_rounded_cells();
       place_ = surface_.points[bad.front()];
       std::sort(bad.begin(), bad.end());
       bad.erase(std::unique(bad.begin(), bad.end()), bad.end());
@@ -116,6 +115,21 @@ private:
         if (Layer_surface::degree(f) == 3 && !has_positive_tetrahedra(f))
           bad.insert(bad.end(), {f[0], f[1], f[2]});
     return bad;
+  }
+
+  // What is far from the origin, and thin, may be folded by the rounding of its points.
+  void check_rounded_cells() const {
+    const std::vector<double>& s = options_.levels;
+    const auto at = [&](Index v, std::size_t k) { return surface_.points[v] + s[k] * vector(v); };
+    for (Index v = 0; v < surface_.number_of_vertices(); ++v)
+      for (const Corner* c = surface_.corners_begin(v); c != surface_.corners_end(v); ++c)
+        for (std::size_t k = 0; k < s.size(); ++k) {
+          const Vector_3d p = at(v, k), n = cross(at(c->next, k) - p, at(c->previous, k) - p);
+          if ((k > 0 && !(dot(n, p - at(v, k - 1)) > 0)) || (k + 1 < s.size() && !(dot(n, at(v, k + 1) - p) > 0)))
+            throw Meshing_error("The layers at " + place_of(surface_.points[v]) +
+                                " are thinner than coordinates can tell apart: ask for fewer or thicker ones, or move "
+                                "the model closer to the origin.");
+        }
   }
 
   // Of the three that a prism is cut into, two have their volumes from its corners.
@@ -154,16 +168,15 @@ private:
     }
     triangles.insert(triangles.end(), closure_.begin(), closure_.end());
     std::vector<Index> bad;
-    const auto crossings =
-        triangle_crossings(points, triangles, [](Box_tree::Index, Box_tree::Index) { return true; });
+    const auto crossings = triangle_crossings(points, triangles, [](Box_tree::Index, Box_tree::Index) { return true; });
     for (const auto& pair : crossings)
       for (std::size_t t : pair)
         for (Index v : triangles[t])
           if (v >= far)
             bad.push_back(v - far);
     if (bad.empty() && !crossings.empty())
-      throw Input_error("The surface crosses itself at " +
-                        place_of(points[triangles[crossings.front()[0]][0]]) + "; repair it first.");
+      throw Input_error("The surface crosses itself at " + place_of(points[triangles[crossings.front()[0]][0]]) +
+                        "; repair it first.");
     return bad;
   }
 

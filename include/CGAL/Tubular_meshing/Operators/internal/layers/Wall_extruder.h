@@ -125,7 +125,7 @@ public:
   }
 
   template <class LocalRadius> Layer_report<Point> run(const LocalRadius& radius) {
-    Mixed_mesh<Point> facets; // tried on copies: the mesh stays as it was if there is no wall
+    Mixed_mesh<Point> facets; // the mesh stays as it was if there is no wall
     facets.points = mesh_.points;
     facets.triangles = mesh_.triangles;
     facets.quads = mesh_.quads;
@@ -133,6 +133,28 @@ public:
       split_wall_quads(facets);
     const Wall_facets<Point> wall(facets);
     const Layer_surface surface = wall.surface(false);
+    const Layer_options options = options_for_layers();
+    std::vector<Vector_3d> points = surface.points;
+    std::vector<Box_tree::Triangle> closure;
+    wall.caps(points, closure);
+    const std::vector<Box_tree::Triangle> caps = closure;
+    if (!wall.has_all_caps(surface)) // an open surface: then the wall is closed by its own near side
+      closure = turned_triangles(surface);
+    const Layer_engine engine(surface, std::move(points), caps, std::move(closure),
+                              multiples_of_radius<Point>(surface, radius, total_thickness()), options);
+
+    Layer_report<Point> report = report_of<Point>(surface, engine);
+    report.relabelled_facets = wall.number_of_relabelled_facets();
+    mesh_.triangles = std::move(facets.triangles);
+    mesh_.quads = std::move(facets.quads);
+    build(surface, wall.mesh_vertices(), engine, options.levels, report);
+    return report;
+  }
+
+private:
+  double total_thickness() const { return p_.first.thickness + (p_.has_second ? p_.second.thickness : 0); }
+
+  Layer_options options_for_layers() const {
     std::vector<double> heights = {0};
     p_.first.append_heights(heights);
     if (p_.has_second)
@@ -142,28 +164,53 @@ public:
       options.levels.push_back(h / heights.back());
     options.tetrahedral = p_.tetrahedral;
     options.threads = p_.threads;
-
-    std::vector<Vector_3d> points = surface.points;
-    std::vector<Box_tree::Triangle> caps;
-    wall.caps(points, caps);
-    const Layer_engine engine(surface, std::move(points), caps, caps,
-                              multiples_of_radius<Point>(surface, radius, heights.back()), options);
-    facets.points.clear();
-    mesh_.triangles = std::move(facets.triangles);
-    mesh_.quads = std::move(facets.quads);
-    Layer_report<Point> report = report_of<Point>(surface, engine);
-    report.relabelled_facets = wall.number_of_relabelled_facets();
-    build(surface, wall.mesh_vertices(), engine, options.levels, report);
-    return report;
+    return options;
   }
 
-private:
   void check_mesh() const {
-    for (const auto* names : {&mesh_.triangles.label, &mesh_.quads.label})
-      (void)names;
+    for (const auto* regions :
+         {&mesh_.tetrahedra.label, &mesh_.pyramids.label, &mesh_.prisms.label, &mesh_.hexahedra.label})
+      for (int region : *regions)
+        if (region >= labels::wall_region)
+          throw Input_error("The mesh has cells of region " + std::to_string(region) +
+                            " already; a wall is grown on a lumen, region " + std::to_string(labels::lumen) +
+                            ", or on a surface.");
+    for (std::size_t i = 0; i < mesh_.points.size(); ++i)
+      if (!std::isfinite(squared_norm(Vector_3d(mesh_.points[i]))))
+        throw Input_error("Point " + std::to_string(i) + " of the mesh has coordinates that are not finite.");
   }
 
-  void split_wall_quads(Mixed_mesh<Point>& facets) const { (void)facets; }
+  // Along the better diagonal; cells that have quads there would have to be split too.
+  void split_wall_quads(Mixed_mesh<Point>& facets) const {
+    Element_block<4> kept;
+    for (std::size_t i = 0; i < facets.quads.size(); ++i) {
+      const auto& q = facets.quads.vertices[i];
+      if (facets.quads.label[i] != labels::wall) {
+        kept.push_back(q, facets.quads.label[i]);
+        continue;
+      }
+      if (mesh_.pyramids.size() + mesh_.prisms.size() + mesh_.hexahedra.size() > 0)
+        throw Parameter_error("A wall of tetrahedra needs triangles to grow on, but the lumen has cells with quads at "
+                              "the wall; let the wall be of hexahedra there, or fill the lumen with tetrahedra.");
+      const auto squared_diagonal = [&](std::size_t k) {
+        return squared_norm(Vector_3d(facets.points[q[k + 2]]) - Vector_3d(facets.points[q[k]]));
+      };
+      const std::size_t k = squared_diagonal(1) < squared_diagonal(0) ? 1 : 0;
+      facets.triangles.push_back({q[k], q[k + 1], q[k + 2]}, labels::wall);
+      facets.triangles.push_back({q[k], q[k + 2], q[(k + 3) % 4]}, labels::wall);
+    }
+    facets.quads = std::move(kept);
+  }
+
+  static std::vector<Box_tree::Triangle> turned_triangles(const Layer_surface& surface) {
+    std::vector<Box_tree::Triangle> triangles;
+    for (const Layer_surface::Face& f : surface.faces) {
+      triangles.push_back({f[0], f[2], f[1]});
+      if (Layer_surface::degree(f) == 4)
+        triangles.push_back({f[0], f[3], f[2]});
+    }
+    return triangles;
+  }
 
   void build(const Layer_surface& surface, const std::vector<Index>& base, const Layer_engine& engine,
              const std::vector<double>& levels, Layer_report<Point>& report) {
@@ -171,6 +218,7 @@ private:
     report.prisms = mesh_.prisms.size();
     report.hexahedra = mesh_.hexahedra.size();
     report.tetrahedra = mesh_.tetrahedra.size();
+    const int outer = labels::outer_wall_for(largest_patch(surface));
     Layer_builder<Point> builder(surface, base, layers, false, mesh_);
     builder.add_points(levels, [&](Index v) { return engine.vector(v); });
     builder.add_cells(0, first, labels::wall_region, p_.tetrahedral);
@@ -179,9 +227,48 @@ private:
     report.hexahedra = mesh_.hexahedra.size() - report.hexahedra;
     report.tetrahedra = mesh_.tetrahedra.size() - report.tetrahedra;
     if (p_.has_second)
-      builder.add_facets(first, 101);
-    builder.add_facets(layers, 100);
-    builder.add_rings([](int label) { return 100 + label; }, p_.tetrahedral);
+      builder.add_facets(first, outer + (labels::middle_wall - labels::outer_wall));
+    builder.add_facets(layers, outer);
+    builder.add_rings([&](int label) { return outer + label; }, p_.tetrahedral);
+    add_names(surface);
+    extend_point_arrays(base, layers);
+  }
+
+  // Of the lumen's own.
+  int largest_patch(const Layer_surface& surface) const {
+    int largest = labels::wall;
+    for (const auto* patches : {&mesh_.triangles.label, &mesh_.quads.label})
+      for (int label : *patches)
+        largest = (std::max)(largest, label);
+    for (const Layer_surface::Rim_edge& e : surface.rim_edges)
+      largest = (std::max)(largest, e.label);
+    if (!mesh_.patch_names.empty())
+      largest = (std::max)(largest, mesh_.patch_names.rbegin()->first);
+    return largest;
+  }
+
+  void add_names(const Layer_surface& surface) {
+    for (const Layer_surface::Rim_edge& e : surface.rim_edges)
+      if (e.label >= labels::inlet && mesh_.patch_names.count(e.label) == 0)
+        mesh_.patch_names[e.label] = lumen_patch_names(e.label - labels::inlet + 1)[e.label];
+    mesh_.patch_names.insert({labels::wall, "wall"});
+    add_wall_patch_names(mesh_.patch_names, p_.has_second);
+    mesh_.region_names[labels::wall_region] = "wall";
+    if (p_.has_second)
+      mesh_.region_names[labels::wall_region + 1] = "second_wall";
+  }
+
+  // A point of the wall has the values of the point of the lumen below it.
+  void extend_point_arrays(const std::vector<Index>& base, std::size_t layers) {
+    for (Point_array& a : mesh_.point_arrays) {
+      const std::size_t n = std::size_t(a.components);
+      if (a.values.size() + layers * base.size() * n != mesh_.points.size() * n)
+        continue;
+      for (std::size_t k = 0; k < layers; ++k)
+        for (Index v : base)
+          for (std::size_t i = 0; i < n; ++i)
+            a.values.push_back(a.values[v * n + i]);
+    }
   }
 
   Mixed_mesh<Point>& mesh_;

@@ -16,6 +16,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -30,8 +31,8 @@ public:
   typedef std::uint32_t Index;
   typedef Layer_surface::Face Face;
 
-  /* \param relabels whether facets of the wall in the plane of an opening are given to it: on those nothing can grow
-   * that stays in that plane */
+  /* Facets of the wall in the plane of an opening become the opening's, in the mesh: nothing can grow on them that
+   * stays in that plane. */
   explicit Wall_facets(Mixed_mesh<Point>& mesh)
       : mesh_(mesh) {
     check_indices(mesh.triangles);
@@ -55,9 +56,19 @@ public:
     std::vector<Face> faces;
     add_faces(mesh_.triangles, inward, faces);
     add_faces(mesh_.quads, inward, faces);
-    return Layer_surface(std::move(points), std::move(faces), [&](Index v, Index w) {
+    Layer_surface surface(std::move(points), std::move(faces), [&](Index v, Index w) {
       const Index a = mesh_vertices_[v], b = mesh_vertices_[w];
       return label_beyond(inward ? a : b, inward ? b : a);
+    });
+    label_open_rims(surface);
+    return surface;
+  }
+
+  // Whether there is a facet beyond each edge of a rim.
+  bool has_all_caps(const Layer_surface& surface) const {
+    return std::all_of(surface.rim_edges.begin(), surface.rim_edges.end(), [&](const Layer_surface::Rim_edge& e) {
+      const Index a = mesh_vertices_[e.source], b = mesh_vertices_[e.target];
+      return label_beyond(a, b) + label_beyond(b, a) > 0;
     });
   }
 
@@ -175,8 +186,7 @@ private:
                         ", the wall, that layers could grow on.");
   }
 
-  template <std::size_t N>
-  void add_faces(const Element_block<N>& facets, bool inward, std::vector<Face>& faces) const {
+  template <std::size_t N> void add_faces(const Element_block<N>& facets, bool inward, std::vector<Face>& faces) const {
     for (std::size_t i = 0; i < facets.size(); ++i)
       if (facets.label[i] == labels::wall) {
         Face face = {Layer_surface::none, Layer_surface::none, Layer_surface::none, Layer_surface::none};
@@ -184,6 +194,24 @@ private:
           face[k] = number_[facets.vertices[i][inward ? N - 1 - k : k]];
         faces.push_back(face);
       }
+  }
+
+  // Rims without a cap are numbered like openings, from the one with the first vertex on.
+  static void label_open_rims(Layer_surface& surface) {
+    std::vector<Index> edge_from(surface.number_of_vertices(), Layer_surface::none);
+    for (Index e = 0; e < surface.rim_edges.size(); ++e)
+      edge_from[surface.rim_edges[e].source] = e;
+    int label = labels::inlet;
+    for (const Layer_surface::Rim_edge& e : surface.rim_edges)
+      label = (std::max)(label, e.label + 1);
+    for (Index first = 0; first < surface.rim_edges.size(); ++first) {
+      if (surface.rim_edges[first].label != 0)
+        continue;
+      for (Index e = first; e != Layer_surface::none && surface.rim_edges[e].label == 0;
+           e = edge_from[surface.rim_edges[e].target])
+        surface.rim_edges[e].label = label;
+      ++label;
+    }
   }
 
   static constexpr double in_plane = 0.99;
