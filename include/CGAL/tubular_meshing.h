@@ -7,9 +7,9 @@
 #include <CGAL/Tubular_meshing/Centerlines/Centerline_field.h>
 #include <CGAL/Tubular_meshing/Fields/Centerline_sizing_field.h>
 #include <CGAL/Tubular_meshing/Mixed_mesh.h>
-#include <CGAL/Tubular_meshing/Quality/validity_report.h>
 #include <CGAL/Tubular_meshing/Surface/Remeshed_surface.h>
 #include <CGAL/Tubular_meshing/Tubular_model.h>
+#include <CGAL/Tubular_meshing/Volume/Volume_mesher.h>
 #include <CGAL/Tubular_meshing/Volume/anisotropic_tetrahedral_remeshing.h>
 #include <CGAL/Tubular_meshing/Volume/fill_with_ccdt.h>
 #include <CGAL/Tubular_meshing/Volume/fill_with_mesh_3.h>
@@ -17,67 +17,18 @@
 #include <CGAL/Tubular_meshing/Volume/optimize_tetrahedra.h>
 #include <CGAL/Tubular_meshing/exceptions.h>
 #include <CGAL/Tubular_meshing/Volume/internal/Model_in_its_frame.h>
+#include <CGAL/Tubular_meshing/Volume/internal/check_mesh_of_model.h>
 #include <CGAL/Tubular_meshing/internal/Stage_observer.h>
 #include <CGAL/Tubular_meshing/make_isotropic_surface_mesh.h>
+#include <CGAL/Tubular_meshing/make_mixed_mesh.h>
 #include <CGAL/Tubular_meshing/parameters.h>
 
-#include <unistd.h>
-
-#include <cstddef>
-#include <set>
 #include <string>
 
 namespace CGAL {
 namespace Tubular_meshing {
 
-/*! \ingroup PkgTubularMeshingRef
- * What fills a surface mesh with tetrahedra. */
-enum class Volume_mesher {
-  mesh_3, ///< CGAL's Mesh_3, which meshes the surface anew
-  tetgen, ///< TetGen, which keeps it: see has_tetgen()
-  ccdt    ///< CGAL's constrained triangulations in space, which keep it: see has_ccdt()
-};
-
-/*! \ingroup PkgTubularMeshingRef
- * One that keeps the surface mesh, if this program has it. */
-constexpr Volume_mesher default_volume_mesher() {
-  return has_tetgen() ? Volume_mesher::tetgen : has_ccdt() ? Volume_mesher::ccdt : Volume_mesher::mesh_3;
-}
-
 namespace internal {
-
-// What a mesh of the model must be beyond valid: of the model's topology, with all of its patches.
-template <class Point> std::string differences(const Mixed_mesh<Point>& mesh, const Tubular_model<Point>& model) {
-  const Validity_report report = validity_report(mesh);
-  std::string s = report.defects();
-  const auto add = [&](const std::string& what) { s += (s.empty() ? "" : ", ") + what; };
-  const std::ptrdiff_t euler = std::ptrdiff_t(num_vertices(model.surface)) - std::ptrdiff_t(num_edges(model.surface)) +
-                               std::ptrdiff_t(num_faces(model.surface));
-  if (report.boundary_euler != euler)
-    add("a boundary of Euler characteristic " + std::to_string(report.boundary_euler) + " instead of " +
-        std::to_string(euler));
-  const std::set<int> patches(mesh.triangles.label.begin(), mesh.triangles.label.end());
-  for (const auto& opening : model.openings)
-    if (patches.count(opening.patch) == 0)
-      add("no facets on " + lumen_patch_names(int(model.openings.size())).at(opening.patch));
-  return s;
-}
-
-// Mesh_3 takes about a kilobyte for each tetrahedron; the machine's memory is the limit, not what happens to be free.
-inline void check_memory(double tetrahedra) {
-  const double needed = 1000 * tetrahedra;
-  const double there = double(sysconf(_SC_PHYS_PAGES)) * double(sysconf(_SC_PAGE_SIZE));
-  if (needed > there)
-    throw Meshing_error("A mesh this fine would have about " + std::to_string((long long)(tetrahedra / 1e6)) +
-                        " million tetrahedra, more than the memory of this machine holds: make it coarser.");
-}
-
-template <class Point> void check_differences(const Mixed_mesh<Point>& mesh, const Tubular_model<Point>& model) {
-  const std::string s = differences(mesh, model);
-  if (!s.empty())
-    throw Meshing_error("The mesh came out with " + s +
-                        ": the mesh size may be too coarse for the surface; try a finer one.");
-}
 
 /* Meshes the surface patch by patch, and fills it; all in the model's frame. Returns the surface. */
 template <class Point_3, class NamedParameters>

@@ -6,6 +6,7 @@
 
 #include <CGAL/Tubular_meshing/IO/internal/Output_file.h>
 #include <CGAL/Tubular_meshing/IO/internal/Text_cursor.h>
+#include <CGAL/Tubular_meshing/IO/internal/write_inp.h>
 #include <CGAL/Tubular_meshing/IO/internal/write_medit.h>
 #include <CGAL/Tubular_meshing/IO/internal/write_msh.h>
 #include <CGAL/Tubular_meshing/IO/internal/write_vtu.h>
@@ -44,10 +45,11 @@ template <class Mesh> void check_mesh(const Mesh& mesh, const std::string& file)
 } // namespace internal
 
 /*! \ingroup PkgTubularMeshingRef
- * Whether write_mesh() and read_mesh() know the extension of the file: .vtu, .msh or .mesh. */
+ * Whether write_mesh() knows the extension of the file: .vtu, .msh, .mesh or .inp. read_mesh() knows all but the last.
+ */
 inline bool is_supported_mesh_format(const std::string& file) {
   const std::string ext = internal::extension_of(file);
-  return ext == "vtu" || ext == "msh" || ext == "mesh";
+  return ext == "vtu" || ext == "msh" || ext == "mesh" || ext == "inp";
 }
 
 /*! \ingroup PkgTubularMeshingRef
@@ -67,6 +69,8 @@ void write_mesh(Output_file& file, const Mixed_mesh<Point>& mesh,
     internal::write_vtu(file, mesh);
   else if (ext == "mesh")
     internal::write_medit(file, mesh);
+  else if (ext == "inp")
+    internal::Inp_writer<Mixed_mesh<Point>>(file, mesh).write();
   else if (ext == "msh" && format == 4.1)
     internal::Msh_writer<Mixed_mesh<Point>>(file, mesh).write_4_1();
   else if (ext == "msh")
@@ -74,7 +78,7 @@ void write_mesh(Output_file& file, const Mixed_mesh<Point>& mesh,
   else
     throw Output_error(
         "The file " + internal::quoted(file.name()) +
-        " cannot be written: meshes are written as .vtu, .msh or .mesh; give it one of these extensions.");
+        " cannot be written: meshes are written as .vtu, .msh, .mesh or .inp; give it one of these extensions.");
 }
 
 /*! \ingroup PkgTubularMeshingRef
@@ -88,10 +92,16 @@ void write_mesh(Output_file& file, const Mixed_mesh<Point>& mesh,
  *   (written as 9) or 9 components are node data; others are not written.
  * - `.mesh`: labels are references, names are comments (`# region 1 lumen`, `# patch 2 inlet`). The point array
  *   `metric` of 6 components becomes a `.sol` file of the same name; others are not written.
+ * - `.inp`, for Abaqus and CalculiX: nodes and elements (C3D4, C3D6, C3D8), to be included by an input deck. Regions
+ * are element sets, `region_lumen`, `region_wall`; each patch is a node set and a surface, `wall`, `inlet`. Where a
+ * patch lies between two regions, its surface is the side of the higher one: that of the wall. A pyramid is written as
+ * a C3D8 whose last four nodes are its apex, as CalculiX has no element of five nodes. Point arrays are not written,
+ * and meshes without cells are refused.
  *
- * .vtu files are compressed with zlib, .msh files binary in format 4.1 and ASCII in format 2.2, .mesh files ASCII.
- * Coordinates are kept to the last bit. The file is written whole or not at all; a file that was there is replaced.
- * The same mesh makes the same file, byte for byte. O(n log l) for n elements with l different labels.
+ * .vtu files are compressed with zlib, .msh files binary in format 4.1 and ASCII in format 2.2, others ASCII.
+ * Coordinates are kept to the last bit, but in .inp files. The file is written whole or not at all; a file that was
+ * there is replaced. The same mesh makes the same file, byte for byte. O(n log l) for n elements with l different
+ * labels.
  *
  * \param file the name of the file
  * \param mesh the mesh

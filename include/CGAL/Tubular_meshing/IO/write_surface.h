@@ -4,7 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_IO_WRITE_SURFACE_H
 #define CGAL_TUBULAR_MESHING_IO_WRITE_SURFACE_H
 
-#include <CGAL/Tubular_meshing/IO/internal/write_triangles.h>
+#include <CGAL/Tubular_meshing/IO/internal/write_faces.h>
 #include <CGAL/Tubular_meshing/IO/write_mesh.h>
 #include <CGAL/Tubular_meshing/labels.h>
 #include <CGAL/Tubular_meshing/parameters.h>
@@ -15,6 +15,8 @@
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <set>
 #include <string>
 #include <type_traits>
@@ -33,14 +35,14 @@ template <class Label_map, class Face> void append_label(const Label_map& map, F
 }
 
 template <class TriangleMesh, class NamedParameters>
-Labelled_triangles labelled_triangles(const TriangleMesh& mesh, const NamedParameters& np) {
+Labelled_faces labelled_faces(const TriangleMesh& mesh, const NamedParameters& np) {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   typedef boost::graph_traits<TriangleMesh> Graph;
   const auto point_map = choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
                                           get_const_property_map(CGAL::vertex_point, mesh));
 
-  Labelled_triangles surface;
+  Labelled_faces surface;
   std::unordered_map<typename Graph::vertex_descriptor, std::size_t> number;
   number.reserve(num_vertices(mesh));
   for (auto v : vertices(mesh)) {
@@ -49,16 +51,14 @@ Labelled_triangles labelled_triangles(const TriangleMesh& mesh, const NamedParam
     surface.points.push_back({CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())});
   }
   for (auto f : faces(mesh)) {
-    Index_triangle t{0, 0, 0};
-    std::size_t k = 0;
+    Index_face face;
     for (auto v : vertices_around_face(halfedge(f, mesh), mesh)) {
-      if (k < 3)
-        t[k] = number.at(v);
-      ++k;
+      if (face.number_of_corners == 4)
+        throw Output_error("The surface cannot be written: one of its faces has more than four edges; triangulate it "
+                           "first.");
+      face.corners[face.number_of_corners++] = number.at(v);
     }
-    if (k != 3)
-      throw Output_error("The surface cannot be written: one of its faces is no triangle; triangulate it first.");
-    surface.triangles.push_back(t);
+    surface.faces.push_back(face);
     append_label(get_parameter(np, internal_np::face_patch_map), f, surface.patch);
     append_label(get_parameter(np, internal_np::surface_patch_map), f, surface.surface_patch);
   }
@@ -75,14 +75,18 @@ inline Label_names names_of_patches(const std::vector<std::int32_t>& patch) {
   return names;
 }
 
-inline void write_msh_surface(Output_file& file, const Labelled_triangles& surface) {
+inline void write_msh_surface(Output_file& file, const Labelled_faces& surface) {
   Mixed_mesh<Coordinates> mesh;
   mesh.points = surface.points;
-  for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
-    const Index_triangle& t = surface.triangles[i];
-    mesh.triangles.push_back(
-        {static_cast<std::uint32_t>(t[0]), static_cast<std::uint32_t>(t[1]), static_cast<std::uint32_t>(t[2])},
-        surface.patch.empty() ? 0 : surface.patch[i]);
+  for (std::size_t i = 0; i < surface.faces.size(); ++i) {
+    const Index_face& f = surface.faces[i];
+    const std::int32_t label = surface.patch.empty() ? 0 : surface.patch[i];
+    std::array<std::uint32_t, 4> c;
+    std::copy(f.corners.begin(), f.corners.end(), c.begin());
+    if (f.number_of_corners == 4)
+      mesh.quads.push_back(c, label);
+    else
+      mesh.triangles.push_back({c[0], c[1], c[2]}, label);
   }
   mesh.patch_names = names_of_patches(surface.patch);
   Msh_writer<Mixed_mesh<Coordinates>>(file, mesh).write_4_1();
@@ -102,7 +106,7 @@ inline bool is_supported_surface_format(const std::string& file) {
 template <class TriangleMesh, class NamedParameters = CGAL::parameters::Default_named_parameters>
 void write_surface(Output_file& file, const TriangleMesh& mesh,
                    const NamedParameters& np = CGAL::parameters::default_values()) {
-  const internal::Labelled_triangles surface = internal::labelled_triangles(mesh, np);
+  const internal::Labelled_faces surface = internal::labelled_faces(mesh, np);
   const std::string ext = internal::extension_of(file.name());
   if (ext == "stl")
     internal::write_stl(file, surface);
@@ -127,11 +131,12 @@ void write_surface(Output_file& file, const TriangleMesh& mesh,
 
 /*! \ingroup PkgTubularMeshingRef
  *
- * writes a triangle mesh in the format that the extension of the file names: STL (binary, single precision), OFF, OBJ,
- * PLY (binary), VTP (zlib), legacy VTK (ASCII) or MSH 4.1 (binary). All but STL keep coordinates to the last bit. The
- * file is written whole or not at all. Linear in the size of the mesh.
+ * writes a mesh of triangles and quads in the format that the extension of the file names: STL (binary, single
+ * precision), OFF, OBJ, PLY (binary), VTP (zlib), legacy VTK (ASCII) or MSH 4.1 (binary). All but STL keep coordinates
+ * to the last bit, and quads, which STL has as two triangles, by their shorter diagonals. The file is written whole or
+ * not at all. Linear in the size of the mesh.
  *
- * \tparam TriangleMesh a model of `FaceListGraph` whose faces are triangles
+ * \tparam TriangleMesh a model of `FaceListGraph` whose faces are triangles and quads
  * \param file the name of the file
  * \param mesh the surface
  * \param np named parameters: `vertex_point_map`; `face_patch_map`, a readable property map from face to the label of
@@ -139,7 +144,7 @@ void write_surface(Output_file& file, const TriangleMesh& mesh,
  *        (.msh). Default: none; `surface_patch_map`, the same for numbers of patches of a cut, which are written as
  *        `surface_patch` (.vtp, .vtk, .ply). Default: none
  *
- * \exception Output_error if the file cannot be written, or a face is no triangle
+ * \exception Output_error if the file cannot be written, or a face has more than four edges
  */
 template <class TriangleMesh, class NamedParameters = CGAL::parameters::Default_named_parameters>
 void write_surface(const std::string& file, const TriangleMesh& mesh,

@@ -78,12 +78,13 @@ private:
  * The quality of a mesh by the paper's measures. A measure of elements that the mesh does not have is empty.
  */
 struct Quality_report {
-  Measure_statistics gamma_T;   ///< (12), of the triangles
-  Measure_statistics gamma_tau; ///< (13), of the tetrahedra
-  Measure_statistics eta_q;     ///< (14), of the quadrilaterals
-  Measure_statistics zeta_H;    ///< (15), of the hexahedra
-  Measure_statistics Q_tau;     ///< (16), of the tetrahedra, where the mesh carries a `metric`
-  double efficiency = 0;        ///< (17), over the edges of the tetrahedra, where the mesh carries a `metric`
+  Measure_statistics gamma_T;          ///< (12), of the triangles
+  Measure_statistics gamma_tau;        ///< (13), of the tetrahedra
+  Measure_statistics eta_q;            ///< (14), of the quadrilaterals
+  Measure_statistics zeta_H;           ///< (15), of the hexahedra
+  Measure_statistics pyramid_jacobian; ///< of the pyramids, see CGAL::Tubular_meshing::pyramid_jacobian()
+  Measure_statistics Q_tau;            ///< (16), of the tetrahedra, where the mesh carries a `metric`
+  double efficiency = 0;               ///< (17), over the edges of the tetrahedra, where the mesh carries a `metric`
 };
 
 namespace internal {
@@ -102,6 +103,8 @@ public:
     });
     r.eta_q = over(mesh_.quads, [](const std::array<Vector_3d, 4>& p) { return internal::quad_eta(p); });
     r.zeta_H = over(mesh_.hexahedra, [](const std::array<Vector_3d, 8>& p) { return internal::hexahedron_zeta(p); });
+    r.pyramid_jacobian =
+        over(mesh_.pyramids, [](const std::array<Vector_3d, 5>& p) { return internal::pyramid_jacobian(p); });
     for (const Point_array& a : mesh_.point_arrays)
       if (a.name == "metric" && a.components == 6)
         add_metric_measures(a, r);

@@ -46,6 +46,13 @@ template <class Point> double hexahedron_zeta(const std::array<Point, 8>& p) {
   return internal::hexahedron_zeta({V(p[0]), V(p[1]), V(p[2]), V(p[3]), V(p[4]), V(p[5]), V(p[6]), V(p[7])});
 }
 
+/*! The smallest Jacobian at the corners of a pyramid's base, each divided by the lengths of the three edges there:
+ * \f$ \sqrt{1/2} \f$ on a square where the sides are equilateral, 0 flat, negative inverted. */
+template <class Point> double pyramid_jacobian(const std::array<Point, 5>& p) {
+  typedef internal::Vector_3d V;
+  return internal::pyramid_jacobian({V(p[0]), V(p[1]), V(p[2]), V(p[3]), V(p[4])});
+}
+
 /*! \f$ Q_\tau \f$ of (16), with the mean of the metrics at the four vertices, scaled to 1 for a regular tetrahedron of
  * the metric; infinite for a flat one. A metric is given as xx, xy, xz, yy, yz, zz.
  */

@@ -78,6 +78,17 @@ inline double hexahedron_zeta(const std::array<Vector_3d, 8>& p) {
   return 1 - (std::max)(largest - pi / 2, pi / 2 - smallest) / (pi / 2);
 }
 
+// The smallest scaled Jacobian at the corners of the base.
+inline double pyramid_jacobian(const std::array<Vector_3d, 5>& p) {
+  double smallest = 1;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Vector_3d u = p[(i + 1) % 4] - p[i], v = p[(i + 3) % 4] - p[i], w = p[4] - p[i];
+    const double lengths = norm(u) * norm(v) * norm(w);
+    smallest = (std::min)(smallest, lengths > 0 ? dot(cross(u, v), w) / lengths : 0);
+  }
+  return smallest;
+}
+
 } // namespace internal
 } // namespace Tubular_meshing
 } // namespace CGAL

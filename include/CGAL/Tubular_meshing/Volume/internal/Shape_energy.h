@@ -21,6 +21,10 @@ struct Symmetric_matrix_3d {
     yy += s;
     zz += s;
   }
+  void scale(double s) {
+    for (double* entry : {&xx, &xy, &xz, &yy, &yz, &zz})
+      *entry *= s;
+  }
   // += s (u vᵀ + v uᵀ) / 2
   void add_product(double s, const Vector_3d& u, const Vector_3d& v) {
     xx += s * u.x * v.x;
@@ -68,6 +72,12 @@ struct Shape_energy {
     hessian.add_product(-2 * k * 1.5 * root, ds, dv);
     hessian.add_product(2 * q, dv, dv);
     return true;
+  }
+
+  void scale(double weight) {
+    value *= weight;
+    gradient = weight * gradient;
+    hessian.scale(weight);
   }
 
   // The triangle of x and the edge ab, whose unit normal was `normal`; times a weight.

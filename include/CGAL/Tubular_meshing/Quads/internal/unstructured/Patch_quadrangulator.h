@@ -4,9 +4,13 @@
 #ifndef CGAL_TUBULAR_MESHING_QUADS_INTERNAL_UNSTRUCTURED_PATCH_QUADRANGULATOR_H
 #define CGAL_TUBULAR_MESHING_QUADS_INTERNAL_UNSTRUCTURED_PATCH_QUADRANGULATOR_H
 
+#include <CGAL/Tubular_meshing/Quads/internal/unstructured/Cross_field.h>
+#include <CGAL/Tubular_meshing/Quads/internal/unstructured/One_defect_remesher.h>
+#include <CGAL/Tubular_meshing/Quads/internal/unstructured/Quad_cleaner.h>
 #include <CGAL/Tubular_meshing/Quads/internal/unstructured/Quad_patch.h>
 #include <CGAL/Tubular_meshing/Quads/internal/unstructured/Quad_smoother.h>
 #include <CGAL/Tubular_meshing/Quads/internal/unstructured/Sheet.h>
+#include <CGAL/Tubular_meshing/Quads/internal/unstructured/Square_packer.h>
 #include <CGAL/Tubular_meshing/Quads/recombine_triangles.h>
 #include <CGAL/Tubular_meshing/Surface/Metric_tensor_2.h>
 #include <CGAL/Tubular_meshing/Surface/triangulate_in_metric.h>
@@ -15,7 +19,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -40,25 +47,21 @@ public:
       }
   }
 
-  /* False if there are no quads alone. */
+  /* False if there are no quads alone. Right triangles come first; where their quads are bad, isotropic ones of several
+   * sizes are tried. */
   bool run() {
     const double factors[] = {1, 0.9, 1.12, 0.8};
-    for (double factor : factors) {
-      Quad_patch mesh;
-      if (!make_from(isotropic_triangles(factor), mesh))
-        continue;
-      improve(mesh);
-      keep_if_better(std::move(mesh));
-      if (best_eta_ > good_enough)
-        break;
-    }
+    const Plane_triangulation<Point_2> isotropic = isotropic_triangles(1);
+    try_triangles(right_triangles(isotropic));
+    for (std::size_t i = 0; i < 4 && best_quality_ < good_enough; ++i)
+      try_triangles(i == 0 ? isotropic : isotropic_triangles(factors[i]));
     return !best_.quads.empty();
   }
 
   const Quad_patch& mesh() const { return best_; }
 
 private:
-  static constexpr double good_enough = 0.3; // η
+  static constexpr double good_enough = 0.1; // where all that is left to do is to move curves
   // An equilateral triangle with sides as long as this has half the area of a square of side one.
   static constexpr double triangle_side = 1.0746;
 
@@ -71,6 +74,27 @@ private:
     const auto image = [&](const Point_2& uv) { return chart_.point(uv); };
     return triangulate_in_metric(polygons_, metric,
                                  parameters::embedding(image).interior_points(chart_.hidden_places()));
+  }
+
+  Plane_triangulation<Point_2> right_triangles(const Plane_triangulation<Point_2>& isotropic) const {
+    const auto field_of_chart = [this](const Point_2& uv) { return chart_.metric(uv); };
+    const auto metric = on_plane_points<Point_2>(field_of_chart);
+    const No_embedding image;
+    typedef Metric_plane<std::decay_t<decltype(metric)>, No_embedding> Plane;
+    const Plane_polygons rings = plane_polygons(polygons_);
+    Plane plane(Polygon_triangulator(rings).store(), rings, metric, image);
+    Plane_flips<Plane>(plane).make_delaunay();
+    const Cross_field field(isotropic, polygons_, field_of_chart);
+    Square_packer<Plane>(plane, field).run();
+    return triangulation_of<Point_2>(plane, polygons_);
+  }
+
+  void try_triangles(const Plane_triangulation<Point_2>& triangles) {
+    Quad_patch mesh;
+    if (make_from(triangles, mesh)) {
+      improve(mesh);
+      keep_if_better(std::move(mesh));
+    }
   }
 
   bool make_from(const Plane_triangulation<Point_2>& plane, Quad_patch& mesh) const {
@@ -115,16 +139,43 @@ private:
   }
 
   void improve(Quad_patch& mesh) const {
+    const int most_rounds = 3;
     Quad_smoother<Sheet> smoother(mesh, sheet_);
+    set_loop_valences(mesh);
+    smoother.relax(smoother.inner_vertices(), 8);
+    for (int round = 0; round < most_rounds; ++round) {
+      const bool local = Quad_cleaner<Sheet>(mesh, sheet_).run();
+      const bool global = One_defect_remesher<Sheet>(mesh, sheet_).run();
+      if (!local && !global)
+        break;
+    }
     const std::vector<int> inside = smoother.inner_vertices();
     smoother.relax(inside, 30);
     smoother.raise_worst(inside, 0.65, 10);
   }
 
+  // By the angles between the edges of the loops, on the surface.
+  void set_loop_valences(Quad_patch& mesh) const {
+    std::size_t first = 0;
+    for (const auto& polygon : polygons_) {
+      const std::size_t n = polygon.size();
+      for (std::size_t i = 0; i < n; ++i) {
+        const Sheet_place& at = loop_places_[first + i];
+        const Vector_3d to_next = loop_places_[first + (i + 1) % n].point - at.point;
+        const Vector_3d to_last = loop_places_[first + (i + n - 1) % n].point - at.point;
+        double angle = std::atan2(dot(at.normal, cross(to_next, to_last)), dot(to_next, to_last));
+        if (angle < 0)
+          angle += 2 * pi;
+        mesh.loop_valences.push_back((std::max)(1, int(std::lround(angle / (pi / 2)))));
+      }
+      first += n;
+    }
+  }
+
   void keep_if_better(Quad_patch&& mesh) {
-    const double eta = mesh.least_eta();
-    if (best_.quads.empty() || eta > best_eta_) {
-      best_eta_ = eta;
+    const double quality = mesh.least_quality();
+    if (best_.quads.empty() || quality > best_quality_) {
+      best_quality_ = quality;
       best_ = std::move(mesh);
     }
   }
@@ -134,7 +185,7 @@ private:
   const Polygons& polygons_;
   std::vector<Sheet_place> loop_places_;
   Quad_patch best_;
-  double best_eta_ = 0;
+  double best_quality_ = 0;
 };
 
 } // namespace internal

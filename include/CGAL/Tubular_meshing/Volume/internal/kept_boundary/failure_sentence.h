@@ -68,12 +68,14 @@ template <class TriangleMesh> std::string where_it_crosses_itself(const Triangle
   return s.str();
 }
 
-// What goes wrong is most often that the surface crosses itself, whatever the recovery says.
+/* What goes wrong is most often that the surface crosses itself, whatever the recovery says; `way_out` is what to do
+ * else. */
 template <class TriangleMesh>
-std::string failure_sentence(const std::string& name, const Child_ending& ending, const TriangleMesh& surface) {
+std::string failure_sentence(const std::string& name, const Child_ending& ending, const TriangleMesh& surface,
+                             const std::string& way_out) {
   const std::string crossing = ending.kind == Child_ending::no_child ? std::string() : where_it_crosses_itself(surface);
   return name + " could not fill this surface, " + what_befell(ending) + crossing +
-         (crossing.empty() ? ": " : "; mend it, or ") + "use fill_with_mesh_3(), which makes the surface anew.";
+         (crossing.empty() ? ": " : "; mend it, or ") + way_out + ".";
 }
 
 } // namespace internal

@@ -35,6 +35,7 @@ namespace internal {
 struct Filling_limits {
   double seconds; // of processor time, for the recovery of the boundary
   std::size_t most_points = in_memory();
+  std::string way_out = "use fill_with_mesh_3(), which makes the surface anew"; // where it fails
 
   // A point and the tetrahedra around it take about 1 kB while they are made.
   static std::size_t in_memory() {
@@ -58,7 +59,7 @@ template <class Point> void orient_tetrahedra(Mixed_mesh<Point>& mesh) {
  * and returns 0 or one of TetGen's numbers for what went wrong; `name` is what it is called in a sentence. */
 template <class TriangleMesh, class Recovery, class Point>
 void recover_in_child_process(const TriangleMesh& surface, const Recovery& recover, const std::string& name,
-                              double seconds, Mixed_mesh<Point>& mesh) {
+                              const Filling_limits& limits, Mixed_mesh<Point>& mesh) {
   const Unit_frame frame(mesh.points);
   Recovered_boundary recovered;
   const auto work = [&](const Pipe_writer& pipe) {
@@ -72,9 +73,9 @@ void recover_in_child_process(const TriangleMesh& surface, const Recovery& recov
   const auto read = [&](const Pipe_reader& pipe) {
     return pipe.read(recovered.inner_points) && pipe.read(recovered.tetrahedra);
   };
-  const Child_ending ending = run_in_child_process(work, read, seconds);
+  const Child_ending ending = run_in_child_process(work, read, limits.seconds);
   if (ending.kind != Child_ending::done)
-    throw Meshing_error(failure_sentence(name, ending, surface));
+    throw Meshing_error(failure_sentence(name, ending, surface, limits.way_out));
   for (const auto& x : recovered.inner_points)
     mesh.points.push_back(frame.template from_frame<Point>(x));
   mesh.tetrahedra.label.assign(recovered.tetrahedra.size(), labels::lumen);
@@ -83,8 +84,7 @@ void recover_in_child_process(const TriangleMesh& surface, const Recovery& recov
 
   const Validity_report report = validity_report(mesh);
   if (report.unlabelled_faces + report.misplaced_facets + report.overfull_faces > 0)
-    throw Meshing_error(name + " could not keep this surface (" + report.defects() +
-                        "): use fill_with_mesh_3(), which makes the surface anew.");
+    throw Meshing_error(name + " could not keep this surface (" + report.defects() + "): " + limits.way_out + ".");
 }
 
 /* Where the circumscribed radius exceeds this part of h the circumcenter becomes a point: the mean edge inside is 1.05
@@ -112,7 +112,7 @@ void fill_keeping_boundary(const TriangleMesh& surface, FacePatchMap patch, cons
   surface_to_mixed_mesh(surface, patch, mesh);
   if (!mesh.quads.empty())
     throw Meshing_error("Only a surface of triangles can be filled with tetrahedra; this one has quads.");
-  recover_in_child_process(surface, recover, name, limits.seconds, mesh);
+  recover_in_child_process(surface, recover, name, limits, mesh);
   add_points_inside(size, limits.most_points, mesh);
   mesh.region_names = {{labels::lumen, "lumen"}};
   result = std::move(mesh);

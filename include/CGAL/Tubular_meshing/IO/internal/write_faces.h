@@ -1,14 +1,17 @@
 // Copyright (c) 2026 The Tubular_meshing authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_TUBULAR_MESHING_IO_INTERNAL_WRITE_TRIANGLES_H
-#define CGAL_TUBULAR_MESHING_IO_INTERNAL_WRITE_TRIANGLES_H
+#ifndef CGAL_TUBULAR_MESHING_IO_INTERNAL_WRITE_FACES_H
+#define CGAL_TUBULAR_MESHING_IO_INTERNAL_WRITE_FACES_H
 
 #include <CGAL/Tubular_meshing/IO/internal/Number_writer.h>
 #include <CGAL/Tubular_meshing/IO/internal/Polygon_soup.h>
 #include <CGAL/Tubular_meshing/IO/internal/write_polydata.h>
 
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -17,23 +20,49 @@ namespace Tubular_meshing {
 namespace IO {
 namespace internal {
 
+// A triangle or a quad.
+struct Index_face {
+  std::array<std::size_t, 4> corners{{0, 0, 0, 0}};
+  std::size_t number_of_corners = 0;
+
+  const std::size_t* begin() const { return corners.data(); }
+  const std::size_t* end() const { return corners.data() + number_of_corners; }
+};
+
 // A surface on its way into a file.
-struct Labelled_triangles {
+struct Labelled_faces {
   std::vector<Coordinates> points;
-  std::vector<Index_triangle> triangles;
-  std::vector<std::int32_t> patch;         // one a triangle, or none
+  std::vector<Index_face> faces;
+  std::vector<std::int32_t> patch;         // one a face, or none
   std::vector<std::int32_t> surface_patch; // likewise
 };
 
-// Binary, in single precision, as the format is.
-inline void write_stl(Output_file& file, const Labelled_triangles& surface) {
+inline std::vector<Index_triangle> triangles_of(const Labelled_faces& surface) {
+  std::vector<Index_triangle> result;
+  for (const Index_face& f : surface.faces) {
+    const std::array<std::size_t, 4>& c = f.corners;
+    const auto squared_length = [&](std::size_t i, std::size_t j) {
+      const Coordinates d = minus(surface.points[c[j]], surface.points[c[i]]);
+      return dot(d, d);
+    };
+    const std::size_t first = f.number_of_corners == 3 || squared_length(0, 2) <= squared_length(1, 3) ? 0 : 1;
+    result.push_back({{c[first], c[first + 1], c[first + 2]}});
+    if (f.number_of_corners == 4)
+      result.push_back({{c[first + 2], c[(first + 3) % 4], c[first]}});
+  }
+  return result;
+}
+
+// Binary, in single precision, as the format is. It has triangles alone: quads are split by their shorter diagonals.
+inline void write_stl(Output_file& file, const Labelled_faces& surface) {
   const bool swapped = !host_is_little_endian();
+  const std::vector<Index_triangle> triangles = triangles_of(surface);
   Number_writer out(file);
   std::string header = "binary STL written by Tubular_meshing";
   header.resize(80, ' ');
   out << header;
-  out.bytes(static_cast<std::uint32_t>(surface.triangles.size()), swapped);
-  for (const Index_triangle& t : surface.triangles) {
+  out.bytes(static_cast<std::uint32_t>(triangles.size()), swapped);
+  for (const Index_triangle& t : triangles) {
     const Coordinates& p = surface.points[t[0]];
     const Coordinates n = cross(minus(surface.points[t[1]], p), minus(surface.points[t[2]], p));
     const double length = std::sqrt(dot(n, n));
@@ -47,39 +76,47 @@ inline void write_stl(Output_file& file, const Labelled_triangles& surface) {
   out.flush();
 }
 
-inline void write_off(Output_file& file, const Labelled_triangles& surface) {
+inline void write_off(Output_file& file, const Labelled_faces& surface) {
   Number_writer out(file);
-  out << "OFF\n" << surface.points.size() << ' ' << surface.triangles.size() << " 0\n";
+  out << "OFF\n" << surface.points.size() << ' ' << surface.faces.size() << " 0\n";
   for (const Coordinates& p : surface.points)
     out << p[0] << ' ' << p[1] << ' ' << p[2] << '\n';
-  for (const Index_triangle& t : surface.triangles)
-    out << "3 " << t[0] << ' ' << t[1] << ' ' << t[2] << '\n';
+  for (const Index_face& f : surface.faces) {
+    out << f.number_of_corners;
+    for (std::size_t v : f)
+      out << ' ' << v;
+    out << '\n';
+  }
   out.flush();
 }
 
-inline void write_obj(Output_file& file, const Labelled_triangles& surface) {
+inline void write_obj(Output_file& file, const Labelled_faces& surface) {
   Number_writer out(file);
   for (const Coordinates& p : surface.points)
     out << "v " << p[0] << ' ' << p[1] << ' ' << p[2] << '\n';
-  for (const Index_triangle& t : surface.triangles)
-    out << "f " << t[0] + 1 << ' ' << t[1] + 1 << ' ' << t[2] + 1 << '\n';
+  for (const Index_face& f : surface.faces) {
+    out << 'f';
+    for (std::size_t v : f)
+      out << ' ' << v + 1;
+    out << '\n';
+  }
   out.flush();
 }
 
-inline void write_ply(Output_file& file, const Labelled_triangles& surface) {
+inline void write_ply(Output_file& file, const Labelled_faces& surface) {
   const bool swapped = !host_is_little_endian();
   Number_writer out(file);
   out << "ply\nformat binary_little_endian 1.0\nelement vertex " << surface.points.size()
-      << "\nproperty double x\nproperty double y\nproperty double z\nelement face " << surface.triangles.size()
+      << "\nproperty double x\nproperty double y\nproperty double z\nelement face " << surface.faces.size()
       << "\nproperty list uchar int vertex_indices\n"
       << (surface.patch.empty() ? "" : "property int patch\n")
       << (surface.surface_patch.empty() ? "" : "property int surface_patch\n") << "end_header\n";
   for (const Coordinates& p : surface.points)
     for (double x : p)
       out.bytes(x, swapped);
-  for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
-    out.bytes(std::uint8_t(3));
-    for (std::size_t v : surface.triangles[i])
+  for (std::size_t i = 0; i < surface.faces.size(); ++i) {
+    out.bytes(static_cast<std::uint8_t>(surface.faces[i].number_of_corners));
+    for (std::size_t v : surface.faces[i])
       out.bytes(static_cast<std::int32_t>(v), swapped);
     if (!surface.patch.empty())
       out.bytes(surface.patch[i], swapped);
@@ -89,11 +126,11 @@ inline void write_ply(Output_file& file, const Labelled_triangles& surface) {
   out.flush();
 }
 
-inline Polydata polydata_of(const Labelled_triangles& surface) {
+inline Polydata polydata_of(const Labelled_faces& surface) {
   Polydata data;
   data.points = surface.points;
-  for (const Index_triangle& t : surface.triangles) {
-    for (std::size_t v : t)
+  for (const Index_face& f : surface.faces) {
+    for (std::size_t v : f)
       data.corners.push_back(static_cast<std::int64_t>(v));
     data.ends.push_back(static_cast<std::int64_t>(data.corners.size()));
   }
@@ -109,4 +146,4 @@ inline Polydata polydata_of(const Labelled_triangles& surface) {
 } // namespace Tubular_meshing
 } // namespace CGAL
 
-#endif // CGAL_TUBULAR_MESHING_IO_INTERNAL_WRITE_TRIANGLES_H
+#endif // CGAL_TUBULAR_MESHING_IO_INTERNAL_WRITE_FACES_H

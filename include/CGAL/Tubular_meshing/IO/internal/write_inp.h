@@ -1,0 +1,259 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_IO_INTERNAL_WRITE_INP_H
+#define CGAL_TUBULAR_MESHING_IO_INTERNAL_WRITE_INP_H
+
+#include <CGAL/Tubular_meshing/IO/internal/Number_writer.h>
+#include <CGAL/Tubular_meshing/IO/internal/Output_file.h>
+#include <CGAL/Tubular_meshing/IO/internal/element_kinds.h>
+#include <CGAL/Tubular_meshing/Mixed_mesh.h>
+#include <CGAL/Tubular_meshing/exceptions.h>
+
+#include <CGAL/double.h>
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Tubular_meshing {
+namespace IO {
+namespace internal {
+
+/* How input decks of Abaqus and CalculiX name a kind of cells and number the faces of one: by its corners, in the order
+ * of Mixed_mesh, which is theirs. */
+template <std::size_t N> struct Inp_cell;
+
+template <> struct Inp_cell<4> {
+  static constexpr const char* type = "C3D4";
+  static constexpr std::array<std::array<int, 4>, 4> faces = {
+      {{{0, 1, 2, -1}}, {{0, 3, 1, -1}}, {{1, 3, 2, -1}}, {{2, 3, 0, -1}}}};
+};
+// A brick whose second face has shrunk to the apex. CalculiX has no element of five nodes, and that of Abaqus has five
+// faces numbered like these.
+template <> struct Inp_cell<5> {
+  static constexpr const char* type = "C3D8";
+  static constexpr std::array<std::array<int, 4>, 6> faces = {
+      {{{0, 1, 2, 3}}, {{-1, -1, -1, -1}}, {{0, 1, 4, -1}}, {{1, 2, 4, -1}}, {{2, 3, 4, -1}}, {{3, 0, 4, -1}}}};
+};
+template <> struct Inp_cell<6> {
+  static constexpr const char* type = "C3D6";
+  static constexpr std::array<std::array<int, 4>, 5> faces = {
+      {{{0, 1, 2, -1}}, {{3, 4, 5, -1}}, {{0, 1, 4, 3}}, {{1, 2, 5, 4}}, {{2, 0, 3, 5}}}};
+};
+template <> struct Inp_cell<8> {
+  static constexpr const char* type = "C3D8";
+  static constexpr std::array<std::array<int, 4>, 6> faces = {
+      {{{0, 1, 2, 3}}, {{4, 7, 6, 5}}, {{0, 4, 5, 1}}, {{1, 5, 6, 2}}, {{2, 6, 7, 3}}, {{3, 7, 4, 0}}}};
+};
+
+/* Writes a mesh as the part of an input deck that another one includes: nodes, elements in a set a region, and for each
+ * patch a set of its nodes and a surface. */
+template <class Mesh> class Inp_writer {
+public:
+  Inp_writer(Output_file& file, const Mesh& mesh)
+      : file_(file)
+      , out_(file)
+      , mesh_(mesh) {}
+
+  void write() {
+    if (mesh_.number_of_cells() == 0)
+      fail("its format is for meshes with cells, and this one has none");
+    check_names_differ();
+    list_facets();
+    out_ << "** Nodes, elements by region, node sets and surfaces by patch.\n*NODE\n";
+    for (std::size_t i = 0; i < mesh_.points.size(); ++i) {
+      out_ << i + 1;
+      for (int k = 0; k < 3; ++k)
+        out_ << ", " << short_number(CGAL::to_double(mesh_.points[i][k]));
+      out_ << '\n';
+    }
+    write_cells(mesh_.tetrahedra);
+    write_cells(mesh_.pyramids);
+    write_cells(mesh_.prisms);
+    write_cells(mesh_.hexahedra);
+    for (const Facet& f : facets_)
+      if (f.element == 0)
+        fail("a facet of its patch " + std::to_string(f.label) + " bounds no cell");
+    write_patches();
+    out_.flush();
+  }
+
+private:
+  typedef std::array<std::uint32_t, 4> Key; // sorted; a triangle's last one is none
+  static constexpr std::uint32_t none = std::uint32_t(-1);
+
+  struct Facet {
+    Key key;
+    int label;
+    std::array<std::uint32_t, 4> corners;
+    std::size_t element = 0; // of those that it bounds, in the highest region
+    int face = 0, region = 0;
+    bool operator<(const Facet& f) const { return key < f.key; }
+  };
+
+  [[noreturn]] void fail(const std::string& reason) const {
+    throw Output_error("The file \"" + file_.name() + "\" cannot be written: " + reason +
+                       "; write a .vtu file instead.");
+  }
+
+  // Exactly, if that takes no more than the twenty characters that a field of a deck may have; else to 13 digits or
+  // more.
+  static std::string short_number(double x) {
+    char text[32];
+    std::to_chars_result end = std::to_chars(text, text + sizeof text, x);
+    for (int digits = 15; end.ptr - text > 20; --digits)
+      end = std::to_chars(text, text + sizeof text, x, std::chars_format::scientific, digits);
+    return std::string(text, end.ptr);
+  }
+
+  // Letters, digits and underscores, a letter first, are what all programs take.
+  static std::string name_of(const Label_names& names, int label, const std::string& prefix,
+                             const std::string& prefix_of_number) {
+    const auto found = names.find(label);
+    std::string name = prefix + (found == names.end() ? prefix_of_number + std::to_string(label) : found->second);
+    for (char& c : name)
+      if (!std::isalnum(static_cast<unsigned char>(c)))
+        c = '_';
+    if (name.empty() || !std::isalpha(static_cast<unsigned char>(name[0])))
+      name.insert(0, "n");
+    return name.substr(0, 80);
+  }
+  // Element sets and surfaces of one name are mixed up by CalculiX, which loses the loads on them.
+  std::string region_name(int label) const { return name_of(mesh_.region_names, label, "region_", ""); }
+  std::string patch_name(int label) const { return name_of(mesh_.patch_names, label, "", "patch_"); }
+
+  // Programs take upper and lower case for the same.
+  void check_names_differ() const {
+    std::map<std::string, std::string> seen;
+    const auto add = [&](std::string name, const std::string& what) {
+      for (char& c : name)
+        c = char(std::toupper(static_cast<unsigned char>(c)));
+      if (!seen.emplace(name, what).second)
+        fail("the names of " + seen[name] + " and " + what + " are the same in its format, " + name);
+    };
+    std::set<int> regions, patches;
+    for_each_block(mesh_, [&](const auto& block, const Element_kind& kind) {
+      (kind.dimension == 3 ? regions : patches).insert(block.label.begin(), block.label.end());
+    });
+    for (int r : regions)
+      add(region_name(r), "region " + std::to_string(r));
+    for (int p : patches)
+      add(patch_name(p), "patch " + std::to_string(p));
+  }
+
+  static Key key_of(Key corners) {
+    std::sort(corners.begin(), corners.end());
+    return corners;
+  }
+
+  void list_facets() {
+    on_facet_.assign(mesh_.points.size(), 0);
+    const auto add = [&](const Key& corners, int label) {
+      Facet f;
+      f.key = key_of(corners);
+      f.label = label;
+      f.corners = corners;
+      facets_.push_back(f);
+      for (std::uint32_t v : corners)
+        if (v != none)
+          on_facet_[v] = 1;
+    };
+    for (std::size_t i = 0; i < mesh_.triangles.size(); ++i) {
+      const auto& t = mesh_.triangles.vertices[i];
+      add({t[0], t[1], t[2], none}, mesh_.triangles.label[i]);
+    }
+    for (std::size_t i = 0; i < mesh_.quads.size(); ++i)
+      add(mesh_.quads.vertices[i], mesh_.quads.label[i]);
+    std::sort(facets_.begin(), facets_.end());
+  }
+
+  template <std::size_t N> void write_cells(const Element_block<N>& block) {
+    std::map<int, std::vector<std::size_t>> by_region;
+    for (std::size_t i = 0; i < block.size(); ++i)
+      by_region[block.label[i]].push_back(i);
+    for (const auto& region : by_region) {
+      out_ << "*ELEMENT, TYPE=" << Inp_cell<N>::type << ", ELSET=" << region_name(region.first) << '\n';
+      for (std::size_t i : region.second) {
+        const auto& cell = block.vertices[i];
+        out_ << ++element_;
+        for (std::uint32_t v : cell)
+          out_ << ", " << v + std::size_t(1);
+        if (N == 5)
+          for (int k = 0; k < 3; ++k)
+            out_ << ", " << cell[4] + std::size_t(1);
+        out_ << '\n';
+        find_facets(cell, region.first);
+      }
+    }
+  }
+
+  template <std::size_t N> void find_facets(const std::array<std::uint32_t, N>& cell, int region) {
+    for (std::size_t f = 0; f < Inp_cell<N>::faces.size(); ++f) {
+      Facet face;
+      bool may_be = true;
+      for (std::size_t k = 0; k < 4; ++k) {
+        const int c = Inp_cell<N>::faces[f][k];
+        face.key[k] = c < 0 ? none : cell[std::size_t(c)];
+        may_be = may_be && (c < 0 ? k == 3 : on_facet_[cell[std::size_t(c)]] != 0);
+      }
+      if (!may_be)
+        continue;
+      face.key = key_of(face.key);
+      const auto range = std::equal_range(facets_.begin(), facets_.end(), face);
+      for (auto it = range.first; it != range.second; ++it)
+        if (it->element == 0 || it->region < region) {
+          it->element = element_;
+          it->face = int(f) + 1;
+          it->region = region;
+        }
+    }
+  }
+
+  void write_patches() {
+    std::map<int, std::vector<const Facet*>> by_patch;
+    for (const Facet& f : facets_)
+      by_patch[f.label].push_back(&f);
+    for (auto& patch : by_patch) {
+      auto& facets = patch.second;
+      std::vector<std::uint32_t> nodes;
+      for (const Facet* f : facets)
+        for (std::uint32_t v : f->corners)
+          if (v != none)
+            nodes.push_back(v);
+      std::sort(nodes.begin(), nodes.end());
+      nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+      out_ << "*NSET, NSET=" << patch_name(patch.first) << '\n';
+      for (std::size_t i = 0; i < nodes.size(); ++i)
+        out_ << nodes[i] + std::size_t(1) << (i % 8 == 7 || i + 1 == nodes.size() ? "\n" : ", ");
+      std::sort(facets.begin(), facets.end(), [](const Facet* a, const Facet* b) { return a->element < b->element; });
+      out_ << "*SURFACE, NAME=" << patch_name(patch.first) << ", TYPE=ELEMENT\n";
+      for (const Facet* f : facets)
+        out_ << f->element << ", S" << f->face << '\n';
+    }
+  }
+
+  Output_file& file_;
+  Number_writer out_;
+  const Mesh& mesh_;
+  std::vector<Facet> facets_; // sorted
+  std::vector<char> on_facet_;
+  std::size_t element_ = 0; // the last one written; they count from 1
+};
+
+} // namespace internal
+} // namespace IO
+} // namespace Tubular_meshing
+} // namespace CGAL
+
+#endif // CGAL_TUBULAR_MESHING_IO_INTERNAL_WRITE_INP_H

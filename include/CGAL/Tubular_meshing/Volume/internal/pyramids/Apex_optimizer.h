@@ -1,0 +1,87 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_PYRAMIDS_APEX_OPTIMIZER_H
+#define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_PYRAMIDS_APEX_OPTIMIZER_H
+
+#include <CGAL/Tubular_meshing/Mixed_mesh.h>
+#include <CGAL/Tubular_meshing/Volume/internal/Colored_stars.h>
+#include <CGAL/Tubular_meshing/Volume/internal/Shape_energy.h>
+#include <CGAL/Tubular_meshing/Volume/internal/Tetrahedron_store.h>
+#include <CGAL/Tubular_meshing/Volume/internal/newton_steps.h>
+#include <CGAL/Tubular_meshing/internal/Vector_3d.h>
+
+#include <array>
+#include <cstddef>
+
+namespace CGAL {
+namespace Tubular_meshing {
+namespace internal {
+
+/* Moves the apexes of pyramids down the shape energy of the tetrahedra around them and of the pyramids themselves, by
+ * Newton steps with backtracking: neither is ever inverted. The energy of a pyramid is that of the four tetrahedra of
+ * its corners, which cover it twice and hence count half. Apexes are visited color by color, see Vertex_optimizer. */
+class Apex_optimizer {
+public:
+  typedef Tetrahedron_store Store;
+  typedef Store::Index Index;
+
+  // The apex of pyramid k is vertex `pyramids.vertices[0][4] + k`.
+  Apex_optimizer(Store& store, const Element_block<5>& pyramids, int threads)
+      : store_(store)
+      , pyramids_(pyramids)
+      , first_apex_(pyramids.empty() ? 0 : pyramids.vertices.front()[4])
+      , threads_(threads) {
+    stars_.build(store, [this](Index v) { return v >= first_apex_ && v - first_apex_ < pyramids_.size(); });
+  }
+
+  // One visit to each apex.
+  void sweep() {
+    stars_.for_each_movable(threads_, [this](Index v) { relocate(v); });
+  }
+
+private:
+  void relocate(Index v) {
+    const Vector_3d old = store_.point(v);
+    Shape_energy here;
+    if (!energy(v, old, true, here))
+      return;
+    Vector_3d step = newton_step(here.hessian, here.gradient);
+    for (int attempt = 0; attempt < 4; ++attempt, step = 0.4 * step) {
+      Shape_energy there;
+      if (energy(v, old + step, false, there) && there.value < here.value) {
+        store_.move(v, old + step);
+        return;
+      }
+    }
+  }
+
+  bool energy(Index v, const Vector_3d& x, bool with_derivatives, Shape_energy& e) const {
+    const auto& base = pyramids_.vertices[v - first_apex_];
+    for (std::size_t i = 0; i < 4; ++i)
+      if (!e.add_tetrahedron(x, store_.point(base[(i + 1) % 4]), store_.point(base[i]), store_.point(base[(i + 3) % 4]),
+                             with_derivatives))
+        return false;
+    e.scale(0.5);
+    for (Index s : stars_.facets(v)) {
+      const auto& tet = store_[Store::tetrahedron_of(s)];
+      const auto& c = Store::facet_corners(Store::opposite_of(s));
+      if (!e.add_tetrahedron(x, store_.point(tet.v[c[0]]), store_.point(tet.v[c[1]]), store_.point(tet.v[c[2]]),
+                             with_derivatives))
+        return false;
+    }
+    return true;
+  }
+
+  Store& store_;
+  const Element_block<5>& pyramids_;
+  Index first_apex_;
+  int threads_;
+  Colored_stars stars_;
+};
+
+} // namespace internal
+} // namespace Tubular_meshing
+} // namespace CGAL
+
+#endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_PYRAMIDS_APEX_OPTIMIZER_H
