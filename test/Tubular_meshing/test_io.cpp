@@ -14,13 +14,18 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <map>
+#include <set>
 #include <sstream>
 #include <string>
+#include <utility>
+#include <vector>
 
 #ifdef __unix__
 #include <csignal>
@@ -239,6 +244,163 @@ TEST_F(IO, What_a_format_cannot_hold_is_refused_and_nothing_is_written) {
   EXPECT_EQ(number_of_files(), 0u);
   EXPECT_FALSE(TM::IO::is_supported_mesh_format("m.xyz"));
   EXPECT_TRUE(TM::IO::is_supported_mesh_format("m.VTU"));
+  EXPECT_TRUE(TM::IO::is_supported_mesh_format("m.inp"));
+}
+
+// --- input decks, by a parser of their own ---
+
+struct Deck {
+  struct Element {
+    std::string type, set;
+    std::vector<std::size_t> nodes;
+  };
+  std::map<std::size_t, std::array<double, 3>> nodes;
+  std::map<std::size_t, Element> elements;
+  std::map<std::string, std::set<std::size_t>> node_sets;
+  std::map<std::string, std::vector<std::pair<std::size_t, int>>> surfaces;
+
+  explicit Deck(const std::string& text) {
+    std::istringstream in(text);
+    std::string line, keyword, type, set;
+    while (std::getline(in, line)) {
+      EXPECT_LE(line.size(), 132u);
+      if (line.compare(0, 2, "**") == 0)
+        continue;
+      std::vector<std::string> fields;
+      std::istringstream parts(line);
+      for (std::string f; std::getline(parts, f, ',');)
+        fields.push_back(f.substr(f.find_first_not_of(' ')));
+      EXPECT_LE(fields.size(), 16u);
+      if (line[0] == '*') {
+        keyword = fields[0];
+        for (const std::string& f : fields)
+          (f.compare(0, 5, "TYPE=") == 0 ? type : set) = f.substr(f.find('=') + 1);
+        continue;
+      }
+      for (const std::string& f : fields)
+        EXPECT_LE(f.size(), 20u);
+      if (keyword == "*NODE") {
+        nodes[std::stoul(fields[0])] = {std::strtod(fields[1].c_str(), nullptr),
+                                        std::strtod(fields[2].c_str(), nullptr),
+                                        std::strtod(fields[3].c_str(), nullptr)};
+      } else if (keyword == "*ELEMENT") {
+        Element e{type, set, {}};
+        for (std::size_t i = 1; i < fields.size(); ++i)
+          e.nodes.push_back(std::stoul(fields[i]));
+        EXPECT_TRUE(elements.emplace(std::stoul(fields[0]), e).second);
+      } else if (keyword == "*NSET") {
+        for (const std::string& f : fields)
+          node_sets[set].insert(std::stoul(f));
+      } else if (keyword == "*SURFACE") {
+        surfaces[set].emplace_back(std::stoul(fields[0]), fields[1].at(1) - '0');
+      } else {
+        ADD_FAILURE() << line;
+      }
+    }
+  }
+
+  // The nodes of a face, by the tables in the manuals of Abaqus and CalculiX.
+  std::set<std::size_t> face(std::size_t element, int number) const {
+    static const std::map<std::string, std::vector<std::string>> faces = {
+        {"C3D4", {"123", "142", "243", "341"}},
+        {"C3D6", {"123", "456", "1254", "2365", "3146"}},
+        {"C3D8", {"1234", "5876", "1562", "2673", "3784", "4851"}}};
+    const Element& e = elements.at(element);
+    std::set<std::size_t> result;
+    for (char c : faces.at(e.type).at(std::size_t(number - 1)))
+      result.insert(e.nodes.at(std::size_t(c - '1')));
+    return result;
+  }
+};
+
+// A cube, a hexahedron below and two prisms above, and a tetrahedron beside it; there is room for a pyramid on top.
+Mesh mesh_for_a_deck() {
+  Mesh m;
+  for (int k = 0; k < 3; ++k)
+    for (const auto& p : {Point(0, 0, 0), Point(1, 0, 0), Point(1, 1, 0), Point(0, 1, 0)})
+      m.points.push_back(Point(p.x(), p.y(), k / 2. + 1e-7 / 3));
+  m.points.push_back(Point(0.5, 0.5, 2));
+  m.points.push_back(Point(0.5, -1, 1.5));
+  m.hexahedra.push_back({0, 1, 2, 3, 4, 5, 6, 7}, 2);
+  m.prisms.push_back({4, 5, 6, 8, 9, 10}, 1);
+  m.prisms.push_back({4, 6, 7, 8, 10, 11}, 1);
+  m.tetrahedra.push_back({8, 13, 9, 12}, 1);
+  m.triangles.push_back({8, 13, 9}, 3);
+  m.quads.push_back({0, 3, 2, 1}, 100);
+  m.quads.push_back({5, 6, 10, 9}, 3);
+  m.quads.push_back({4, 5, 1, 0}, 4);
+  m.region_names = {{1, "lumen"}, {2, "wall"}};
+  m.patch_names = {{3, "outlet 1"}, {100, "wall"}};
+  return m;
+}
+
+TEST_F(IO, Input_decks_say_what_the_mesh_is) {
+  Mesh m = mesh_for_a_deck();
+  m.pyramids.push_back({8, 9, 10, 11, 12}, 1);
+  m.triangles.push_back({9, 10, 12}, 3);
+  TM::IO::write_mesh(path("m.inp"), m);
+  const Deck deck(bytes_of(path("m.inp")));
+  ASSERT_EQ(deck.nodes.size(), m.points.size());
+  for (std::size_t i = 0; i < m.points.size(); ++i)
+    for (int k = 0; k < 3; ++k)
+      EXPECT_NEAR(deck.nodes.at(i + 1)[k], m.points[i][k], 1e-13);
+  ASSERT_EQ(deck.elements.size(), 5u);
+  typedef std::vector<std::size_t> Nodes;
+  EXPECT_EQ(deck.elements.at(1).type, "C3D4");
+  EXPECT_EQ(deck.elements.at(1).nodes, (Nodes{9, 14, 10, 13}));
+  EXPECT_EQ(deck.elements.at(2).type, "C3D8");
+  EXPECT_EQ(deck.elements.at(2).nodes, (Nodes{9, 10, 11, 12, 13, 13, 13, 13}));
+  EXPECT_EQ(deck.elements.at(3).type, "C3D6");
+  EXPECT_EQ(deck.elements.at(3).nodes, (Nodes{5, 6, 7, 9, 10, 11}));
+  EXPECT_EQ(deck.elements.at(5).nodes, (Nodes{1, 2, 3, 4, 5, 6, 7, 8}));
+  EXPECT_EQ(deck.elements.at(5).set, "region_wall");
+  for (std::size_t e = 1; e < 5; ++e)
+    EXPECT_EQ(deck.elements.at(e).set, "region_lumen");
+
+  // names that a deck can hold, and that are not those of element sets
+  ASSERT_EQ(deck.surfaces.size(), 3u);
+  std::map<std::string, std::set<std::set<std::size_t>>> faces;
+  for (const auto& s : deck.surfaces)
+    for (const auto& f : s.second)
+      faces[s.first].insert(deck.face(f.first, f.second));
+  typedef std::set<std::set<std::size_t>> Faces;
+  EXPECT_EQ(faces.at("outlet_1"), (Faces{{10, 11, 13}, {9, 14, 10}, {6, 7, 11, 10}}));
+  EXPECT_EQ(faces.at("wall"), (Faces{{1, 2, 3, 4}}));
+  EXPECT_EQ(faces.at("patch_4"), (Faces{{1, 2, 5, 6}}));
+  EXPECT_EQ(deck.node_sets.at("outlet_1"), (std::set<std::size_t>{6, 7, 9, 10, 11, 13, 14}));
+  EXPECT_EQ(deck.node_sets.at("wall"), (std::set<std::size_t>{1, 2, 3, 4}));
+}
+
+TEST_F(IO, Input_decks_give_a_patch_between_regions_the_side_of_the_higher_one) {
+  for (int upper : {1, 3}) {
+    Mesh m;
+    for (int k = 0; k < 3; ++k)
+      for (const auto& p : {Point(0, 0, 0), Point(1, 0, 0), Point(1, 1, 0), Point(0, 1, 0)})
+        m.points.push_back(Point(p.x(), p.y(), k));
+    m.hexahedra.push_back({0, 1, 2, 3, 4, 5, 6, 7}, 2);
+    m.hexahedra.push_back({4, 5, 6, 7, 8, 9, 10, 11}, upper);
+    m.quads.push_back({4, 5, 6, 7}, 1);
+    TM::IO::write_mesh(path("m.inp"), m);
+    const Deck deck(bytes_of(path("m.inp")));
+    ASSERT_EQ(deck.surfaces.at("patch_1").size(), 1u);
+    const auto side = deck.surfaces.at("patch_1").front();
+    EXPECT_EQ(deck.elements.at(side.first).set, upper == 3 ? "region_3" : "region_2");
+    EXPECT_EQ(deck.face(side.first, side.second), (std::set<std::size_t>{5, 6, 7, 8}));
+  }
+}
+
+TEST_F(IO, Input_decks_refuse_what_they_cannot_hold) {
+  Mesh m = mesh_for_a_deck();
+  m.triangles.push_back({0, 1, 2}, 3); // bounds no cell
+  EXPECT_THROW(TM::IO::write_mesh(path("m.inp"), m), TM::Output_error);
+  m = mesh_for_a_deck();
+  m.patch_names[4] = "OUTLET-1"; // the same as "outlet 1", there
+  EXPECT_THROW(TM::IO::write_mesh(path("m.inp"), m), TM::Output_error);
+  Mesh surface;
+  surface.points = m.points;
+  surface.triangles = m.triangles;
+  EXPECT_THROW(TM::IO::write_mesh(path("m.inp"), surface), TM::Output_error);
+  EXPECT_EQ(number_of_files(), 0u);
 }
 
 TEST_F(IO, Surfaces_are_read_back_equal) {

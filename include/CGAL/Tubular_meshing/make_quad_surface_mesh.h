@@ -21,7 +21,7 @@ namespace internal {
 /* Cuts the model, maps its patches and meshes them, in the model's frame. */
 template <class Point_3, class SizingField, class NamedParameters>
 Remeshed_surface<Point_3> quadrangulate_in_frame(Model_in_its_frame<Point_3>& framed, const SizingField& size,
-                                          const NamedParameters& np) {
+                                                 const NamedParameters& np) {
   const auto observer = stage_observer(np);
   observer("cut");
   const Surface_cut<Point_3> cut = cut_by_centerlines(framed.surface(), framed.centerlines(), framed.patch(), np);
@@ -65,7 +65,7 @@ Remeshed_surface<Point_3> quadrangulate_in_frame(Model_in_its_frame<Point_3>& fr
  */
 template <class Point_3, class NamedParameters = CGAL::parameters::Default_named_parameters>
 Remeshed_surface<Point_3> make_quad_surface_mesh(const Tubular_model<Point_3>& model,
-                                                      const NamedParameters& np = CGAL::parameters::default_values()) {
+                                                 const NamedParameters& np = CGAL::parameters::default_values()) {
   internal::stage_observer(np)("size field");
   internal::Model_in_its_frame<Point_3> framed(model);
   Remeshed_surface<Point_3> result = internal::quadrangulate_in_frame(framed, framed.sizing_field(np), np);

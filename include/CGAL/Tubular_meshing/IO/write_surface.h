@@ -131,9 +131,10 @@ void write_surface(Output_file& file, const TriangleMesh& mesh,
 
 /*! \ingroup PkgTubularMeshingRef
  *
- * writes a mesh of triangles and quads in the format that the extension of the file names: STL (binary, single precision), OFF, OBJ,
- * PLY (binary), VTP (zlib), legacy VTK (ASCII) or MSH 4.1 (binary). All but STL keep coordinates to the last bit,
- * and quads, which STL has as two triangles, by their shorter diagonals. The file is written whole or not at all. Linear in the size of the mesh.
+ * writes a mesh of triangles and quads in the format that the extension of the file names: STL (binary, single
+ * precision), OFF, OBJ, PLY (binary), VTP (zlib), legacy VTK (ASCII) or MSH 4.1 (binary). All but STL keep coordinates
+ * to the last bit, and quads, which STL has as two triangles, by their shorter diagonals. The file is written whole or
+ * not at all. Linear in the size of the mesh.
  *
  * \tparam TriangleMesh a model of `FaceListGraph` whose faces are triangles and quads
  * \param file the name of the file

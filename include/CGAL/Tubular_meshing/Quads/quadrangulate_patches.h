@@ -64,11 +64,10 @@ namespace Tubular_meshing {
  *   finer, or this program was built without LEMON, see has_lemon()
  */
 template <class Point_3, class SizingField, class NamedParameters = CGAL::parameters::Default_named_parameters>
-Remeshed_surface<Point_3> quadrangulate_patches(const CGAL::Surface_mesh<Point_3>& surface,
-                                                const Surface_cut<Point_3>& cut,
-                                                const std::vector<Patch_parameterization<Point_3>>& maps,
-                                                const SizingField& size,
-                                                const NamedParameters& np = CGAL::parameters::default_values()) {
+Remeshed_surface<Point_3>
+quadrangulate_patches(const CGAL::Surface_mesh<Point_3>& surface, const Surface_cut<Point_3>& cut,
+                      const std::vector<Patch_parameterization<Point_3>>& maps, const SizingField& size,
+                      const NamedParameters& np = CGAL::parameters::default_values()) {
   if (maps.size() != cut.patches.size())
     throw Input_error("There are " + std::to_string(maps.size()) + " parameterizations of " +
                       std::to_string(cut.patches.size()) + " patches; pass what parameterize_patches() returns.");

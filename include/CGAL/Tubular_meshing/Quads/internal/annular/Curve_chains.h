@@ -8,6 +8,7 @@
 #include <CGAL/Tubular_meshing/Quads/internal/elliptic/Annular_chart.h>
 #include <CGAL/Tubular_meshing/Surface/Patch_parameterization.h>
 #include <CGAL/Tubular_meshing/Surface/internal/remeshing/Curve_divider.h>
+#include <CGAL/Tubular_meshing/Surface/internal/remeshing/Curve_gaps.h>
 #include <CGAL/Tubular_meshing/exceptions.h>
 #include <CGAL/Tubular_meshing/internal/Vector_3d.h>
 
@@ -37,7 +38,8 @@ std::vector<Patch_location> on_loop(const Patch_parameterization<Point_3>& map, 
 }
 
 /* Divides the curves of a cut surface for grids: those that annular patches join, one after another, form a chain and
- * get the same even number of points, at equal distances, and turned so that the grids between them do not twist. */
+ * get the same even number of points, at equal distances unless another curve is close, and turned so that the grids
+ * between them do not twist. */
 template <class Point_3, class Size> class Curve_chains {
 public:
   typedef CGAL::Surface_mesh<Point_3> Surface;
@@ -51,14 +53,15 @@ public:
       , patches_at_(cut.curves.size()) {
     for (const auto& curve : cut.curves)
       measure(surface, curve, size);
+    set_distances();
     for (size_type k = 0; k < cut.patches.size(); ++k)
       if (is_tube(k))
         for (const Patch_loop& loop : cut.patches[k].loops)
           patches_at_[loop.curve].push_back(k);
   }
 
-  /* The points of all curves. `fineness`, if given, is what the size is multiplied by, of each curve: that of a chain is
-   * the least one. */
+  /* The points of all curves. `fineness`, if given, is what the size is multiplied by, of each curve: that of a chain
+   * is the least one. */
   std::vector<Points> divide(const std::vector<double>& fineness = {}) const {
     std::vector<Points> points(polylines_.size());
     std::vector<char> reached(polylines_.size(), 0);
@@ -79,20 +82,33 @@ private:
     size_type curve, patch, before; // `before` is a curve of the chain that is divided earlier, none for the first
   };
 
+  // What the size wants all along a curve.
   void measure(const Surface& surface, const Cut_curve<Point_3>& curve, const Size& size) {
-    std::vector<Vector_3d> polyline;
+    polylines_.emplace_back();
+    std::vector<Point_3>& polyline = polylines_.back();
     for (auto v : curve.vertices)
-      polyline.emplace_back(surface.point(v));
-    std::vector<double> length(1, 0.);
-    double in_sizes = 0;
+      polyline.push_back(surface.point(v));
+    double in_sizes = 0, length = 0;
     for (size_type i = 0; i < polyline.size(); ++i) {
-      const Vector_3d &a = polyline[i], &b = polyline[(i + 1) % polyline.size()], middle = 0.5 * (a + b);
-      length.push_back(length.back() + norm(b - a));
+      const Vector_3d a(polyline[i]), b(polyline[(i + 1) % polyline.size()]), middle = 0.5 * (a + b);
+      length += norm(b - a);
       in_sizes += norm(b - a) / size(Point_3(middle.x, middle.y, middle.z));
     }
-    polylines_.push_back(polyline);
-    lengths_.push_back(length);
     in_sizes_.push_back(in_sizes);
+    lengths_.push_back(length);
+  }
+
+  // The distances on a curve are equal, but where another one of its patch comes close.
+  void set_distances() {
+    const double least = 0.3, of_gap = 1.5;
+    const Curve_gaps<Point_3> gaps(cut_, polylines_);
+    for (size_type c = 0; c < polylines_.size(); ++c) {
+      const double h = lengths_[c] / in_sizes_[c];
+      const auto distance = [&](const Point_3& p) {
+        return (std::max)(least * h, of_gap * gaps.gap(c, p, h / of_gap));
+      };
+      dividers_.emplace_back(polylines_[c], distance, false);
+    }
   }
 
   std::vector<Link> chain_from(size_type c, std::vector<char>& reached) const {
@@ -134,20 +150,9 @@ private:
     }
   }
 
-  // n points at equal distances, the first at a part of the distance.
+  // The first of n points at a part of their distance.
   Points points_from(size_type c, size_type n, double start) const {
-    Points points;
-    const std::vector<double>& length = lengths_[c];
-    for (size_type i = 0; i < n; ++i) {
-      const double s = length.back() * (double(i) + start) / double(n);
-      size_type edge = size_type(std::upper_bound(length.begin(), length.end(), s) - length.begin());
-      edge = (std::min)((std::max)(edge, size_type(1)), polylines_[c].size()) - 1;
-      const double t = (std::min)((std::max)((s - length[edge]) / (length[edge + 1] - length[edge]), 0.), 1.);
-      const Vector_3d &a = polylines_[c][edge], &b = polylines_[c][(edge + 1) % polylines_[c].size()];
-      const Vector_3d p = a + t * (b - a);
-      points.push_back({edge, t, Point_3(p.x, p.y, p.z)});
-    }
-    return points;
+    return dividers_[c].divide_equally(polylines_[c], n, start);
   }
 
   // The mean place around the patch of points of one of its loops.
@@ -187,9 +192,9 @@ private:
 
   const Surface_cut<Point_3>& cut_;
   const std::vector<Map>& maps_;
-  std::vector<std::vector<Vector_3d>> polylines_; // the curves
-  std::vector<std::vector<double>> lengths_;      // up to each vertex, and the whole
-  std::vector<double> in_sizes_;
+  std::vector<std::vector<Point_3>> polylines_; // the curves
+  std::vector<double> lengths_, in_sizes_;      // of each, in space, and in units of the size
+  std::vector<Curve_divider<Point_3>> dividers_;
   std::vector<std::vector<size_type>> patches_at_; // annular ones, of each curve
 };
 

@@ -7,9 +7,11 @@
 #include <CGAL/Tubular_meshing/Operators/Surface_patch.h>
 #include <CGAL/Tubular_meshing/Quads/elliptic_grid.h>
 #include <CGAL/Tubular_meshing/Quads/internal/annular/Curve_chains.h>
+#include <CGAL/Tubular_meshing/Quads/internal/surface/Quad_surface_improver.h>
 #include <CGAL/Tubular_meshing/Quads/internal/unstructured/Patch_quadrangulator.h>
 #include <CGAL/Tubular_meshing/Quads/internal/unstructured/Sheet.h>
 #include <CGAL/Tubular_meshing/Surface/Patch_parameterization.h>
+#include <CGAL/Tubular_meshing/Surface/Remeshed_surface.h>
 #include <CGAL/Tubular_meshing/Surface/internal/remeshing/Chart.h>
 #include <CGAL/Tubular_meshing/Surface/internal/remeshing/Remeshed_piece.h>
 #include <CGAL/Tubular_meshing/exceptions.h>
@@ -71,6 +73,13 @@ public:
       concerned[k] = 1;
     }
     mesh(std::move(concerned));
+  }
+
+  /* Raises the worst quads of a surface made of the pieces. Returns the pieces where quads turn over even so. */
+  std::vector<size_type> improve(Remeshed_surface<Point_3>& result) const {
+    Quad_surface_improver<Point_3> improver(result, surface_, cut_);
+    improver.run();
+    return improver.folded_patches();
   }
 
   const std::vector<Piece>& pieces() const { return pieces_; }

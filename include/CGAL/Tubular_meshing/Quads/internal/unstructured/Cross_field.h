@@ -41,8 +41,8 @@ struct Metric_root {
 };
 
 /* A field of crosses, of four directions at right angles, on a patch: along its loops at these, and as smooth as can be
- * between them; with the sizes that suit it. At the vertices of a triangulation, as the fourth powers of their directions in the metric: relaxed
- * first without, then with unit length. O(n) for a fixed number of sweeps. */
+ * between them; with the sizes that suit it. At the vertices of a triangulation, as the fourth powers of their
+ * directions in the metric: relaxed first without, then with unit length. O(n) for a fixed number of sweeps. */
 class Cross_field {
 public:
   template <class Point_2, class Polygons, class Metric>
@@ -136,7 +136,6 @@ private:
       double turn = 0;
       for (std::size_t i = 0; i < 3; ++i)
         turn += std::arg(powers_[std::size_t(t[(i + 1) % 3])] * std::conj(powers_[std::size_t(t[i])]));
-      if (getenv("DBG") && std::abs(turn) > 1) std::fprintf(stderr, "singular %.2f\n", turn / 6.283);
       const double curvature = turn / 4; // a quarter of a turn a quad that is too many
       for (int v : t)
         source[std::size_t(v)] -= curvature / 3;

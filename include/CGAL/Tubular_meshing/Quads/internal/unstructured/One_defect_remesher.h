@@ -48,9 +48,9 @@ private:
   static constexpr int sweeps = 12;
 
   struct Region {
-    std::vector<int> quads;       // ascending
+    std::vector<int> quads;      // ascending
     std::vector<Vertices> sides; // counterclockwise; each from a corner to the next one, both included
-    int cost = 0;                 // of the vertices inside
+    int cost = 0;                // of the vertices inside
   };
 
   bool grow_from(int v) {
@@ -84,20 +84,25 @@ private:
     return quads;
   }
 
-  // The number of the region's quads at v, and whether they follow one another.
-  std::pair<int, bool> quads_inside(const std::vector<int>& region, int v) const {
-    int n = 0, joints = 0;
-    for (int q : mesh_.quads_at(v)) {
-      if (!contains(region, q))
-        continue;
-      ++n;
-      const int next = mesh_.quad_left_of(v, mesh_.before(q, v));
-      joints += next >= 0 && contains(region, next);
-    }
-    return {n, joints + 1 >= n};
+  // Which quads are a region's, until the next call.
+  void mark(const std::vector<int>& quads) const {
+    ++stamp_;
+    marks_.resize(mesh_.quads.size(), 0);
+    for (int q : quads)
+      marks_[std::size_t(q)] = stamp_;
   }
-  static bool contains(const std::vector<int>& sorted, int q) {
-    return std::binary_search(sorted.begin(), sorted.end(), q);
+  bool is_marked(int q) const { return q >= 0 && marks_[std::size_t(q)] == stamp_; }
+
+  // The number of the marked quads at v, and whether they follow one another.
+  std::pair<int, bool> quads_inside(int v) const {
+    int n = 0, joints = 0;
+    for (int q : mesh_.quads_at(v))
+      n += is_marked(q);
+    if (n == 1 || n == mesh_.valence(v))
+      return {n, true};
+    for (int q : mesh_.quads_at(v))
+      joints += is_marked(q) && is_marked(mesh_.quad_left_of(v, mesh_.before(q, v)));
+    return {n, joints + 1 >= n};
   }
 
   /* Adds quads until the border turns nowhere outward, and describes it. False if that is impossible, or no disk. */
@@ -109,10 +114,11 @@ private:
       quads.erase(std::unique(quads.begin(), quads.end()), quads.end());
       if (quads.size() > most_quads)
         return false;
+      mark(quads);
       std::vector<int> more;
       for (int q : quads)
         for (int v : mesh_.quad(q)) {
-          const auto inside = quads_inside(quads, v);
+          const auto inside = quads_inside(v);
           if (inside.first == mesh_.valence(v) ? mesh_.is_fixed(v) && inside.first > 2
                                                : inside.first > 2 || !inside.second) {
             if (inside.first == mesh_.valence(v))
@@ -135,7 +141,7 @@ private:
       for (int v : mesh_.quad(q)) {
         vertices.push_back(v);
         const int w = mesh_.after(q, v), other = mesh_.quad_left_of(w, v);
-        if (other < 0 || !contains(region.quads, other))
+        if (!is_marked(other))
           border.emplace_back(v, w);
       }
     std::sort(vertices.begin(), vertices.end());
@@ -159,14 +165,14 @@ private:
     if (cycle.size() != border.size())
       return false;
     std::size_t first = 0;
-    while (first < cycle.size() && quads_inside(region.quads, cycle[first]).first != 1)
+    while (first < cycle.size() && quads_inside(cycle[first]).first != 1)
       ++first;
     if (first == cycle.size())
       return false; // no corner
     std::rotate(cycle.begin(), cycle.begin() + std::ptrdiff_t(first), cycle.end());
     region.sides.clear();
     for (std::size_t i = 0; i < cycle.size(); ++i) {
-      if (quads_inside(region.quads, cycle[i]).first == 1) {
+      if (quads_inside(cycle[i]).first == 1) {
         if (i > 0)
           region.sides.back().push_back(cycle[i]);
         region.sides.emplace_back();
@@ -177,7 +183,7 @@ private:
     std::sort(cycle.begin(), cycle.end());
     region.cost = 0;
     for (int w : vertices)
-      if (!contains(cycle, w))
+      if (!std::binary_search(cycle.begin(), cycle.end(), w))
         region.cost += exchange_.cost(w);
     return true;
   }
@@ -279,8 +285,8 @@ private:
           continue;
         }
         const double x = double(i) / double(m - 1), y = double(j) / double(n - 1);
-        const Eigen::Vector2d uv = (1 - x) * place(left[j]).uv + x * place(right[j]).uv + (1 - y) * place(bottom[i]).uv +
-                                   y * place(top[i]).uv -
+        const Eigen::Vector2d uv = (1 - x) * place(left[j]).uv + x * place(right[j]).uv +
+                                   (1 - y) * place(bottom[i]).uv + y * place(top[i]).uv -
                                    ((1 - x) * (1 - y) * place(bottom[0]).uv + x * (1 - y) * place(bottom[m - 1]).uv +
                                     (1 - x) * y * place(top[0]).uv + x * y * place(top[m - 1]).uv);
         if ((at(i, j) = add_vertex(uv, at(i, j - 1))) < 0)
@@ -295,6 +301,8 @@ private:
   Quad_patch& mesh_;
   const Sheet& sheet_;
   Quad_exchange<Sheet> exchange_;
+  mutable std::vector<int> marks_; // of quads
+  mutable int stamp_ = 0;
 };
 
 } // namespace internal

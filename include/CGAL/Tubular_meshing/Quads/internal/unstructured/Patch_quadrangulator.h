@@ -53,7 +53,7 @@ public:
     const double factors[] = {1, 0.9, 1.12, 0.8};
     const Plane_triangulation<Point_2> isotropic = isotropic_triangles(1);
     try_triangles(right_triangles(isotropic));
-    for (std::size_t i = 0; i < 4 && best_eta_ < good_enough; ++i)
+    for (std::size_t i = 0; i < 4 && best_quality_ < good_enough; ++i)
       try_triangles(i == 0 ? isotropic : isotropic_triangles(factors[i]));
     return !best_.quads.empty();
   }
@@ -61,7 +61,7 @@ public:
   const Quad_patch& mesh() const { return best_; }
 
 private:
-  static constexpr double good_enough = 0.3; // η
+  static constexpr double good_enough = 0.1; // where all that is left to do is to move curves
   // An equilateral triangle with sides as long as this has half the area of a square of side one.
   static constexpr double triangle_side = 1.0746;
 
@@ -91,11 +91,8 @@ private:
 
   void try_triangles(const Plane_triangulation<Point_2>& triangles) {
     Quad_patch mesh;
-    if (getenv("DBG")) { static int n = 0; char b[99]; std::sprintf(b, "/tmp/junctions/t%d.off", n++); FILE* f = std::fopen(b, "w"); std::fprintf(f, "OFF\n%zu %zu 0\n", triangles.points.size(), triangles.triangles.size()); for (auto& p : triangles.points) { auto q = chart_.point(p); std::fprintf(f, "%g %g %g\n", q.x(), q.y(), q.z()); } for (auto& t : triangles.triangles) std::fprintf(f, "3 %zu %zu %zu\n", t[0], t[1], t[2]); std::fclose(f); }
     if (make_from(triangles, mesh)) {
-      if (getenv("DBG")) { int irr = 0; for (std::size_t v = mesh.on_loops; v < mesh.places.size(); ++v) irr += mesh.valence(int(v)) != 4; std::fprintf(stderr, "try: %zu quads %d irregular\n", mesh.quads.size(), irr); }
       improve(mesh);
-      if (getenv("DBG")) { int irr = 0, n = 0; for (int q = 0; q < int(mesh.quads.size()); ++q) n += mesh.is_alive(q); for (std::size_t v = mesh.on_loops; v < mesh.places.size(); ++v) irr += mesh.valence(int(v)) != 4 && mesh.valence(int(v)); std::fprintf(stderr, "     %d quads %d irregular eta %.3f\n", n, irr, mesh.least_eta()); }
       keep_if_better(std::move(mesh));
     }
   }
@@ -176,9 +173,9 @@ private:
   }
 
   void keep_if_better(Quad_patch&& mesh) {
-    const double eta = mesh.least_eta();
-    if (best_.quads.empty() || eta > best_eta_) {
-      best_eta_ = eta;
+    const double quality = mesh.least_quality();
+    if (best_.quads.empty() || quality > best_quality_) {
+      best_quality_ = quality;
       best_ = std::move(mesh);
     }
   }
@@ -188,7 +185,7 @@ private:
   const Polygons& polygons_;
   std::vector<Sheet_place> loop_places_;
   Quad_patch best_;
-  double best_eta_ = 0;
+  double best_quality_ = 0;
 };
 
 } // namespace internal

@@ -54,7 +54,8 @@ private:
         return true;
     for (int q : quads)
       for (std::size_t k = 0; k < 4; ++k)
-        if (turn(mesh_.quad(q)[k], mesh_.quad(q)[(k + 1) % 4], 0) || turn(mesh_.quad(q)[k], mesh_.quad(q)[(k + 1) % 4], 1))
+        if (turn(mesh_.quad(q)[k], mesh_.quad(q)[(k + 1) % 4], 0) ||
+            turn(mesh_.quad(q)[k], mesh_.quad(q)[(k + 1) % 4], 1))
           return true;
     return !mesh_.is_fixed(v) && mesh_.valence(v) > 4 && open(v);
   }
@@ -65,7 +66,8 @@ private:
     const int p = mesh_.quads_at(v)[0], q = mesh_.quads_at(v)[1];
     if (mesh_.after(p, v) != mesh_.before(q, v) || mesh_.after(q, v) != mesh_.before(p, v))
       return false;
-    return exchange_.apply({p, q}, {{{mesh_.after(p, v), mesh_.opposite(p, v), mesh_.before(p, v), mesh_.opposite(q, v)}}},
+    return exchange_.apply({p, q},
+                           {{{mesh_.after(p, v), mesh_.opposite(p, v), mesh_.before(p, v), mesh_.opposite(q, v)}}},
                            mesh_.places.size(), sweeps);
   }
 

@@ -30,8 +30,9 @@ public:
 
   /* How much is wrong with a number of quads at a vertex. */
   int cost(int v, int valence) const {
-    return mesh_.is_fixed(v) ? cost(valence, mesh_.loop_valences[std::size_t(v)], mesh_.loop_valences[std::size_t(v)], 3)
-                             : cost_inside(valence);
+    return mesh_.is_fixed(v)
+               ? cost(valence, mesh_.loop_valences[std::size_t(v)], mesh_.loop_valences[std::size_t(v)], 3)
+               : cost_inside(valence);
   }
   static int cost_inside(int valence) { return cost(valence, 4, 3, 2); }
   int cost(int v) const { return mesh_.valence(v) == 0 ? 0 : cost(v, mesh_.valence(v)); }
@@ -44,7 +45,7 @@ public:
     double worst_before = 1;
     for (int q : removed) {
       concerned.insert(concerned.end(), mesh_.quad(q).begin(), mesh_.quad(q).end());
-      worst_before = (std::min)(worst_before, mesh_.eta(q));
+      worst_before = (std::min)(worst_before, mesh_.quality(q));
     }
     sort_and_unite(concerned);
     const int cost_before = sum_of_costs(concerned);

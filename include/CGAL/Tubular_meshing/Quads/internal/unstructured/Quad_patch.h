@@ -86,33 +86,40 @@ public:
   }
   bool are_neighbours(int u, int v) const { return quad_left_of(u, v) >= 0 || quad_left_of(v, u) >= 0; }
 
-  /* By how far it is from turning over at a corner: sines of its angles about the surface's normal. */
-  double least_turn(int q) const {
-    double least = (std::numeric_limits<double>::max)();
+  /* What a quad is worth: its η (14), or less if it is bent much along a diagonal. Not positive if a corner of it turns
+   * the other way than the surface does: the least sine, then, of an angle about the surface's normal. */
+  double quality(int q) const {
+    std::array<Vector_3d, 4> p, turns;
+    double least_sine = 1;
+    for (std::size_t k = 0; k < 4; ++k)
+      p[k] = at(q, k).point;
     for (std::size_t k = 0; k < 4; ++k) {
-      const Sheet_place& c = at(q, k);
-      const Vector_3d a = at(q, k + 1).point - c.point, b = at(q, k + 3).point - c.point;
+      const Vector_3d a = p[(k + 1) % 4] - p[k], b = p[(k + 3) % 4] - p[k];
+      turns[k] = cross(a, b);
       const double lengths = std::sqrt(squared_norm(a) * squared_norm(b));
-      least = (std::min)(least, lengths > 0 ? dot(c.normal, cross(a, b)) / lengths : -1);
+      least_sine = (std::min)(least_sine, lengths > 0 ? dot(at(q, k).normal, turns[k]) / lengths : -1);
     }
-    return least;
+    if (!(least_sine > 0))
+      return least_sine;
+    const double flat = (std::min)(cosine(turns[0], turns[2]), cosine(turns[1], turns[3]));
+    return (std::min)(quad_eta(p), (std::max)(worth_if_bent_at_right_angle + flat, 0.01));
   }
 
-  /* (14); not positive if it turns over. */
-  double eta(int q) const {
-    const double turn = least_turn(q);
-    return turn > 0 ? quad_eta({at(q, 0).point, at(q, 1).point, at(q, 2).point, at(q, 3).point}) : turn;
-  }
-
-  double least_eta() const {
+  double least_quality() const {
     double least = 1;
     for (int q = 0; q < int(quads.size()); ++q)
       if (is_alive(q))
-        least = (std::min)(least, eta(q));
+        least = (std::min)(least, quality(q));
     return least;
   }
 
 private:
+  static constexpr double worth_if_bent_at_right_angle = 0.2;
+
+  static double cosine(const Vector_3d& a, const Vector_3d& b) {
+    const double lengths = std::sqrt(squared_norm(a) * squared_norm(b));
+    return lengths > 0 ? dot(a, b) / lengths : -1;
+  }
   const Sheet_place& at(int q, std::size_t k) const { return places[std::size_t(quad(q)[k % 4])]; }
   void attach(int number) {
     for (int v : quads[std::size_t(number)])

@@ -28,7 +28,7 @@ namespace internal {
  * surface's normal: 1 for a square, without bound as an angle comes near 0 or π. So no quad turns over that did not
  * before; where some do, J is made (J + √(J² + ε²)) / 2 first, with ε of their size, which turns them back.
  *
- * raise_worst() makes the angles of the worst quads better: Σ (1 − η)^p about each vertex, with a large p. */
+ * raise_worst() makes the worst quads better: Σ (1 − quality)^p about each vertex, with a large p. */
 template <class Sheet> class Quad_smoother {
 public:
   Quad_smoother(Quad_patch& mesh, const Sheet& sheet)
@@ -70,7 +70,7 @@ public:
   double worst_at(int v) const {
     double least = 1;
     for (int q : mesh_.quads_at(v))
-      least = (std::min)(least, mesh_.eta(q));
+      least = (std::min)(least, mesh_.quality(q));
     return least;
   }
 
@@ -177,9 +177,8 @@ private:
   template <class Test> bool try_step(int v, const Eigen::Vector2d& step, const Test& test) {
     const Sheet_place old = place(v);
     const Tangents t(old.normal);
-    const Eigen::Vector2d by = sheet_.plane_step(old, step.x() * t.first + step.y() * t.second);
     Sheet_place& now = mesh_.places[std::size_t(v)];
-    if (std::isfinite(by.squaredNorm()) && sheet_.place(old.uv + by, old.triangle, now) && test())
+    if (sheet_.move(old, step.x() * t.first + step.y() * t.second, now) && test())
       return true;
     now = old;
     return false;
@@ -188,7 +187,7 @@ private:
   double badness(int v) const {
     double sum = 0;
     for (int q : mesh_.quads_at(v)) {
-      const double lack = 1 - mesh_.eta(q), squared = lack * lack, fourth = squared * squared;
+      const double lack = 1 - mesh_.quality(q), squared = lack * lack, fourth = squared * squared;
       sum += fourth * fourth * (lack > 1 ? 100 : 1); // what turns over counts most
     }
     return sum;

@@ -10,6 +10,7 @@
 #include <Eigen/Core>
 #include <Eigen/LU>
 
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -38,8 +39,8 @@ public:
     std::vector<Vector_3d> areas;
     for (const auto& t : patch.triangles) {
       const Vector_3d a(patch.points[std::size_t(t[0])]);
-      areas.push_back(cross(Vector_3d(patch.points[std::size_t(t[1])]) - a,
-                            Vector_3d(patch.points[std::size_t(t[2])]) - a));
+      areas.push_back(
+          cross(Vector_3d(patch.points[std::size_t(t[1])]) - a, Vector_3d(patch.points[std::size_t(t[2])]) - a));
     }
     std::vector<Vector_3d> of_triangles = areas;
     for (int round = 0; round < rounds; ++round) {
@@ -57,15 +58,13 @@ public:
     }
   }
 
-  /* False outside of the patch. */
+  /* False outside of the patch; the nearest place is found then. */
   bool place(const Eigen::Vector2d& uv, int hint, Sheet_place& result) const {
     const double outside = 1e-24; // of the unit circle
     const Patch_location at = map_.locate(Point_2(uv.x(), uv.y()), hint);
-    if (!(at.squared_distance <= outside))
-      return false;
     result = place(at);
     result.uv = uv;
-    return true;
+    return at.squared_distance <= outside;
   }
   Sheet_place place(const Patch_location& at) const {
     Sheet_place result;
@@ -80,11 +79,12 @@ public:
     return result;
   }
 
-  /* The step in the plane by which a place moves along the surface as nearly as possible by a vector. */
-  Eigen::Vector2d plane_step(const Sheet_place& at, const Vector_3d& step) const {
-    const auto x = map_.derivatives(at.triangle);
+  /* Along the surface as nearly as possible by a vector. False if that leaves the patch. */
+  bool move(const Sheet_place& from, const Vector_3d& step, Sheet_place& to) const {
+    const auto x = map_.derivatives(from.triangle);
     const Eigen::Vector3d d(step.x, step.y, step.z);
-    return (x.transpose() * x).inverse() * (x.transpose() * d);
+    const Eigen::Vector2d by = (x.transpose() * x).inverse() * (x.transpose() * d);
+    return std::isfinite(by.squaredNorm()) && place(from.uv + by, from.triangle, to);
   }
 
 private:
@@ -108,8 +108,8 @@ public:
     result.normal = cross(first_, second_);
     return true;
   }
-  Eigen::Vector2d plane_step(const Sheet_place&, const Vector_3d& step) const {
-    return Eigen::Vector2d(dot(step, first_), dot(step, second_));
+  bool move(const Sheet_place& from, const Vector_3d& step, Sheet_place& to) const {
+    return place(from.uv + Eigen::Vector2d(dot(step, first_), dot(step, second_)), 0, to);
   }
 
 private:

@@ -78,7 +78,6 @@ private:
       return;
     const Node node = plane_.node_at(point(end));
     const double room = least_distance * size_in_metric(field_(end), node.metric);
-    if (getenv("DBG") && v < 12) std::fprintf(stderr, "v %d angle %.3f size %.3f (%.4f %.4f) -> (%.4f %.4f) metric size %.3f\n", int(v), angle, size_in_metric(field_(start), plane_.metric_at(point(start))), start.x(), start.y(), end.x(), end.y(), 1/std::sqrt(std::sqrt(node.metric.determinant())));
     if (insertion_.all_neighbors(
             place, node, [&](Index w) { return Plane::length(node, plane_.nodes[w]) >= room; },
             [](Index) { return true; }))

@@ -58,6 +58,17 @@ public:
     return points;
   }
 
+  /* The whole length, in units of the size. */
+  double total() const { return stations_.back().length; }
+
+  /* A number of points, all at the same distance in units of the size, the first one at a part of that distance. */
+  Points divide_equally(const std::vector<Point_3>& polyline, std::size_t number, double start) const {
+    Points points;
+    for (std::size_t i = 0; i < number; ++i)
+      points.push_back(point_at(polyline, total() * (double(i) + start) / double(number)));
+    return points;
+  }
+
 private:
   // A place on the polyline, the size there, and the length up to it in units of the size.
   struct Station {
@@ -127,7 +138,6 @@ private:
     }
   }
 
-  double total() const { return stations_.back().length; }
   double start_of(std::size_t k) const { return stations_[corners_[k]].length; }
   double piece_length(std::size_t k) const {
     if (k + 1 < corners_.size())

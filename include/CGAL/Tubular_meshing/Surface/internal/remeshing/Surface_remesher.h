@@ -10,6 +10,7 @@
 #include <CGAL/Tubular_meshing/Surface/Remeshed_surface.h>
 #include <CGAL/Tubular_meshing/Surface/internal/remeshing/Triangle_improver.h>
 #include <CGAL/Tubular_meshing/Surface/internal/remeshing/crossing_faces.h>
+#include <CGAL/Tubular_meshing/Surface/internal/remeshing/old_triangles.h>
 #include <CGAL/Tubular_meshing/exceptions.h>
 #include <CGAL/Tubular_meshing/internal/Nearest_tree.h>
 #include <CGAL/Tubular_meshing/labels.h>
@@ -46,15 +47,20 @@ public:
       , mesher_(mesher) {}
 
   Remeshed_surface<Point_3> run() {
-    const int most_rounds = 6;
+    const int most_rounds = 6, rounds_for_shape = 2;
     mesher_.mesh_all();
     for (int round = 0;; ++round) {
       std::vector<size_type> failed = pieces_that_do_not_fit();
       if (failed.empty()) {
         build();
-        if constexpr (!Mesher::makes_quads)
+        std::vector<size_type> folded;
+        if constexpr (Mesher::makes_quads)
+          folded = mesher_.improve(result_);
+        else
           improve();
         failed = crossing_pieces();
+        if (failed.empty() && round < rounds_for_shape) // quads that are turned over, but meet nothing, may stay
+          failed = folded;
       }
       if (failed.empty())
         break;
@@ -203,25 +209,11 @@ private:
 
   // Those of the patches with bad triangles, and of their neighbours.
   Nearest_tree<Double_kernel::Triangle_3> old_triangles_around(const std::vector<Face>& bad) const {
-    std::vector<char> is_near(cut_.patches.size(), 0);
-    for (Face f : bad) {
-      const int k = result_.patch_of_face[f];
-      if (k < 0)
-        continue;
-      is_near[size_type(k)] = 1;
-      for (const Patch_loop& loop : cut_.patches[size_type(k)].loops)
-        if (loop.neighbour != Cut_curve<Point_3>::none)
-          is_near[loop.neighbour] = 1;
-    }
-    std::vector<Double_kernel::Triangle_3> triangles;
-    for (size_type k : marked(is_near))
-      for (Face f : cut_.patches[k].faces) {
-        const Halfedge h = surface_.halfedge(f);
-        triangles.emplace_back(to_double_point(surface_.point(surface_.source(h))),
-                               to_double_point(surface_.point(surface_.target(h))),
-                               to_double_point(surface_.point(surface_.target(surface_.next(h)))));
-      }
-    return Nearest_tree<Double_kernel::Triangle_3>(std::move(triangles));
+    std::vector<char> has_bad(cut_.patches.size(), 0);
+    for (Face f : bad)
+      if (result_.patch_of_face[f] >= 0)
+        has_bad[size_type(result_.patch_of_face[f])] = 1;
+    return old_triangles(surface_, cut_, has_bad);
   }
 
   std::vector<size_type> crossing_pieces() const {

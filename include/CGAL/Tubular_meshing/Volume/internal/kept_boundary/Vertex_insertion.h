@@ -69,6 +69,7 @@ private:
   static constexpr int rounds = 3;
   static constexpr std::size_t most_tetrahedra = 60;
   static constexpr double worth_it = 1e-2;
+  static constexpr int most_searches = 50; // in all directions; ten are usual
 
   bool start(Index t, int i, int j, Candidate& c) {
     store_.ring(t, i, j, ring_);
@@ -121,13 +122,15 @@ private:
     return worst;
   }
 
-  // Pattern search: along axes that turn with the steps, which get shorter where none of them helps.
+  // Pattern search: along axes that turn with the steps, which get shorter where none of them helps. Where new
+  // tetrahedra are inverted wherever the vertex is, they look the better the farther away it goes: that must end.
   void place(Candidate& c) const {
     double size = 0;
     for (Index f : c.facets)
       size = (std::max)(size, norm(store_.point(store_[Store::tetrahedron_of(f)].v[0]) - c.vertex));
     c.worst = worst_with(c, c.vertex, -2);
-    for (double step = 0.4 * size; step > 0.01 * size;) {
+    int searches = 0;
+    for (double step = 0.4 * size; step > 0.01 * size && searches < most_searches; ++searches) {
       bool moved = false;
       for (const Vector_3d& d : directions()) {
         const Vector_3d p = c.vertex + step * d;

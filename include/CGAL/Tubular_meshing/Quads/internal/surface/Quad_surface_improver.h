@@ -1,0 +1,114 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_QUADS_INTERNAL_SURFACE_QUAD_SURFACE_IMPROVER_H
+#define CGAL_TUBULAR_MESHING_QUADS_INTERNAL_SURFACE_QUAD_SURFACE_IMPROVER_H
+
+#include <CGAL/Tubular_meshing/Operators/Surface_patch.h>
+#include <CGAL/Tubular_meshing/Quads/internal/surface/Wall_quads.h>
+#include <CGAL/Tubular_meshing/Quads/internal/unstructured/Quad_smoother.h>
+#include <CGAL/Tubular_meshing/Quads/internal/unstructured/Sheet.h>
+#include <CGAL/Tubular_meshing/Surface/Remeshed_surface.h>
+#include <CGAL/Tubular_meshing/Surface/internal/remeshing/old_triangles.h>
+#include <CGAL/Tubular_meshing/internal/Nearest_tree.h>
+#include <CGAL/Tubular_meshing/internal/Vector_3d.h>
+
+#include <CGAL/Surface_mesh.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Tubular_meshing {
+namespace internal {
+
+/* Triangles in space as a sheet, see Patch_sheet: places move to the nearest ones. Normals are those that they had. */
+class Triangle_sheet {
+public:
+  explicit Triangle_sheet(Nearest_tree<Double_kernel::Triangle_3> tree)
+      : tree_(std::move(tree)) {}
+
+  bool move(const Sheet_place& from, const Vector_3d& step, Sheet_place& to) const {
+    const double most_turn = 0.3; // cosine: not over to the other side of a gap
+    const Vector_3d p = from.point + step;
+    const auto nearest = tree_.nearest({p.x, p.y, p.z});
+    const Double_kernel::Triangle_3& t = tree_.shape(nearest.index);
+    const Vector_3d a(t[0]), n = cross(Vector_3d(t[1]) - a, Vector_3d(t[2]) - a);
+    to = from;
+    to.point = Vector_3d(nearest.point);
+    return dot(n, from.normal) >= most_turn * norm(n);
+  }
+
+private:
+  Nearest_tree<Double_kernel::Triangle_3> tree_;
+};
+
+/* Raises the worst quads of a wall. Within their patches, no better is possible, but across the curves there is:
+ * vertices on curves move too, on the old surface; those on rims stay. */
+template <class Point_3> class Quad_surface_improver {
+public:
+  typedef CGAL::Surface_mesh<Point_3> Surface;
+
+  Quad_surface_improver(Remeshed_surface<Point_3>& result, const Surface& old_surface, const Surface_cut<Point_3>& cut)
+      : result_(result)
+      , old_surface_(old_surface)
+      , cut_(cut)
+      , wall_(result) {}
+
+  void run() {
+    const int rounds = 8;
+    std::vector<int> vertices;
+    for (int q : quads_below(good_enough))
+      vertices.insert(vertices.end(), wall_.mesh.quad(q).begin(), wall_.mesh.quad(q).end());
+    if (vertices.empty())
+      return;
+    std::sort(vertices.begin(), vertices.end());
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    const Triangle_sheet sheet(old_triangles(old_surface_, cut_, patches_below(good_enough)));
+    Quad_smoother<Triangle_sheet>(wall_.mesh, sheet).raise_worst(vertices, good_enough, rounds);
+    for (int v : vertices) {
+      const Vector_3d& p = wall_.mesh.point(v);
+      result_.surface.point(wall_.vertices[std::size_t(v)]) = Point_3(p.x, p.y, p.z);
+    }
+  }
+
+  // The patches with quads that turn over.
+  std::vector<std::size_t> folded_patches() const {
+    const std::vector<char> marks = patches_below(0);
+    std::vector<std::size_t> result;
+    for (std::size_t k = 0; k < marks.size(); ++k)
+      if (marks[k])
+        result.push_back(k);
+    return result;
+  }
+
+private:
+  static constexpr double good_enough = 0.65; // three quads at a vertex have 2/3 at most
+
+  std::vector<int> quads_below(double quality) const {
+    std::vector<int> result;
+    for (int q = 0; q < int(wall_.mesh.quads.size()); ++q)
+      if (!(wall_.mesh.quality(q) > quality))
+        result.push_back(q);
+    return result;
+  }
+  std::vector<char> patches_below(double quality) const {
+    std::vector<char> marks(cut_.patches.size(), 0);
+    for (int q : quads_below(quality))
+      marks[wall_.patch_of_quad[std::size_t(q)]] = 1;
+    return marks;
+  }
+
+  Remeshed_surface<Point_3>& result_;
+  const Surface& old_surface_;
+  const Surface_cut<Point_3>& cut_;
+  Wall_quads<Point_3> wall_;
+};
+
+} // namespace internal
+} // namespace Tubular_meshing
+} // namespace CGAL
+
+#endif // CGAL_TUBULAR_MESHING_QUADS_INTERNAL_SURFACE_QUAD_SURFACE_IMPROVER_H
