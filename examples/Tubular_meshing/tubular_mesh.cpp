@@ -163,12 +163,12 @@ void run(const Options& o) {
   const tubular::Tubular_model<Point_3> model = prepare(o, input, extensions, clock);
   Remeshed_surface surface;
   tubular::Mixed_mesh<Point_3> mesh;
-  tubular::Layer_report<Point_3> wall;
+  tubular::Layer_report<Point_3> wall, boundary_layer;
   if (o.makes_surface_only()) {
     surface = make_surface_mesh(o, model, clock);
     mesh = without_cells(surface, model.openings.size());
   } else {
-    mesh = make_mesh(o, model, surface, clock);
+    mesh = make_mesh(o, model, surface, boundary_layer, clock);
     if (o.has_wall())
       wall = add_wall(o, model, mesh, clock);
   }
@@ -179,7 +179,9 @@ void run(const Options& o) {
   if (o.makes_surface_only())
     run_report::describe_surface(report, surface);
   if (o.has_wall())
-    run_report::add_wall(report, wall);
+    run_report::add_layers(report, "wall", wall);
+  if (o.boundary_layer_prisms > 0)
+    run_report::add_layers(report, "boundary_layer", boundary_layer);
   if (o.is_anisotropic())
     run_report::add_metric_quality(report, mesh);
   clock.begin("write");

@@ -17,6 +17,7 @@
 #include <CGAL/Tubular_meshing/Volume/optimize_tetrahedra.h>
 #include <CGAL/Tubular_meshing/exceptions.h>
 #include <CGAL/Tubular_meshing/Volume/internal/Model_in_its_frame.h>
+#include <CGAL/Tubular_meshing/Volume/internal/boundary_layer/fill_within_layers.h>
 #include <CGAL/Tubular_meshing/Volume/internal/check_mesh_of_model.h>
 #include <CGAL/Tubular_meshing/internal/Stage_observer.h>
 #include <CGAL/Tubular_meshing/make_isotropic_surface_mesh.h>
@@ -41,15 +42,21 @@ Remeshed_surface<Point_3> make_isotropic_mesh_in_frame(Model_in_its_frame<Point_
   const Sizing_field size = framed.sizing_field(np);
   check_memory(size.estimated_number_of_tetrahedra());
   Remeshed_surface<Point_3> surface = remesh_in_frame(framed, size, np);
-  observer("tetrahedra");
-  if (mesher == Volume_mesher::tetgen)
-    fill_with_tetgen(surface.surface, surface.patch, size, mesh, np);
-  else if (mesher == Volume_mesher::ccdt)
-    fill_with_ccdt(surface.surface, surface.patch, size, mesh, np);
-  else
-    fill_with_mesh_3(surface.surface, surface.patch, Scaled_field<Sizing_field>{&size, 1}, mesh, np);
-  observer("optimization");
-  optimize_tetrahedra(mesh, framed.surface(), framed.patch(), With_boundary(mesher != Volume_mesher::mesh_3, np));
+  if (wants_boundary_layer(np) && mesher == Volume_mesher::mesh_3)
+    throw Meshing_error("Layers inside the lumen need a mesher that keeps their sides: build this program where CMake "
+                        "finds TetGen (libtet1.5-dev), or CGAL 6.1 or later, and choose one of these.");
+  const auto fill = [&](const auto& closed, const auto& patch, Mixed_mesh<Point_3>& filling) {
+    observer("tetrahedra");
+    if (mesher == Volume_mesher::tetgen)
+      fill_with_tetgen(closed, patch, size, filling, np);
+    else if (mesher == Volume_mesher::ccdt)
+      fill_with_ccdt(closed, patch, size, filling, np);
+    else
+      fill_with_mesh_3(closed, patch, Scaled_field<Sizing_field>{&size, 1}, filling, np);
+    observer("optimization");
+    optimize_tetrahedra(filling, framed.surface(), framed.patch(), With_boundary(mesher != Volume_mesher::mesh_3, np));
+  };
+  fill_within_layers(surface, framed, fill, mesh, np);
   observer("check");
   return surface;
 }
@@ -131,7 +138,13 @@ Mixed_mesh<Point_3> make_isotropic_mesh(const Tubular_model<Point_3>& model,
  *     \cgalParamDefault{default_volume_mesher()} \cgalParamNEnd
  *   \cgalParamNBegin{optimization_passes} \cgalParamDescription{see optimize_tetrahedra()} \cgalParamNEnd
  *   \cgalParamNBegin{facet_distance} \cgalParamDescription{see fill_with_mesh_3()} \cgalParamNEnd
- * \cgalNamedParamsEnd
+ *   \cgalParamNBegin{boundary_layer_prisms} \cgalParamDescription{number of layers of prisms along the wall, inside the
+ *     lumen, see extrude_boundary_layer(); these need TetGen or CGAL 6.1. The caps are meshed anew then}
+ *     \cgalParamDefault{0} \cgalParamNEnd
+ *   \cgalParamNBegin{first_height, growth, boundary_layer_thickness} \cgalParamDescription{of these layers, see
+ *     extrude_boundary_layer()} \cgalParamNEnd
+ *   \cgalParamNBegin{boundary_layer_report} \cgalParamDescription{a `std::reference_wrapper` of a `Layer_report`: is
+ * told where the layers had to be thinner} \cgalParamDefault{nobody is} \cgalParamNEnd \cgalNamedParamsEnd
  *
  * \throws Parameter_error if a parameter is out of its range
  * \throws Meshing_error if the surface cannot be meshed, or TetGen or Mesh_3 fail on it

@@ -176,10 +176,13 @@ inline void print_patches(const Json& p) {
 }
 
 // Where layers had to give way.
-template <class Point> void add_wall(Json& report, const tubular::Layer_report<Point>& wall) {
-  report["wall"] = {
-      {"vertices", wall.vertices},     {"reduced_vertices", wall.reduced_vertices},  {"min_ratio", wall.min_ratio},
-      {"mean_ratio", wall.mean_ratio}, {"worst_place", vector_of(wall.worst_place)}, {"sentence", wall.text()}};
+template <class Point> void add_layers(Json& report, const char* name, const tubular::Layer_report<Point>& layers) {
+  report[name] = {{"vertices", layers.vertices},
+                  {"reduced_vertices", layers.reduced_vertices},
+                  {"min_ratio", layers.min_ratio},
+                  {"mean_ratio", layers.mean_ratio},
+                  {"worst_place", vector_of(layers.worst_place)},
+                  {"sentence", layers.text()}};
 }
 
 // Of a mesh in a metric.
@@ -260,8 +263,9 @@ inline void print(const Json& r, bool verbose) {
   }
   std::printf("\n%ld branches, %.1f to %.1f points round their circumference\n", long(r["branches"].size()), fewest,
               most);
-  if (r.contains("wall"))
-    std::printf("wall: %s\n", r["wall"]["sentence"].get<std::string>().c_str());
+  for (const auto& layers : {std::make_pair("wall", "wall"), std::make_pair("boundary_layer", "boundary layer")})
+    if (r.contains(layers.first))
+      std::printf("%s: %s\n", layers.second, r[layers.first]["sentence"].get<std::string>().c_str());
   if (r.contains("patches"))
     print_patches(r["patches"]);
   std::printf("\n%-12s %6s %10s %12s %12s\n", "opening", "patch", "facets", "radius", "area");

@@ -38,16 +38,16 @@ std::string why_not_filled_by(const std::string& volume_mesher) {
 }
 
 tubular::Mixed_mesh<Point_3> make_mesh(const Options& o, const tubular::Tubular_model<Point_3>& model,
-                                       tubular::Remeshed_surface<Point_3>& surface, Stage_clock& clock) {
-  const auto np = meshing_parameters(o, clock);
+                                       tubular::Remeshed_surface<Point_3>& surface,
+                                       tubular::Layer_report<Point_3>& boundary_layer, Stage_clock& clock) {
   if (!o.is_anisotropic() && !o.meshes_patches())
-    return tubular::make_isotropic_mesh(model, np);
+    return tubular::make_isotropic_mesh(model, meshing_parameters(o, clock));
   try {
     if (o.is_anisotropic())
       return make_anisotropic_mesh(o, model, clock);
     if (o.is_mixed())
-      return make_mixed_mesh(o, model, surface, clock);
-    return tubular::make_isotropic_mesh(model, surface, np.volume_mesher(volume_mesher(o)));
+      return make_mixed_mesh(o, model, surface, boundary_layer, clock);
+    return tubular::make_isotropic_mesh(model, surface, lumen_parameters(o, boundary_layer, clock));
   } catch (const tubular::Meshing_error& e) {
     throw tubular::Meshing_error(in_terms_of_options(e.what()));
   }

@@ -6,6 +6,7 @@
 #include <CGAL/Tubular_meshing/make_mixed_mesh.h>
 
 tubular::Mixed_mesh<Point_3> make_mixed_mesh(const Options& o, const tubular::Tubular_model<Point_3>& model,
-                                             tubular::Remeshed_surface<Point_3>& surface, Stage_clock& clock) {
-  return tubular::make_mixed_mesh(model, surface, meshing_parameters(o, clock).volume_mesher(volume_mesher(o)));
+                                             tubular::Remeshed_surface<Point_3>& surface,
+                                             tubular::Layer_report<Point_3>& boundary_layer, Stage_clock& clock) {
+  return tubular::make_mixed_mesh(model, surface, lumen_parameters(o, boundary_layer, clock));
 }

@@ -19,6 +19,7 @@
 #include <CGAL/Tubular_meshing/Volume/Volume_mesher.h>
 #include <CGAL/Tubular_meshing/parameters.h>
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -44,15 +45,18 @@ tubular::Tubular_model<Point_3> prepare(const Options& o, const Surface& surface
 tubular::Remeshed_surface<Point_3> make_surface_mesh(const Options& o, const tubular::Tubular_model<Point_3>& model,
                                                      Stage_clock& clock);
 
-// The cells of the lumen; with the parametric surface mesher, `surface` becomes the surface mesh.
+// The cells of the lumen; with the parametric surface mesher, `surface` becomes the surface mesh. `boundary_layer` is
+// told of layers of prisms or hexahedra.
 tubular::Mixed_mesh<Point_3> make_mesh(const Options& o, const tubular::Tubular_model<Point_3>& model,
-                                       tubular::Remeshed_surface<Point_3>& surface, Stage_clock& clock);
+                                       tubular::Remeshed_surface<Point_3>& surface,
+                                       tubular::Layer_report<Point_3>& boundary_layer, Stage_clock& clock);
 
 // What this is for the types that need another mesher.
 tubular::Mixed_mesh<Point_3> make_anisotropic_mesh(const Options& o, const tubular::Tubular_model<Point_3>& model,
                                                    Stage_clock& clock);
 tubular::Mixed_mesh<Point_3> make_mixed_mesh(const Options& o, const tubular::Tubular_model<Point_3>& model,
-                                             tubular::Remeshed_surface<Point_3>& surface, Stage_clock& clock);
+                                             tubular::Remeshed_surface<Point_3>& surface,
+                                             tubular::Layer_report<Point_3>& boundary_layer, Stage_clock& clock);
 
 // The walls around it.
 tubular::Layer_report<Point_3> add_wall(const Options& o, const tubular::Tubular_model<Point_3>& model,
@@ -72,6 +76,17 @@ inline auto meshing_parameters(const Options& o, Stage_clock& clock) {
       .gradation(o.gradation)
       .number_of_threads(o.threads)
       .observer([&clock](const char* stage) { clock.begin(stage); });
+}
+
+// Those of the lumen's cells between a surface that is kept.
+inline auto lumen_parameters(const Options& o, tubular::Layer_report<Point_3>& boundary_layer, Stage_clock& clock) {
+  return meshing_parameters(o, clock)
+      .volume_mesher(volume_mesher(o))
+      .boundary_layer_prisms(o.boundary_layer_prisms)
+      .boundary_layer_thickness(o.boundary_layer)
+      .first_height(o.first_layer())
+      .growth(o.growth)
+      .boundary_layer_report(std::ref(boundary_layer));
 }
 
 #endif // TUBULAR_MESH_STAGES_H

@@ -12,6 +12,7 @@
 #include <CGAL/Tubular_meshing/Tubular_model.h>
 #include <CGAL/Tubular_meshing/Volume/fill_with_pyramids_and_tetrahedra.h>
 #include <CGAL/Tubular_meshing/Volume/internal/Model_in_its_frame.h>
+#include <CGAL/Tubular_meshing/Volume/internal/boundary_layer/fill_within_layers.h>
 #include <CGAL/Tubular_meshing/Volume/internal/check_mesh_of_model.h>
 #include <CGAL/Tubular_meshing/exceptions.h>
 #include <CGAL/Tubular_meshing/internal/Stage_observer.h>
@@ -47,6 +48,9 @@ namespace Tubular_meshing {
  *     \cgalParamDefault{0} \cgalParamNEnd
  *   \cgalParamNBegin{wall_layers, wall_growth, second_wall_thickness, second_wall_layers, second_wall_growth}
  *     \cgalParamDescription{see extrude_wall()} \cgalParamNEnd
+ *   \cgalParamNBegin{boundary_layer_prisms, first_height, growth, boundary_layer_thickness, boundary_layer_report}
+ *     \cgalParamDescription{layers of hexahedra inside the lumen, between its wall and the pyramids, as for
+ *     make_isotropic_mesh()} \cgalParamDefault{none} \cgalParamNEnd
  *   \cgalParamNBegin{volume_mesher, optimization_passes} \cgalParamDescription{see fill_with_pyramids_and_tetrahedra()}
  *     \cgalParamNEnd
  *   \cgalParamNBegin{number_of_threads, observer} \cgalParamDescription{as for make_isotropic_mesh()} \cgalParamNEnd
@@ -69,9 +73,13 @@ Mixed_mesh<Point_3> make_mixed_mesh(const Tubular_model<Point_3>& model, Remeshe
   const Centerline_sizing_field<Point_3> size = framed.sizing_field(np);
   internal::check_memory(size.estimated_number_of_tetrahedra());
   surface = internal::quadrangulate_in_frame(framed, size, np);
-  observer("pyramids and tetrahedra");
+  const bool may_split = !internal::wants_boundary_layer(np); // not the far sides of hexahedra
+  const auto fill = [&](const auto& closed, const auto& patch, Mixed_mesh<Point_3>& filling) {
+    observer("pyramids and tetrahedra");
+    fill_with_pyramids_and_tetrahedra(closed, patch, size, filling, With_splits(may_split, np));
+  };
   Mixed_mesh<Point_3> mesh;
-  fill_with_pyramids_and_tetrahedra(surface.surface, surface.patch, size, mesh, With_splits(true, np));
+  internal::fill_within_layers(surface, framed, fill, mesh, np);
   if (wall_thickness != 0) {
     observer("wall");
     extrude_wall(mesh, Centerline_field<Point_3>(framed.centerlines()), np);

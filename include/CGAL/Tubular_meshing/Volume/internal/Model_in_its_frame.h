@@ -67,6 +67,11 @@ public:
     return Centerline_metric_field<Point>(surface_, patch_, centerlines_, in_frame(np));
   }
 
+  Point from_frame(const Point& p) const {
+    const auto q = frame_.from_canonical(to_double_point(p));
+    return Point(q.x(), q.y(), q.z());
+  }
+
   void bring_back(Mixed_mesh<Point>& mesh) const {
     for (Point& p : mesh.points)
       p = from_frame(p);
@@ -109,11 +114,6 @@ private:
     const Eigen::Matrix3d back = frame_.metric_from_frame(matrix);
     const double entries[6] = {back(0, 0), back(0, 1), back(0, 2), back(1, 1), back(1, 2), back(2, 2)};
     std::copy(entries, entries + 6, m);
-  }
-
-  Point from_frame(const Point& p) const {
-    const auto q = frame_.from_canonical(to_double_point(p));
-    return Point(q.x(), q.y(), q.z());
   }
 
   Canonical_frame frame_;

@@ -1,0 +1,54 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_BOUNDARY_LAYER_FILL_WITHIN_LAYERS_H
+#define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_BOUNDARY_LAYER_FILL_WITHIN_LAYERS_H
+
+#include <CGAL/Tubular_meshing/Centerlines/Centerline_field.h>
+#include <CGAL/Tubular_meshing/Mixed_mesh.h>
+#include <CGAL/Tubular_meshing/Operators/Layer_report.h>
+#include <CGAL/Tubular_meshing/Surface/Remeshed_surface.h>
+#include <CGAL/Tubular_meshing/Volume/append_mesh.h>
+#include <CGAL/Tubular_meshing/Volume/extrude_boundary_layer.h>
+#include <CGAL/Tubular_meshing/Volume/internal/Model_in_its_frame.h>
+#include <CGAL/Tubular_meshing/internal/Stage_observer.h>
+#include <CGAL/Tubular_meshing/parameters.h>
+
+#include <functional>
+#include <utility>
+
+namespace CGAL {
+namespace Tubular_meshing {
+namespace internal {
+
+// Whether layers of cells are wanted inside the lumen.
+template <class NamedParameters> bool wants_boundary_layer(const NamedParameters& np) {
+  return choose(np, internal_np::boundary_layer_prisms, 0) != 0;
+}
+
+/* Meshes the lumen by fill(surface, patch, mesh): all of it, or, where layers are wanted along the wall, what they
+ * leave of it. All in the model's frame. */
+template <class Point, class Fill, class NamedParameters>
+void fill_within_layers(const Remeshed_surface<Point>& surface, const Model_in_its_frame<Point>& framed,
+                        const Fill& fill, Mixed_mesh<Point>& mesh, const NamedParameters& np) {
+  typedef std::reference_wrapper<Layer_report<Point>> Report;
+  if (!wants_boundary_layer(np))
+    return fill(surface.surface, surface.patch, mesh);
+  stage_observer(np)("boundary layer");
+  auto layer =
+      extrude_boundary_layer(surface.surface, surface.patch, Centerline_field<Point>(framed.centerlines()), np);
+  Layer_report<Point> unheard;
+  Layer_report<Point>& report = choose(np, internal_np::boundary_layer_report, Report(unheard));
+  report = layer.report;
+  report.worst_place = framed.from_frame(report.worst_place);
+  Mixed_mesh<Point> inside;
+  fill(layer.inner, layer.patch, inside);
+  append_mesh(layer.layers, inside, layer.mesh_points);
+  mesh = std::move(layer.layers);
+}
+
+} // namespace internal
+} // namespace Tubular_meshing
+} // namespace CGAL
+
+#endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_BOUNDARY_LAYER_FILL_WITHIN_LAYERS_H
