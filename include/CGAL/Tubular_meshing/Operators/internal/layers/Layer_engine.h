@@ -8,7 +8,9 @@
 #include <CGAL/Tubular_meshing/Operators/internal/layers/Layer_directions.h>
 #include <CGAL/Tubular_meshing/Operators/internal/layers/Layer_surface.h>
 #include <CGAL/Tubular_meshing/Operators/internal/layers/Layer_thickness.h>
+#include <CGAL/Tubular_meshing/Operators/internal/layers/Plane_frame.h>
 #include <CGAL/Tubular_meshing/Operators/internal/layers/triangle_crossings.h>
+#include <CGAL/Tubular_meshing/Operators/internal/planar_cap.h>
 #include <CGAL/Tubular_meshing/exceptions.h>
 #include <CGAL/Tubular_meshing/internal/Vector_3d.h>
 
@@ -26,6 +28,7 @@ struct Layer_options {
   std::vector<double> levels; // 0 at the surface, …, 1 on the far side of the last layer
   double part_of_gap = 0.75;  // that a thickness may take of the way to the middle of a gap
   bool tetrahedral = false;   // cells will be cut
+  bool inward = false; // the far side is closed by new caps in its own rims, not by the rings and those there are
   int threads = 0;
 };
 
@@ -150,7 +153,7 @@ private:
     return true;
   }
 
-  /* The vertices of crossing parts of the boundary: the far side, the rings, and what closes it. */
+  // The vertices of crossing parts of the far side and what closes it.
   std::vector<Index> crossing_vertices() const {
     const Index n = Index(surface_.number_of_vertices()), far = Index(points_.size());
     std::vector<Vector_3d> points = points_;
@@ -162,12 +165,13 @@ private:
       if (Layer_surface::degree(f) == 4)
         triangles.push_back({far + f[0], far + f[2], far + f[3]});
     }
-    for (const Layer_surface::Rim_edge& e : surface_.rim_edges) {
-      triangles.push_back({e.source, e.target, far + e.target});
-      triangles.push_back({e.source, far + e.target, far + e.source});
-    }
-    triangles.insert(triangles.end(), closure_.begin(), closure_.end());
     std::vector<Index> bad;
+    if (options_.inward)
+      close_far_rims(points, far, triangles, bad);
+    else
+      close_by_rings(far, triangles);
+    if (!bad.empty())
+      return bad;
     const auto crossings = triangle_crossings(points, triangles, [](Box_tree::Index, Box_tree::Index) { return true; });
     for (const auto& pair : crossings)
       for (std::size_t t : pair)
@@ -178,6 +182,35 @@ private:
       throw Input_error("The surface crosses itself at " + place_of(points[triangles[crossings.front()[0]][0]]) +
                         "; repair it first.");
     return bad;
+  }
+
+  void close_by_rings(Index far, std::vector<Box_tree::Triangle>& triangles) const {
+    for (const Layer_surface::Rim_edge& e : surface_.rim_edges) {
+      triangles.push_back({e.source, e.target, far + e.target});
+      triangles.push_back({e.source, far + e.target, far + e.source});
+    }
+    triangles.insert(triangles.end(), closure_.begin(), closure_.end());
+  }
+
+  // Rims that are no simple polygons in their planes are bad.
+  void close_far_rims(const std::vector<Vector_3d>& points, Index far, std::vector<Box_tree::Triangle>& triangles,
+                      std::vector<Index>& bad) const {
+    for (const Layer_surface::Rim& rim : surface_.rims) {
+      std::vector<Index> vertices;
+      for (Index e : rim.edges)
+        vertices.push_back(surface_.rim_edges[e].source);
+      std::vector<Cap_kernel::Point_2> polygon;
+      const Plane_frame frame(points[vertices[0]], rim.normal);
+      for (Index v : vertices) {
+        const auto p = frame.in_plane(points[far + v]);
+        polygon.emplace_back(p[0], p[1]);
+      }
+      const std::vector<Index_triangle> inside = triangulate_polygon(polygon);
+      if (inside.empty())
+        bad.insert(bad.end(), vertices.begin(), vertices.end());
+      for (const Index_triangle& t : inside)
+        triangles.push_back({far + vertices[t[0]], far + vertices[t[1]], far + vertices[t[2]]});
+    }
   }
 
   const Layer_surface& surface_;

@@ -42,15 +42,16 @@ public:
     Index source, target; // as its face turns
     int label;            // of the opening
   };
-  // What a vertex may move along: the planes of the rims that it is on.
-  struct Rim_plane {
-    Index vertex;
+  // A rim, in the order in which its edges turn, and the normal of its plane: the direction of its area.
+  struct Rim {
+    std::vector<Index> edges; // in rim_edges
     Vector_3d normal;
   };
 
   std::vector<Vector_3d> points;
   std::vector<Face> faces;
   std::vector<Rim_edge> rim_edges;
+  std::vector<Rim> rims;
 
   /* \param label_of_edge called with the source and target of a border edge: the label of the opening there */
   template <class Label_of_edge>
@@ -60,7 +61,8 @@ public:
     collect_corners();
     collect_edges(label_of_edge);
     check_fans();
-    find_rim_planes();
+    find_rims();
+    note_rim_planes();
   }
 
   static int degree(const Face& f) { return f[3] == none ? 3 : 4; }
@@ -166,9 +168,7 @@ private:
                       "; repair the surface first.");
   }
 
-  // The plane of a rim is that of its area.
-  void find_rim_planes() {
-    rim_plane_.assign(points.size(), none);
+  void find_rims() {
     std::vector<Index> edge_from(points.size(), none);
     for (Index e = 0; e < rim_edges.size(); ++e)
       edge_from[rim_edges[e].source] = e;
@@ -176,25 +176,37 @@ private:
     for (Index first = 0; first < rim_edges.size(); ++first) {
       if (done[first])
         continue;
-      std::vector<Index> loop;
+      Rim rim;
+      const Vector_3d& origin = points[rim_edges[first].source];
       for (Index e = first; e != none && !done[e]; e = edge_from[rim_edges[e].target]) {
         done[e] = 1;
-        loop.push_back(rim_edges[e].source);
+        rim.edges.push_back(e);
+        rim.normal += cross(points[rim_edges[e].source] - origin, points[rim_edges[e].target] - origin);
       }
-      Vector_3d area;
-      for (std::size_t i = 0; i < loop.size(); ++i)
-        area += cross(points[loop[i]] - points[loop[0]], points[loop[(i + 1) % loop.size()]] - points[loop[0]]);
-      if (!(squared_norm(area) > 0))
-        throw Input_error("The rim of the wall at " + place_of(points[loop[0]]) +
+      if (!(squared_norm(rim.normal) > 0))
+        throw Input_error("The rim of the wall at " + place_of(origin) +
                           " encloses no area; repair the surface first.");
-      for (Index v : loop)
-        planes_.push_back({v, normalized(area)});
+      rim.normal = normalized(rim.normal);
+      rims.push_back(std::move(rim));
     }
+  }
+
+  void note_rim_planes() {
+    for (const Rim& rim : rims)
+      for (Index e : rim.edges)
+        planes_.push_back({rim_edges[e].source, rim.normal});
     std::stable_sort(planes_.begin(), planes_.end(),
                      [](const Rim_plane& a, const Rim_plane& b) { return a.vertex < b.vertex; });
+    rim_plane_.assign(points.size(), none);
     for (std::size_t k = planes_.size(); k-- > 0;)
       rim_plane_[planes_[k].vertex] = Index(k);
   }
+
+  // What a vertex may move along.
+  struct Rim_plane {
+    Index vertex;
+    Vector_3d normal;
+  };
 
   std::vector<std::size_t> first_corner_, first_neighbor_;
   std::vector<Corner> corners_;
