@@ -82,6 +82,7 @@ struct Quality_report {
   Measure_statistics gamma_tau;        ///< (13), of the tetrahedra
   Measure_statistics eta_q;            ///< (14), of the quadrilaterals
   Measure_statistics zeta_H;           ///< (15), of the hexahedra
+  Measure_statistics prism_jacobian;   ///< of the prisms, see CGAL::Tubular_meshing::prism_jacobian()
   Measure_statistics pyramid_jacobian; ///< of the pyramids, see CGAL::Tubular_meshing::pyramid_jacobian()
   Measure_statistics Q_tau;            ///< (16), of the tetrahedra, where the mesh carries a `metric`
   double efficiency = 0;               ///< (17), over the edges of the tetrahedra, where the mesh carries a `metric`
@@ -103,6 +104,8 @@ public:
     });
     r.eta_q = over(mesh_.quads, [](const std::array<Vector_3d, 4>& p) { return internal::quad_eta(p); });
     r.zeta_H = over(mesh_.hexahedra, [](const std::array<Vector_3d, 8>& p) { return internal::hexahedron_zeta(p); });
+    r.prism_jacobian =
+        over(mesh_.prisms, [](const std::array<Vector_3d, 6>& p) { return internal::prism_jacobian(p); });
     r.pyramid_jacobian =
         over(mesh_.pyramids, [](const std::array<Vector_3d, 5>& p) { return internal::pyramid_jacobian(p); });
     for (const Point_array& a : mesh_.point_arrays)
@@ -168,6 +171,33 @@ private:
  */
 template <class Point> Quality_report quality_report(const Mixed_mesh<Point>& mesh) {
   return internal::Quality_reporter<Point>(mesh).report();
+}
+
+namespace internal {
+
+template <std::size_t N> Element_block<N> elements_of(const Element_block<N>& elements, int label) {
+  Element_block<N> result;
+  for (std::size_t i = 0; i < elements.size(); ++i)
+    if (elements.label[i] == label)
+      result.push_back(elements.vertices[i], label);
+  return result;
+}
+
+} // namespace internal
+
+/*! \ingroup PkgTubularMeshingRef
+ *
+ * the same for the cells of one region; facets are left out.
+ */
+template <class Point> Quality_report quality_report(const Mixed_mesh<Point>& mesh, int region) {
+  Mixed_mesh<Point> part;
+  part.points = mesh.points;
+  part.point_arrays = mesh.point_arrays;
+  part.tetrahedra = internal::elements_of(mesh.tetrahedra, region);
+  part.pyramids = internal::elements_of(mesh.pyramids, region);
+  part.prisms = internal::elements_of(mesh.prisms, region);
+  part.hexahedra = internal::elements_of(mesh.hexahedra, region);
+  return quality_report(part);
 }
 
 } // namespace Tubular_meshing

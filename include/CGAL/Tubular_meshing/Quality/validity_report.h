@@ -14,6 +14,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <numeric>
 #include <string>
 #include <utility>
@@ -28,19 +29,29 @@ namespace Tubular_meshing {
  */
 struct Validity_report {
   std::size_t cells = 0;
-  std::size_t inverted_cells = 0;    ///< with a Jacobian at a corner that is not positive
-  std::size_t overfull_faces = 0;    ///< shared by more than two cells, or by two on the same side
-  std::size_t nonmanifold_edges = 0; ///< of the boundary, not shared by two of its faces
-  std::size_t unlabelled_faces = 0;  ///< of the boundary, that are not among the mesh's facets
-  std::size_t misplaced_facets = 0;  ///< of the mesh, that are no face of a cell
+  std::size_t inverted_cells = 0;        ///< with a Jacobian at a corner that is not positive
+  std::size_t overfull_faces = 0;        ///< shared by more than two cells, or by two on the same side
+  std::size_t nonmanifold_edges = 0;     ///< of the boundary, not shared by two of its faces
+  std::size_t unlabelled_faces = 0;      ///< of the boundary, that are not among the mesh's facets
+  std::size_t misplaced_facets = 0;      ///< of the mesh, that are no face of a cell
+  std::size_t unlabelled_interfaces = 0; ///< faces between cells of two regions, that are not among the mesh's facets
   std::size_t unused_points = 0;
-  std::size_t connected_components = 0; ///< of cells sharing faces
-  std::ptrdiff_t boundary_euler = 0;    ///< Euler's characteristic of the boundary: 2 for a ball, 0 for a ring
+  std::size_t connected_components = 0;         ///< of cells sharing faces
+  std::map<int, std::size_t> region_components; ///< of cells of the same region sharing faces, for each region
+  std::ptrdiff_t boundary_euler = 0;            ///< Euler's characteristic of the boundary: 2 for a ball, 0 for a ring
 
-  /// Every cell right, every face matched, the boundary closed and labelled, the mesh in one piece.
+  /// Every cell right, every face matched, the boundary and the interfaces between regions closed and labelled, the
+  /// mesh in one piece, and each of its regions.
   bool is_valid() const {
     return cells > 0 && inverted_cells == 0 && overfull_faces == 0 && nonmanifold_edges == 0 && unlabelled_faces == 0 &&
-           misplaced_facets == 0 && unused_points == 0 && connected_components == 1;
+           misplaced_facets == 0 && unlabelled_interfaces == 0 && unused_points == 0 && connected_components == 1 &&
+           regions_in_pieces() == 0;
+  }
+
+  /// The number of regions that are not in one piece.
+  std::size_t regions_in_pieces() const {
+    return std::size_t(std::count_if(region_components.begin(), region_components.end(),
+                                     [](const std::pair<const int, std::size_t>& r) { return r.second > 1; }));
   }
 
   /// What is wrong, as part of a sentence; empty if nothing is.
@@ -57,9 +68,12 @@ struct Validity_report {
     add(nonmanifold_edges, " non-manifold boundary edges");
     add(unlabelled_faces, " unlabelled boundary faces");
     add(misplaced_facets, " facets that bound no cell");
+    add(unlabelled_interfaces, " unlabelled faces between regions");
     add(unused_points, " unused points");
     if (connected_components > 1)
       add(connected_components, " separate pieces");
+    else
+      add(regions_in_pieces(), " regions in several pieces");
     return s;
   }
 };
@@ -98,6 +112,7 @@ private:
 
   template <std::size_t N> void add_cells(const Element_block<N>& cells) {
     typedef Cell_topology<N> Topology;
+    regions_.insert(regions_.end(), cells.label.begin(), cells.label.end());
     for (const auto& c : cells.vertices) {
       if (is_inverted(c))
         ++report_.inverted_cells;
@@ -132,12 +147,31 @@ private:
     faces_.push_back(face);
   }
 
+  // Sets of cells that share faces.
+  class Pieces {
+  public:
+    explicit Pieces(std::size_t cells)
+        : rank_(cells)
+        , parent_(cells)
+        , sets_(rank_.data(), parent_.data()) {
+      for (Index c = 0; c < cells; ++c)
+        sets_.make_set(c);
+    }
+    void join(Index a, Index b) { sets_.union_set(a, b); }
+    template <class Visitor> void for_each(const Visitor& visit) {
+      for (Index c = 0; c < parent_.size(); ++c)
+        if (sets_.find_set(c) == c)
+          visit(c);
+    }
+
+  private:
+    std::vector<Index> rank_, parent_;
+    boost::disjoint_sets<Index*, Index*> sets_;
+  };
+
   void match_faces() {
     std::sort(faces_.begin(), faces_.end());
-    std::vector<Index> rank(report_.cells), parent(report_.cells);
-    boost::disjoint_sets<Index*, Index*> components(rank.data(), parent.data());
-    for (Index c = 0; c < report_.cells; ++c)
-      components.make_set(c);
+    Pieces pieces(report_.cells), pieces_of_regions(report_.cells);
     for (std::size_t k = 0; k < faces_.size();) {
       std::array<const Face*, 2> sides = {nullptr, nullptr};
       std::size_t cells = 0, facets = 0;
@@ -149,8 +183,13 @@ private:
           sides[cells - 1] = &faces_[k];
       if (cells > 2 || (cells == 2 && sides[0]->reversed == sides[1]->reversed))
         ++report_.overfull_faces;
-      if (cells == 2)
-        components.union_set(sides[0]->cell, sides[1]->cell);
+      if (cells == 2) {
+        pieces.join(sides[0]->cell, sides[1]->cell);
+        if (regions_[sides[0]->cell] == regions_[sides[1]->cell])
+          pieces_of_regions.join(sides[0]->cell, sides[1]->cell);
+        else
+          report_.unlabelled_interfaces += facets == 0;
+      }
       if (cells == 0 || facets > 1)
         ++report_.misplaced_facets;
       if (cells == 1) {
@@ -158,8 +197,8 @@ private:
         add_boundary_face(face.v);
       }
     }
-    for (Index c = 0; c < report_.cells; ++c)
-      report_.connected_components += components.find_set(c) == c;
+    pieces.for_each([&](Index) { ++report_.connected_components; });
+    pieces_of_regions.for_each([&](Index c) { ++report_.region_components[regions_[c]]; });
     check_boundary();
   }
 
@@ -193,6 +232,7 @@ private:
 
   std::vector<Vector_3d> points_;
   std::vector<Face> faces_;
+  std::vector<int> regions_; // of the cells
   std::vector<std::pair<Index, Index>> boundary_edges_;
   std::ptrdiff_t boundary_faces_ = 0;
   Validity_report report_;
@@ -202,7 +242,8 @@ private:
 
 /*! \ingroup PkgTubularMeshingRef
  *
- * checks a volume mesh of any kinds of cells: orientation, conformity, boundary, labels, connectedness. O(n log n).
+ * checks a volume mesh of any kinds of cells: orientation, conformity, boundary, labels, connectedness, of the whole
+ * and of each region. O(n log n).
  */
 template <class Point> Validity_report validity_report(const Mixed_mesh<Point>& mesh) {
   return internal::Validity_checker(mesh).report();

@@ -89,6 +89,18 @@ inline double pyramid_jacobian(const std::array<Vector_3d, 5>& p) {
   return smallest;
 }
 
+// The smallest scaled Jacobian at the six corners.
+inline double prism_jacobian(const std::array<Vector_3d, 6>& p) {
+  static const int corners[6][4] = {{0, 1, 2, 3}, {1, 2, 0, 4}, {2, 0, 1, 5}, {3, 5, 4, 0}, {4, 3, 5, 1}, {5, 4, 3, 2}};
+  double smallest = 1;
+  for (const auto& c : corners) {
+    const Vector_3d u = p[c[1]] - p[c[0]], v = p[c[2]] - p[c[0]], w = p[c[3]] - p[c[0]];
+    const double lengths = norm(u) * norm(v) * norm(w);
+    smallest = (std::min)(smallest, lengths > 0 ? dot(cross(u, v), w) / lengths : 0);
+  }
+  return smallest;
+}
+
 } // namespace internal
 } // namespace Tubular_meshing
 } // namespace CGAL
