@@ -176,6 +176,8 @@ void run(const Options& o) {
   run_report::Json report = run_report::make(o, version, repairs, extensions.lengths, model, mesh);
   if (o.meshes_patches())
     run_report::add_patches(report, surface);
+  if (surface.quads.wall_quads() > 0)
+    run_report::add_quads(report, surface.quads);
   if (o.makes_surface_only())
     run_report::describe_surface(report, surface);
   if (o.has_wall())

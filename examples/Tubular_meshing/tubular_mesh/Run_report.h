@@ -157,12 +157,26 @@ template <class Point> void add_patches(Json& report, const tubular::Remeshed_su
                        {"problems", r.problems}};
 }
 
+// Of a surface of quads.
+inline void add_quads(Json& report, const tubular::Quad_report& quads) {
+  report["quads"] = {{"structured", quads.structured_quads},
+                     {"unstructured", quads.unstructured_quads},
+                     {"irregular_vertices", quads.irregular_vertices},
+                     {"annular_patches_without_grid", quads.annular_patches_without_grid},
+                     {"folded", quads.folded_quads}};
+}
+
 // Of a surface alone, the validity is its own.
 template <class Point> void describe_surface(Json& report, const tubular::Remeshed_surface<Point>& surface) {
   const auto& mesh = surface.surface;
   report["valid"] = CGAL::is_closed(mesh) && mesh.is_valid();
   report["boundary_euler"] =
       long(mesh.number_of_vertices()) - long(mesh.number_of_edges()) + long(mesh.number_of_faces());
+}
+
+inline void print_quads(const Json& q) {
+  std::printf("%ld quads in grids, %ld unstructured; %ld irregular vertices\n", q["structured"].get<long>(),
+              q["unstructured"].get<long>(), q["irregular_vertices"].get<long>());
 }
 
 inline void print_patches(const Json& p) {
@@ -268,6 +282,8 @@ inline void print(const Json& r, bool verbose) {
       std::printf("%s: %s\n", layers.second, r[layers.first]["sentence"].get<std::string>().c_str());
   if (r.contains("patches"))
     print_patches(r["patches"]);
+  if (r.contains("quads"))
+    print_quads(r["quads"]);
   std::printf("\n%-12s %6s %10s %12s %12s\n", "opening", "patch", "facets", "radius", "area");
   for (const auto& o : r["openings"])
     std::printf("%-12s %6d %10ld %12.5g %12.5g\n", o["name"].get<std::string>().c_str(), o["patch"].get<int>(),

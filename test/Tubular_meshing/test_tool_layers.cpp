@@ -1,0 +1,126 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// tubular_mesh with cells other than tetrahedra: mixed meshes, walls outside of the lumen, layers inside.
+
+#include "test_tool_helpers.h"
+
+#include <CGAL/Tubular_meshing/IO/read_surface.h>
+#include <CGAL/Tubular_meshing/Quads/blossom_recombination.h>
+#include <CGAL/Tubular_meshing/Quality/quality_report.h>
+#include <CGAL/Tubular_meshing/Quality/validity_report.h>
+#include <CGAL/Tubular_meshing/Volume/fill_with_tetgen.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#ifdef TUBULAR_MESH_TOOL
+
+namespace {
+
+using namespace tool_test;
+
+#define NEEDS(library, is_there)                                                                                       \
+  if (!(is_there))                                                                                                     \
+  GTEST_SKIP() << "needs " library
+
+void expect_valid(const Mesh& mesh) {
+  const auto validity = tubular::validity_report(mesh);
+  EXPECT_TRUE(validity.is_valid()) << validity.defects();
+}
+
+template <class Labels> std::size_t count(const Labels& labels, int label) {
+  return std::size_t(std::count(labels.begin(), labels.end(), label));
+}
+
+TEST_F(Tool, Makes_a_mixed_mesh_with_a_wall) {
+  NEEDS("LEMON", tubular::has_lemon());
+  NEEDS("TetGen", tubular::has_tetgen());
+  const std::string input = make("y.off", bifurcation().surface);
+  const Outcome outcome =
+      succeed({input, "-t", "mixed", "-n", "12", "--wall", "0.2", "-o", out("mesh.vtu"), "--report", out("r.json")});
+  const Mesh mesh = mesh_in(out("mesh.vtu"));
+  expect_valid(mesh);
+  EXPECT_GT(mesh.tetrahedra.size(), 0u);
+  EXPECT_EQ(mesh.prisms.size(), 0u);
+  EXPECT_EQ(count(mesh.quads.label, 1), mesh.pyramids.size()); // one on each quad of the interface
+  EXPECT_EQ(mesh.hexahedra.size(), 4 * mesh.pyramids.size());
+  EXPECT_EQ(count(mesh.quads.label, 100), mesh.pyramids.size());
+  EXPECT_GT(count(mesh.quads.label, 102), 0u);
+  EXPECT_EQ(mesh.region_names.at(2), "wall");
+  EXPECT_EQ(mesh.patch_names.at(103), "outlet_ring_1");
+  const Json r = json_in(out("r.json"));
+  EXPECT_EQ(r["valid"], true);
+  EXPECT_EQ(r["cells"]["hexahedra"], mesh.hexahedra.size());
+  EXPECT_EQ(r["wall"]["vertices"].get<std::size_t>() > 0, true);
+  EXPECT_GE(r["quality"]["eta_q"]["min"].get<double>(), 0.3);
+  EXPECT_GE(r["quality"]["zeta_H"]["min"].get<double>(), 0.3);
+  EXPECT_NE(outcome.out.find("hexahedra"), std::string::npos);
+}
+
+TEST_F(Tool, Grows_walls_of_prisms_and_of_tetrahedra) {
+  const std::string input = make("tube.off", tube().surface);
+  succeed({input, "-n", "10", "--wall", "0.2", "--wall-layers", "2", "--second-wall", "0.1", "--second-wall-layers",
+           "1", "-o", out("prisms.vtu")});
+  const Mesh prisms = mesh_in(out("prisms.vtu"));
+  expect_valid(prisms);
+  const std::size_t facets = count(prisms.triangles.label, 1);
+  EXPECT_EQ(count(prisms.prisms.label, 2), 2 * facets);
+  EXPECT_EQ(count(prisms.prisms.label, 3), facets);
+  EXPECT_EQ(prisms.region_names.at(3), "second_wall");
+
+  succeed({input, "-n", "10", "--wall", "0.2", "--wall-layers", "2", "--wall-elements", "tetrahedra", "-o",
+           out("tetrahedra.vtu")});
+  const Mesh tetrahedra = mesh_in(out("tetrahedra.vtu"));
+  expect_valid(tetrahedra);
+  EXPECT_EQ(tetrahedra.number_of_cells(), tetrahedra.tetrahedra.size());
+  EXPECT_EQ(count(tetrahedra.tetrahedra.label, 2), 3 * 2 * count(tetrahedra.triangles.label, 1));
+}
+
+TEST_F(Tool, Grows_layers_inside_the_lumen) {
+  NEEDS("TetGen", tubular::has_tetgen());
+  const std::string input = make("tube.off", tube().surface);
+  succeed({input, "-n", "14", "--boundary-layer-prisms", "5", "--first-height", "0.02", "--growth", "1.3", "-o",
+           out("mesh.vtu"), "--report", out("r.json")});
+  const Mesh mesh = mesh_in(out("mesh.vtu"));
+  expect_valid(mesh);
+  EXPECT_EQ(mesh.prisms.size(), 5 * count(mesh.triangles.label, 1));
+  EXPECT_GT(mesh.tetrahedra.size(), 0u);
+  EXPECT_EQ(json_in(out("r.json"))["boundary_layer"]["min_ratio"], 1.);
+}
+
+TEST_F(Tool, Grows_a_wall_around_an_anisotropic_mesh) {
+  const std::string input = make("tube.off", tube().surface);
+  succeed({input, "-t", "anisotropic", "-n", "10", "--curvature-points", "10", "--first-height", "0.08", "--wall",
+           "0.2", "-o", out("mesh.vtu")});
+  const Mesh mesh = mesh_in(out("mesh.vtu"));
+  expect_valid(mesh);
+  EXPECT_GT(mesh.prisms.size(), 0u);
+  ASSERT_EQ(mesh.point_arrays.size(), 1u);
+  EXPECT_EQ(mesh.point_arrays[0].values.size(), 6 * mesh.points.size());
+}
+
+TEST_F(Tool, Makes_a_surface_of_quads) {
+  NEEDS("LEMON", tubular::has_lemon());
+  const std::string input = make("y.off", bifurcation().surface);
+  succeed({input, "-t", "surface", "--surface-elements", "quads", "-n", "12", "-o", out("s.vtp"), "--report",
+           out("r.json")});
+  const Json r = json_in(out("r.json"));
+  EXPECT_EQ(r["valid"], true);
+  EXPECT_GT(r["facets"]["quads"].get<std::size_t>(), 0u);
+  EXPECT_GE(r["quality"]["eta_q"]["min"].get<double>(), 0.3);
+}
+
+// A solver of structures wants hexahedra by sets: the input deck of the wall and the lumen.
+TEST_F(Tool, Writes_prisms_for_structural_solvers) {
+  const std::string input = make("tube.off", tube().surface);
+  succeed({input, "-n", "10", "--wall", "0.2", "--wall-layers", "2", "-o", out("mesh.inp")});
+  const std::string deck = bytes_of(out("mesh.inp"));
+  EXPECT_NE(deck.find("C3D6"), std::string::npos);
+}
+
+} // namespace
+
+#endif // TUBULAR_MESH_TOOL
