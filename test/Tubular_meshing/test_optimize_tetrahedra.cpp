@@ -339,4 +339,69 @@ TEST(Vertex_removal, LeavesTheBoundaryAlone) {
     EXPECT_FALSE(remove(t, come));
 }
 
+// Everything is better than the edge 0-1.
+struct Against_an_edge {
+  const Tetrahedron_store* store;
+  double tetrahedron(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) const {
+    const std::array<std::uint32_t, 4> v = {a, b, c, d};
+    if (!(tubular::internal::signed_volume(store->point(a), store->point(b), store->point(c), store->point(d)) > 0))
+      return 0;
+    return std::count(v.begin(), v.end(), 0u) + std::count(v.begin(), v.end(), 1u) == 2 ? 0.1 : 0.9;
+  }
+  double triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
+    const std::array<std::uint32_t, 3> v = {a, b, c};
+    return std::count(v.begin(), v.end(), 0u) + std::count(v.begin(), v.end(), 1u) == 2 ? 0.1 : 0.9;
+  }
+};
+struct Any_flip {
+  bool operator()(std::uint32_t, std::uint32_t, std::uint32_t, std::uint32_t, std::int32_t) const { return true; }
+};
+
+/* A dimple of three facets, with its bottom at 0 and its rim at 1, 2, 3: flipping the edge 0-1 would bring 2-3 about
+ * once more, and close the dimple by facets on top of each other. With four facets round it there is room for the flip.
+ */
+TEST(Topology_optimizer, ClosesNoDimple) {
+  for (bool has_room : {false, true}) {
+    Mesh m;
+    m.points = {Point(0.5, 0, -0.4), Point(2, 0, 0),    Point(0, 1, 0), Point(0, -1, 0),
+                Point(2, 0, -0.6),   Point(0.5, 0, -3), Point(-1, 0, 0)};
+    std::vector<std::array<std::uint32_t, 4>> cells = {{0, 1, 2, 4}, {0, 1, 4, 3}, {0, 2, 5, 4}, {0, 3, 4, 5}};
+    if (has_room) {
+      cells.push_back({0, 2, 6, 5});
+      cells.push_back({0, 6, 3, 5});
+    } else {
+      m.points.pop_back();
+      cells.push_back({0, 2, 3, 5});
+    }
+    std::map<std::array<std::uint32_t, 3>, std::pair<int, std::array<std::uint32_t, 3>>> facets;
+    for (auto& c : cells) {
+      if (tubular::internal::signed_volume(Vector_3d(m.points[c[0]]), Vector_3d(m.points[c[1]]),
+                                           Vector_3d(m.points[c[2]]), Vector_3d(m.points[c[3]])) < 0)
+        std::swap(c[0], c[1]);
+      m.tetrahedra.push_back(c, 1);
+      for (int i = 0; i < 4; ++i) {
+        const auto& k = Tetrahedron_store::facet_corners(i);
+        const std::array<std::uint32_t, 3> f = {c[k[0]], c[k[1]], c[k[2]]};
+        auto key = f;
+        std::sort(key.begin(), key.end());
+        ++facets[key].first;
+        facets[key].second = f;
+      }
+    }
+    for (const auto& f : facets)
+      if (f.second.first == 1)
+        m.triangles.push_back(f.second.second, f.first[0] == 0 ? 1 : 2); // a rim around the dimple
+    ASSERT_TRUE(tubular::validity_report(m).is_valid()) << tubular::validity_report(m).defects();
+
+    Tetrahedron_store store(m);
+    tubular::internal::Topology_optimizer<Any_flip, Against_an_edge> flips(store, Any_flip(), Against_an_edge{&store},
+                                                                           1);
+    EXPECT_EQ(flips.improve_below(0.5), has_room ? 1u : 0u);
+    Mesh after;
+    store.write_to(after);
+    EXPECT_TRUE(tubular::validity_report(after).is_valid()) << tubular::validity_report(after).defects();
+    EXPECT_EQ(after.triangles.size(), m.triangles.size());
+  }
+}
+
 } // namespace

@@ -47,7 +47,7 @@ public:
       const double r = radius(p), d = std::sqrt(found.squared_distance);
       const bool outside = dot(Vector_3d(p) - Vector_3d(found.point), wall.at(found.index, found.point).normal) > 0;
       // beyond an opening the wall's normal does not tell; but no point of the lumen is further away than its radius
-      return Need{(std::max)(outside ? d : 0, d - r), leaf_per_radius * r};
+      return Need{(std::max)(outside ? d : 0, d - r), (std::min)((std::max)(leaf_at_wall * r, d), leaf_inside * r)};
     };
     tree_ = Corner_octree(wall.tree().bbox(), need, threads);
     values_.resize(tree_.number_of_corners());
@@ -83,8 +83,10 @@ public:
   std::size_t number_of_corners() const { return values_.size(); }
 
 private:
-  // It is the distance over which directions blend; sharpen() undoes most of what interpolation blurs within it.
-  static constexpr double leaf_per_radius = 0.45;
+  /* In local radii, the distance over which directions blend; sharpen() undoes most of what interpolation blurs within
+   * it. At the wall elements are twenty times as long as high: where the normal is off by three degrees their height is
+   * off by its like. */
+  static constexpr double leaf_at_wall = 0.2, leaf_inside = 0.45;
 
   struct Need {
     double distance_to_domain, leaf_width;

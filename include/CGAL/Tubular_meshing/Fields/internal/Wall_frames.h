@@ -38,7 +38,8 @@ struct Wall_frame {
 class Wall_frames {
 public:
   /* `radius(v)`: the local radius at a vertex; `direction(v)`: the unit vector e_t there; both safe to call from
-   * several threads. Normals and curvatures are averaged within `smoothing` radii, directions within half a radius.
+   * several threads. Curvatures are averaged within `smoothing` radii, directions within half a radius,
+   * normals within a quarter of `smoothing` radii: layers lie along the wall as it is, at the scale of their elements.
    * O(n). */
   template <class Radius, class Direction>
   Wall_frames(Indexed_wall wall, const Radius& radius, const Direction& direction, double smoothing, int threads)
@@ -56,7 +57,7 @@ public:
     const Curvature_estimator estimator(wall_, reach, threads);
     frames_.resize(n);
     for_each_vertex([&](Indexed_wall::Index v, Wall_neighborhood& near) {
-      frames_[v].normal = mean_normal(estimator, near, v, reach[v]);
+      frames_[v].normal = mean_normal(estimator, near, v, reach[v] / 4);
     });
     for_each_vertex([&](Indexed_wall::Index v, Wall_neighborhood& near) {
       frames_[v].along = mean_direction(e_t, near, v, 0.5 * r[v]);

@@ -142,8 +142,9 @@ private:
       return false;
     if (!best_triangulation(m, required))
       return false;
-    // asked last, as it may be dear
-    if (!ring_.closed && !guard_(ring_.a, ring_.b, ring_.link.front(), ring_.link.back(), facets_.front().label))
+    // asked last, as they may be dear
+    if (!ring_.closed && (are_joined(ring_.link.front(), ring_.link.back()) ||
+                          !guard_(ring_.a, ring_.b, ring_.link.front(), ring_.link.back(), facets_.front().label)))
       return false;
     new_cells_.clear();
     collect(0, m - 1);
@@ -197,6 +198,13 @@ private:
     facets_.push_back({{a, c, d}, label});
     facets_.push_back({{b, c, d}, label});
     return true;
+  }
+
+  /* Whether two vertices are joined by an edge. If those of a flip on the surface are, outside of the cavity, the new
+   * facets would come to lie on others: a dimple would be closed by the flip. */
+  bool are_joined(Index c, Index d) {
+    store_.star(c, star_);
+    return std::any_of(star_.begin(), star_.end(), [&](Index t) { return store_[t].v[store_.corner(t, d)] == d; });
   }
 
   // Klincsek's recurrence over the link polygon 0 … m-1: the worst quality of the best triangulation of i … j.
@@ -273,7 +281,7 @@ private:
   std::array<std::array<int, most_link_vertices>, most_link_vertices> apex_;
   boost::container::small_vector<Store::Vertices, 16> new_cells_;
   boost::container::small_vector<Store::Labelled_facet, 2> facets_;
-  Store::Index_list new_tetrahedra_;
+  Store::Index_list new_tetrahedra_, star_;
 };
 
 } // namespace internal

@@ -6,6 +6,7 @@
 
 #include <CGAL/Tubular_meshing/Volume/internal/remeshing/Cavity.h>
 #include <CGAL/Tubular_meshing/Volume/internal/remeshing/Edge_splitter.h>
+#include <CGAL/Tubular_meshing/Volume/internal/remeshing/Link_condition.h>
 
 #include <algorithm>
 #include <cmath>
@@ -26,7 +27,8 @@ public:
   Edge_collapser(Mesh& mesh, Flips& flips)
       : mesh_(mesh)
       , flips_(flips)
-      , cavity_(mesh) {}
+      , cavity_(mesh)
+      , link_condition_(mesh.store) {}
 
   // The edge between corners i and j of t: the one end onto the other, or the other way.
   bool collapse(Index t, int i, int j, const Operation_bounds& bounds) {
@@ -63,7 +65,7 @@ private:
     const auto is_new = [&](Index u) { return std::find(ring_.link.begin(), ring_.link.end(), u) == ring_.link.end(); };
     if (cavity_.new_lengths(is_new)[1] > bounds.longest)
       return false;
-    if (at.dimension < 3 && (!add_facets(v, w) || !keeps_topology(v, w)))
+    if (at.dimension < 3 && (!add_facets(v, w) || !link_condition_.holds(v, w, ring_, star_)))
       return false;
     if (at.dimension == 3) // on the surface, vertices may come closer than tetrahedra allow for
       cavity_.enlarge(good_enough, [this](Index t) { return flips_.quality(t); });
@@ -101,56 +103,6 @@ private:
       }
     }
     return true;
-  }
-
-  /* No vertex but those around the edge may be joined to both its ends, and no facet of both: two sheets of the surface
-   * would be glued. */
-  bool keeps_topology(Index v, Index w) {
-    const auto& link = ring_.link;
-    const auto in_link = [&](Index u) { return std::find(link.begin(), link.end(), u) != link.end(); };
-    neighbors_.clear();
-    for (Index t : star_)
-      for (Index u : mesh_.store[t].v)
-        if (u != v && u != w)
-          neighbors_.push_back(u);
-    std::sort(neighbors_.begin(), neighbors_.end());
-    mesh_.store.star(w, other_star_);
-    for (Index t : other_star_) {
-      const auto& x = mesh_.store[t].v;
-      if (std::find(x.begin(), x.end(), v) != x.end())
-        continue;
-      int shared = 0;
-      for (Index u : x) {
-        if (u == w || !std::binary_search(neighbors_.begin(), neighbors_.end(), u))
-          continue;
-        if (!in_link(u))
-          return false;
-        ++shared;
-      }
-      if (shared > 2)
-        return false;
-      if (shared == 2 && !follows_in_link(x) && is_facet_of_star(v, x))
-        return false;
-    }
-    return true;
-  }
-  // Whether the two vertices that the tetrahedron x shares with the link are next to each other there.
-  bool follows_in_link(const Store::Vertices& x) const {
-    const auto& link = ring_.link;
-    const auto in_x = [&](Index u) { return std::find(x.begin(), x.end(), u) != x.end(); };
-    for (std::size_t k = 0; k + 1 < link.size(); ++k)
-      if (in_x(link[k]) && in_x(link[k + 1]))
-        return true;
-    return ring_.closed && in_x(link.front()) && in_x(link.back());
-  }
-  bool is_facet_of_star(Index v, const Store::Vertices& x) const {
-    return std::any_of(star_.begin(), star_.end(), [&](Index t) {
-      int shared = 0;
-      for (Index u : mesh_.store[t].v)
-        shared += u != v && std::find(ring_.link.begin(), ring_.link.end(), u) != ring_.link.end() &&
-                  std::find(x.begin(), x.end(), u) != x.end();
-      return shared == 2;
-    });
   }
 
   // New edges on the surface lie close to it, in their length, or closer than v's edges did.
@@ -197,8 +149,9 @@ private:
   Mesh& mesh_;
   Flips& flips_;
   Cavity<Mesh> cavity_;
+  Link_condition link_condition_;
   Store::Ring ring_;
-  std::vector<Index> star_, other_star_, neighbors_;
+  std::vector<Index> star_;
   Store::Index_list come_;
 };
 

@@ -1,0 +1,137 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The report on layers at the wall, on a block of flat tetrahedra beside a straight centerline.
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Tubular_meshing/Centerlines/Centerline_graph.h>
+#include <CGAL/Tubular_meshing/Fields/Metric_tensor_3.h>
+#include <CGAL/Tubular_meshing/Mixed_mesh.h>
+#include <CGAL/Tubular_meshing/Quality/boundary_layer_report.h>
+#include <CGAL/Tubular_meshing/exceptions.h>
+#include <CGAL/Tubular_meshing/labels.h>
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace {
+
+typedef CGAL::Exact_predicates_inexact_constructions_kernel::Point_3 Point;
+typedef CGAL::Tubular_meshing::Mixed_mesh<Point> Mesh;
+typedef CGAL::Tubular_meshing::Centerline_graph<Point> Graph;
+typedef CGAL::Tubular_meshing::Metric_tensor_3 Metric;
+namespace tubular = CGAL::Tubular_meshing;
+
+const int n = 4;
+const double height = 0.05, around = 0.2, along = 0.6;
+
+/* n × n × n boxes of six tetrahedra, long in x and flat in z; the wall is at z = 0. If `lifted`, the last row of
+ * points above the wall is nearly at twice its height; all points are turned about z by `angle`. */
+Mesh block(bool lifted = false, double angle = 0) {
+  Mesh m;
+  const auto at = [](int i, int j, int k) { return std::uint32_t((i * (n + 1) + j) * (n + 1) + k); };
+  for (int i = 0; i <= n; ++i)
+    for (int j = 0; j <= n; ++j)
+      for (int k = 0; k <= n; ++k) {
+        const double x = along * i, y = around * j, z = height * (lifted && k == 1 && j == n ? 1.95 : k);
+        m.points.push_back(
+            Point(std::cos(angle) * x - std::sin(angle) * y, std::sin(angle) * x + std::cos(angle) * y, z));
+      }
+  const int orders[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j)
+      for (int k = 0; k < n; ++k)
+        for (int o = 0; o < 6; ++o) {
+          std::array<int, 3> corner = {i, j, k};
+          std::array<std::uint32_t, 4> t = {at(i, j, k), 0, 0, 0};
+          for (int s = 0; s < 3; ++s) {
+            ++corner[orders[o][s]];
+            t[s + 1] = at(corner[0], corner[1], corner[2]);
+          }
+          if (o >= 3)
+            std::swap(t[2], t[3]);
+          m.tetrahedra.push_back(t, 1);
+        }
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) {
+      m.triangles.push_back({at(i, j, 0), at(i + 1, j, 0), at(i + 1, j + 1, 0)}, tubular::labels::wall);
+      m.triangles.push_back({at(i, j, 0), at(i + 1, j + 1, 0), at(i, j + 1, 0)}, tubular::labels::wall);
+    }
+  return m;
+}
+
+void set_metric(Mesh& m, double h_x, double h_y, double h_z) {
+  tubular::Point_array array{"metric", 6, {}};
+  for (std::size_t v = 0; v < m.points.size(); ++v)
+    for (double component : Metric(1 / (h_x * h_x), 0, 0, 1 / (h_y * h_y), 0, 1 / (h_z * h_z)).components())
+      array.values.push_back(component);
+  m.point_arrays.assign(1, array);
+}
+
+// Along x, far above the block; with a side branch far away, or over its middle.
+Graph line(bool branches_here = false) {
+  const double x = branches_here ? 1.2 : 40;
+  return Graph({Point(-50, 0.4, 3), Point(x, 0.4, 3), Point(60, 0.4, 3), Point(x, 0.4, 30)}, std::vector<double>(4, 3.),
+               {{0, 1}, {1, 2}, {1, 3}});
+}
+
+TEST(Boundary_layer_report, FirstHeightsAreThoseOfTheLayer) {
+  Mesh m = block();
+  set_metric(m, along, around, height);
+  const auto r = tubular::boundary_layer_report(m, line());
+  EXPECT_EQ(r.first_height.count(), std::size_t((n + 1) * (n + 1)));
+  EXPECT_NEAR(r.first_height.min(), 1, 1e-12);
+  EXPECT_NEAR(r.first_height.max(), 1, 1e-12);
+  EXPECT_EQ(r.share_of_first_heights(), 1);
+  // asked for is the smallest size
+  set_metric(m, along, around, height / 2);
+  EXPECT_NEAR(tubular::boundary_layer_report(m, line()).first_height.mean(), 2, 1e-12);
+}
+
+TEST(Boundary_layer_report, TellsWhereTheLayerIsTooHigh) {
+  Mesh m = block(true);
+  set_metric(m, along, around, height);
+  const auto r = tubular::boundary_layer_report(m, line());
+  EXPECT_NEAR(r.first_height.min(), 1, 1e-12);
+  EXPECT_NEAR(r.first_height.max(), 1.95, 1e-12);
+  // the last row, and the one beside it, where facets on either side have tetrahedra of either height
+  EXPECT_NEAR(r.share_of_first_heights(), (n - 1.) / (n + 1), 1e-12);
+  EXPECT_EQ(r.share_of_first_heights(1), 1);
+}
+
+TEST(Boundary_layer_report, LongEdgesAreMeasuredAgainstTheCenterline) {
+  for (double degrees : {0., 10., 30.}) {
+    Mesh m = block(false, degrees * std::acos(-1.) / 180);
+    set_metric(m, along * 0.99, around, height);
+    const auto r = tubular::boundary_layer_report(m, line());
+    ASSERT_GT(r.alignment.count(), 0u);
+    // edges along the boxes, and their diagonals, which are longer still
+    const double diagonal = std::atan(std::hypot(around, height) / along) * 180 / std::acos(-1.);
+    EXPECT_NEAR(r.alignment.min(), degrees, 1e-6);
+    EXPECT_LE(r.alignment.max(), degrees + diagonal + 1e-6);
+  }
+}
+
+TEST(Boundary_layer_report, LeavesOutWhatHasNoDirection) {
+  Mesh m = block();
+  set_metric(m, along, along / 1.9, height); // not even twice as long
+  EXPECT_EQ(tubular::boundary_layer_report(m, line()).alignment.count(), 0u);
+  set_metric(m, along * 0.99, around, height);
+  EXPECT_GT(tubular::boundary_layer_report(m, line()).alignment.count(), 0u);
+  EXPECT_EQ(tubular::boundary_layer_report(m, line(true)).alignment.count(), 0u);
+}
+
+TEST(Boundary_layer_report, NeedsAMetric) {
+  const Mesh m = block();
+  EXPECT_THROW(tubular::boundary_layer_report(m, line()), tubular::Input_error);
+  Mesh with = block();
+  set_metric(with, along, around, height);
+  EXPECT_THROW(tubular::boundary_layer_report(with, Graph()), tubular::Input_error);
+}
+
+} // namespace
