@@ -35,7 +35,10 @@ namespace Tubular_meshing {
  *
  * Annular patches are covered by structured grids, see elliptic_grid(), with the same even number of points all along a
  * branch, see quadrangulate_annular_patches(). The other patches, junctions first of all, and those whose grids would
- * fold, get unstructured quads.
+ * fold, get unstructured quads: points are packed along a field of crosses that follows the loops,
+ * \cgalCite{remacle2013}, their triangles are recombined, see recombine_triangles(), and cleaned up, locally and by
+ * one-defect remeshing, \cgalCite{bunin2006}; vertices are moved on the surface for better quads. Curves' points stay,
+ * but where quads beside them are bad.
  *
  * As patches share the points of their curves, the result is conforming. It is closed, manifold, turned outward, and
  * free of self-intersections, whichever diagonal its quads are split by; where pieces would meet themselves or each
