@@ -10,6 +10,8 @@
 #include <CGAL/Tubular_meshing/Operators/extrude_wall.h>
 #include <CGAL/Tubular_meshing/Surface/Remeshed_surface.h>
 #include <CGAL/Tubular_meshing/Tubular_model.h>
+#include <CGAL/Tubular_meshing/Volume/append_mesh.h>
+#include <CGAL/Tubular_meshing/Volume/extrude_boundary_layer.h>
 #include <CGAL/Tubular_meshing/Volume/fill_with_pyramids_and_tetrahedra.h>
 #include <CGAL/Tubular_meshing/Volume/internal/Model_in_its_frame.h>
 #include <CGAL/Tubular_meshing/Volume/internal/check_mesh_of_model.h>
@@ -21,19 +23,39 @@
 
 namespace CGAL {
 namespace Tubular_meshing {
+namespace internal {
+
+// Layers of cells along the wall, and pyramids and tetrahedra in what they leave, in the model's frame.
+template <class Point_3, class SizingField, class NamedParameters>
+Mixed_mesh<Point_3> fill_with_boundary_layer(const Remeshed_surface<Point_3>& surface, const SizingField& size,
+                                             const Centerline_field<Point_3>& centerlines, const NamedParameters& np) {
+  const Boundary_layer<Point_3> layer = extrude_boundary_layer(surface.surface, surface.patch, centerlines, np);
+  Mixed_mesh<Point_3> mesh = layer.layers, inside;
+  try {
+    fill_with_pyramids_and_tetrahedra(layer.inner, layer.patch, size, inside, np);
+  } catch (const Meshing_error&) { // its places are in the frame
+    throw Meshing_error(
+        "Inside of the boundary layers the lumen cannot be filled with pyramids and tetrahedra: ask for "
+        "fewer or thinner layers, or a finer mesh.");
+  }
+  append_mesh(mesh, inside, layer.mesh_points);
+  return mesh;
+}
+
+} // namespace internal
 
 /*! \ingroup PkgTubularMeshingRef
  *
  * makes a mesh of mixed cells (sections 2.5 and 3.2 of the paper): the wall's surface is meshed by quads, on which
  * pyramids stand on the inside, tetrahedra fill the lumen between them, and hexahedra the vessel's wall, if one is
- * wanted.
+ * wanted. Further hexahedra may lie in layers inside, along the wall; the pyramids stand on these then.
  *
  * Regions are labels::lumen and, with a wall, labels::wall_region. The patches are those of make_isotropic_mesh(), and
  * of extrude_wall(); patch labels::wall is then the interface between lumen and wall. The mesh is checked: cells match
  * face to face, none is inverted, and there are facets on every opening.
  *
  * In the few places where no pyramid fits on a quad it is split, see fill_with_pyramids_and_tetrahedra(): the patch
- * labels::wall has triangles there, and the wall prisms.
+ * labels::wall has triangles there, and the wall prisms. With layers inside that cannot be done.
  *
  * \param model see make_tubular_model()
  * \param np an optional sequence of named parameters among the ones listed below
@@ -46,6 +68,10 @@ namespace Tubular_meshing {
  *     \cgalParamDefault{0} \cgalParamNEnd
  *   \cgalParamNBegin{wall_layers, wall_growth, second_wall_thickness, second_wall_layers, second_wall_growth}
  *     \cgalParamDescription{see extrude_wall()} \cgalParamNEnd
+ *   \cgalParamNBegin{boundary_layer_prisms} \cgalParamDescription{number of layers inside; 0: there are none}
+ *     \cgalParamDefault{0} \cgalParamNEnd
+ *   \cgalParamNBegin{boundary_layer_thickness, first_height, growth} \cgalParamDescription{of these, see
+ *     extrude_boundary_layer()} \cgalParamNEnd
  *   \cgalParamNBegin{volume_mesher, optimization_passes} \cgalParamDescription{see fill_with_pyramids_and_tetrahedra()}
  *     \cgalParamNEnd
  *   \cgalParamNBegin{number_of_threads, observer} \cgalParamDescription{as for make_isotropic_mesh()} \cgalParamNEnd
@@ -68,12 +94,16 @@ Mixed_mesh<Point_3> make_mixed_mesh(const Tubular_model<Point_3>& model,
   const Centerline_sizing_field<Point_3> size = framed.sizing_field(np);
   internal::check_memory(size.estimated_number_of_tetrahedra());
   const Remeshed_surface<Point_3> surface = internal::quadrangulate_in_frame(framed, size, np);
+  const Centerline_field<Point_3> centerlines(framed.centerlines());
   observer("pyramids and tetrahedra");
   Mixed_mesh<Point_3> mesh;
-  fill_with_pyramids_and_tetrahedra(surface.surface, surface.patch, size, mesh, With_splits(true, np));
+  if (internal::choose(np, internal_np::boundary_layer_prisms, 0) != 0)
+    mesh = internal::fill_with_boundary_layer(surface, size, centerlines, np);
+  else
+    fill_with_pyramids_and_tetrahedra(surface.surface, surface.patch, size, mesh, With_splits(true, np));
   if (wall_thickness != 0) {
     observer("wall");
-    extrude_wall(mesh, Centerline_field<Point_3>(framed.centerlines()), np);
+    extrude_wall(mesh, centerlines, np);
   }
   observer("check");
   internal::check_differences(mesh, model);
