@@ -478,7 +478,8 @@ TEST(Extrude_wall, of_tetrahedra_needs_triangles_where_there_are_cells) {
   const auto report = tubular::extrude_wall(surface, one, parameters::tetrahedral_wall(true));
   EXPECT_EQ(report.tetrahedra, 4u * 6 * 24 * 12); // quads without cells are split
   EXPECT_EQ(defects_of_wall(surface), "");
-  EXPECT_NEAR(volume(surface, 2), tube.length * (tube.section(1.2) - tube.section(1)), 1e-4);
+  // the diagonals turn the columns a little
+  EXPECT_NEAR(volume(surface, 2), tube.length * (tube.section(1.2) - tube.section(1)), 1e-3);
 
   Labelled_surface s(tube.mesh());
   auto layer = tubular::extrude_boundary_layer(s.surface, s.patch, one);

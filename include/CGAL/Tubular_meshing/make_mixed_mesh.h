@@ -27,14 +27,14 @@ namespace Tubular_meshing {
  *
  * makes a mesh of mixed cells (sections 2.5 and 3.2 of the paper): the wall's surface is meshed by quads, on which
  * pyramids stand on the inside, tetrahedra fill the lumen between them, and hexahedra the vessel's wall, if one is
- * wanted.
+ * wanted. Further hexahedra may lie in layers inside, along the wall; the pyramids stand on these then.
  *
  * Regions are labels::lumen and, with a wall, labels::wall_region. The patches are those of make_isotropic_mesh(), and
  * of extrude_wall(); patch labels::wall is then the interface between lumen and wall. The mesh is checked: cells match
  * face to face, none is inverted, and there are facets on every opening.
  *
  * In the few places where no pyramid fits on a quad it is split, see fill_with_pyramids_and_tetrahedra(): the patch
- * labels::wall has triangles there, and the wall prisms.
+ * labels::wall has triangles there, and the wall prisms. With layers inside that cannot be done.
  *
  * \param model see make_tubular_model()
  * \param surface gets the surface of quads, see make_quad_surface_mesh()
@@ -68,6 +68,7 @@ Mixed_mesh<Point_3> make_mixed_mesh(const Tubular_model<Point_3>& model, Remeshe
   typedef Named_parameters<bool, internal_np::split_quads_t, NamedParameters> With_splits;
   const auto observer = internal::stage_observer(np);
   const double wall_thickness = internal::choose(np, internal_np::wall_thickness, 0.);
+  internal::check_keeps_boundary(internal::choose(np, internal_np::volume_mesher, default_volume_mesher()));
   observer("size field");
   internal::Model_in_its_frame<Point_3> framed(model);
   const Centerline_sizing_field<Point_3> size = framed.sizing_field(np);

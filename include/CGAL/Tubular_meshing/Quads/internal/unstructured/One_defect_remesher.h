@@ -45,6 +45,7 @@ public:
 private:
   static constexpr std::size_t most_regions = 60; // from one vertex
   static constexpr std::size_t most_quads = 300;  // of a region
+  static constexpr int most_trials = 4;           // that fail, from one vertex
   static constexpr int sweeps = 12;
 
   struct Region {
@@ -64,13 +65,13 @@ private:
         regions.push_back(std::move(region));
     };
     push(mesh_.quads_at(v));
-    while (!regions.empty()) {
+    for (int trials = 0; !regions.empty() && trials < most_trials;) {
       const auto best = std::max_element(regions.begin(), regions.end(),
                                          [](const Region& a, const Region& b) { return a.cost < b.cost; });
       std::swap(*best, regions.back());
       const Region region = std::move(regions.back());
       regions.pop_back();
-      if (remesh(region))
+      if (remesh(region, trials))
         return true;
       for (const Vertices& side : region.sides)
         push(with_row_beyond(region, side));
@@ -205,13 +206,14 @@ private:
   // Of the vertex in the middle of a region with n sides.
   int cost_of_middle(std::size_t n) const { return exchange_.cost_inside(int(n)); }
 
-  bool remesh(const Region& region) {
+  bool remesh(const Region& region, int& trials) {
     const std::size_t n = region.sides.size();
     if (n < 3 || n > 5 || cost_of_middle(n) >= region.cost)
       return false;
     const std::size_t first_new = mesh_.places.size();
     std::vector<Quad> added;
     if ((n == 4 && fill_grid(region, added)) || (n != 4 && fill_around_middle(region, added))) {
+      ++trials;
       if (exchange_.apply(region.quads, added, first_new, sweeps))
         return true;
     } else {

@@ -11,6 +11,7 @@
 #include <CGAL/Tubular_meshing/Volume/append_mesh.h>
 #include <CGAL/Tubular_meshing/Volume/extrude_boundary_layer.h>
 #include <CGAL/Tubular_meshing/Volume/internal/Model_in_its_frame.h>
+#include <CGAL/Tubular_meshing/exceptions.h>
 #include <CGAL/Tubular_meshing/internal/Stage_observer.h>
 #include <CGAL/Tubular_meshing/parameters.h>
 
@@ -42,7 +43,12 @@ void fill_within_layers(const Remeshed_surface<Point>& surface, const Model_in_i
   report = layer.report;
   report.worst_place = framed.from_frame(report.worst_place);
   Mixed_mesh<Point> inside;
-  fill(layer.inner, layer.patch, inside);
+  try {
+    fill(layer.inner, layer.patch, inside);
+  } catch (const Meshing_error&) { // its places are in the frame
+    throw Meshing_error("Inside of the boundary layers the lumen cannot be filled: ask for fewer or thinner layers, or "
+                        "for a finer mesh.");
+  }
   append_mesh(layer.layers, inside, layer.mesh_points);
   mesh = std::move(layer.layers);
 }
