@@ -158,7 +158,7 @@ void run(const Options& o) {
   if (o.makes_surface_only())
     run_report::describe_surface(report, surface);
   if (o.is_anisotropic())
-    run_report::add_metric_quality(report, mesh);
+    run_report::add_metric_quality(report, model, mesh);
   clock.begin("write");
   write(o, model, surface, mesh, report, clock);
   if (!o.quiet) {

@@ -34,7 +34,7 @@ struct Boundary_layer_report {
   /*! One value a vertex of the wall: the height of the first layer there, over the one asked for. The height is that of
    * the tetrahedra that stand on the wall's facets at the vertex (three times their volume over the area), in the mean
    * weighted by area; asked for is the smallest size of the metric at the vertex. In a metric that grows by 1.3 from
-   * layer to layer, it is 0.95 for regular tetrahedra. */
+   * layer to layer, it is 0.86 for regular tetrahedra. */
   Measure_statistics first_height;
 
   /*! One value a long edge: the angle between it and e_t, in degrees; e_t is the centerline's direction, made
