@@ -185,7 +185,7 @@ void run(const Options& o) {
   if (o.boundary_layer_prisms > 0)
     run_report::add_layers(report, "boundary_layer", boundary_layer);
   if (o.is_anisotropic())
-    run_report::add_metric_quality(report, mesh);
+    run_report::add_metric_quality(report, model, mesh);
   clock.begin("write");
   write(o, model, surface, mesh, report, clock);
   if (!o.quiet) {

@@ -258,6 +258,73 @@ TEST(Tetrahedron_store, RenumbersWithoutTheUnused) {
   EXPECT_EQ(back.triangles.size(), m.triangles.size());
 }
 
+// Whether the vertex v may be pulled onto w, to which an edge joins it.
+bool link_condition_holds(const Mesh& m, std::uint32_t v, std::uint32_t w) {
+  const Tetrahedron_store store(m);
+  std::vector<Tetrahedron_store::Index> star;
+  store.star(v, star);
+  for (auto t : star) {
+    const int j = store.corner(t, w);
+    if (store[t].v[j] != w)
+      continue;
+    Tetrahedron_store::Ring ring;
+    store.ring(t, store.corner(t, v), j, ring);
+    return tubular::internal::Link_condition(store).holds(v, w, ring, star);
+  }
+  ADD_FAILURE() << v << " and " << w << " are not joined";
+  return false;
+}
+
+// A cap of one facet, 0 1 2: were its rim to lose a vertex, it would be gone.
+TEST(Link_condition, KeepsRimsOfThreeVertices) {
+  Mesh m;
+  m.points = {Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0), Point(0.3, 0.3, -1)};
+  m.tetrahedra.push_back({0, 2, 1, 3}, 1);
+  m.triangles.push_back({0, 1, 2}, 2); // a cap, and the wall around
+  m.triangles.push_back({1, 0, 3}, 1);
+  m.triangles.push_back({2, 1, 3}, 1);
+  m.triangles.push_back({0, 2, 3}, 1);
+  ASSERT_TRUE(tubular::validity_report(m).is_valid()) << tubular::validity_report(m).defects();
+  EXPECT_FALSE(link_condition_holds(m, 0, 1));
+}
+
+TEST(Link_condition, HoldsOnASideAndAlongARim) {
+  const Mesh m = make_cube(4);
+  const auto at = [](int i, int j, int k) { return std::uint32_t((i * 5 + j) * 5 + k); };
+  EXPECT_TRUE(link_condition_holds(m, at(2, 2, 0), at(3, 2, 0)));
+  EXPECT_TRUE(link_condition_holds(m, at(2, 0, 0), at(3, 0, 0)));
+}
+
+/* A rod of two prisms, with a triangle for its waist that is no facet of the surface: were two of its vertices to
+ * become one, the surface would touch itself along an edge. */
+TEST(Link_condition, KeepsAWaistOfThreeVertices) {
+  Mesh m;
+  for (int k = 0; k < 3; ++k)
+    for (const Point& p : {Point(0, 0, k), Point(1, 0, k), Point(0, 1, k)})
+      m.points.push_back(p);
+  std::map<std::array<std::uint32_t, 3>, std::vector<std::array<std::uint32_t, 3>>> facets;
+  for (std::uint32_t base : {0u, 3u})
+    for (std::array<std::uint32_t, 4> t : {std::array<std::uint32_t, 4>{0, 1, 2, 3}, {1, 2, 3, 4}, {2, 3, 4, 5}}) {
+      for (std::uint32_t& v : t)
+        v += base;
+      if (volume_of(m, t) < 0)
+        std::swap(t[0], t[1]);
+      m.tetrahedra.push_back(t, 1);
+      for (int f = 0; f < 4; ++f) {
+        const auto& c = Tetrahedron_store::facet_corners(f);
+        std::array<std::uint32_t, 3> facet = {t[c[0]], t[c[1]], t[c[2]]}, key = facet;
+        std::sort(key.begin(), key.end());
+        facets[key].push_back(facet);
+      }
+    }
+  for (const auto& f : facets)
+    if (f.second.size() == 1)
+      m.triangles.push_back(f.second[0], 1);
+  ASSERT_TRUE(tubular::validity_report(m).is_valid()) << tubular::validity_report(m).defects();
+  EXPECT_FALSE(link_condition_holds(m, 3, 4));
+  EXPECT_FALSE(link_condition_holds(m, 4, 5));
+}
+
 TEST(Anisotropic_remeshing, IsotropicCube) {
   for (double h : {0.12, 0.09}) {
     const Field field = [h](const Point&) { return Metric::isotropic(h); };
@@ -285,6 +352,18 @@ TEST(Anisotropic_remeshing, UniformOneToHundred) {
   const Mesh input = make_cube(5), m = remeshed(input, field);
   expect_valid(m, 1);
   expect_unit_mesh(m, ideal_number(input, field));
+}
+
+// Uniform metrics that elements of a cube cannot follow, being longer than it: there is an end, and nothing is
+// inverted.
+TEST(Anisotropic_remeshing, RatiosOfThousandsComeToAnEnd) {
+  for (double ratio : {1e3, 1e4}) {
+    const double thin = std::sqrt(6e-3 / ratio);
+    const Field field = [=](const Point&) { return sizes(thin, 0.6, ratio * thin); };
+    const Mesh input = make_cube(3), m = remeshed(input, field);
+    expect_valid(m, 1);
+    EXPECT_LT(double(m.tetrahedra.size()), 4 * ideal_number(input, field));
+  }
 }
 
 TEST(Anisotropic_remeshing, BoundaryLayer) {

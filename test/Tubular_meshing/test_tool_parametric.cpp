@@ -152,6 +152,20 @@ TEST_F(Tool, Makes_an_anisotropic_mesh) {
   EXPECT_GE(q["efficiency"].get<double>(), 0.86);
 }
 
+// By the paper's parameters, on a smooth wall.
+TEST_F(Tool, Lays_the_first_layer_along_the_wall) {
+  const auto skeleton = tubular::y_bifurcation<Point>();
+  Sample s;
+  tubular::generate_tubular_surface(skeleton, s.surface, tubular::parameters::points_per_circumference(32));
+  const Outcome outcome =
+      succeed({make("y.off", s.surface), "-t", "anisotropic", "-o", out("mesh.vtu"), "--report", out("r.json")});
+  EXPECT_NE(outcome.out.find("first layer"), std::string::npos);
+  const Json q = json_in(out("r.json"))["quality"];
+  EXPECT_GE(q["first_height"]["share_within_30_percent"].get<double>(), 0.9);
+  EXPECT_GT(q["alignment"]["count"].get<int>(), 1000);
+  EXPECT_GE(q["alignment"]["share_below_15_degrees"].get<double>(), 0.9);
+}
+
 // The metric is that of the mesh's own space: rotated and scaled with it.
 TEST_F(Tool, Measures_in_the_metric_of_space) {
   const Sample s = tube();
@@ -204,6 +218,22 @@ TEST_P(Real_parametric, Is_meshed_well) {
   EXPECT_GE(r["quality"]["gamma_T"]["mean"].get<double>(), 0.95);
   EXPECT_GE(r["quality"]["gamma_tau"]["min"].get<double>(), 0.22);
   EXPECT_GE(r["quality"]["gamma_tau"]["mean"].get<double>(), 0.72);
+}
+
+// Its wall has dimples that flips on the surface might close, by facets on top of each other.
+TEST_F(Tool, Meshes_the_bypass_anisotropically) {
+  const fs::path data = fs::path(TUBULAR_MESHING_SHARED_DATA) / "paper";
+  if (!fs::exists(data / "bypass.stl"))
+    GTEST_SKIP() << "needs " << data / "bypass.stl";
+  succeed({(data / "bypass.stl").string(), "-c", (data / "centerlinesBYPASS.msh").string(), "-t", "anisotropic", "-o",
+           out("mesh.vtu"), "--report", out("r.json")});
+  const auto validity = tubular::validity_report(mesh_in(out("mesh.vtu")));
+  EXPECT_TRUE(validity.is_valid()) << validity.defects();
+  const Json q = json_in(out("r.json"))["quality"];
+  EXPECT_LE(q["Q_tau"]["mean"].get<double>(), 1.4);
+  EXPECT_LE(q["Q_tau"]["max"].get<double>(), 8);
+  EXPECT_GE(q["Q_tau"]["share_below_3"].get<double>(), 0.985);
+  EXPECT_GE(q["efficiency"].get<double>(), 0.86);
 }
 
 INSTANTIATE_TEST_SUITE_P(Shared, Real_parametric,

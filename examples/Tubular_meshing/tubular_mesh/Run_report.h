@@ -11,6 +11,7 @@
 #include <CGAL/Tubular_meshing/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/Operators/Layer_report.h>
 #include <CGAL/Tubular_meshing/Operators/Repair_report.h>
+#include <CGAL/Tubular_meshing/Quality/boundary_layer_report.h>
 #include <CGAL/Tubular_meshing/Quality/branch_resolution.h>
 #include <CGAL/Tubular_meshing/Quality/quality_report.h>
 #include <CGAL/Tubular_meshing/Quality/validity_report.h>
@@ -199,12 +200,19 @@ template <class Point> void add_layers(Json& report, const char* name, const tub
                   {"sentence", layers.text()}};
 }
 
-// Of a mesh in a metric.
-template <class Point> void add_metric_quality(Json& report, const tubular::Mixed_mesh<Point>& mesh) {
-  const tubular::Quality_report quality = tubular::quality_report(mesh);
+// Of a mesh in a metric, with layers at the wall.
+template <class Point>
+void add_metric_quality(Json& report, const tubular::Tubular_model<Point>& model,
+                        const tubular::Mixed_mesh<Point>& mesh) {
+  const tubular::Quality_report quality = tubular::quality_report(mesh, tubular::labels::lumen);
   report["quality"]["Q_tau"] = statistics(quality.Q_tau);
   report["quality"]["Q_tau"]["share_below_3"] = quality.Q_tau.share_below(3);
   report["quality"]["efficiency"] = quality.efficiency;
+  const tubular::Boundary_layer_report layer = tubular::boundary_layer_report(mesh, model.centerlines);
+  report["quality"]["first_height"] = statistics(layer.first_height);
+  report["quality"]["first_height"]["share_within_30_percent"] = layer.share_of_first_heights(0.3);
+  report["quality"]["alignment"] = statistics(layer.alignment);
+  report["quality"]["alignment"]["share_below_15_degrees"] = layer.alignment.share_below(15);
 }
 
 inline void add_times(Json& report, const Stage_clock& clock) {
@@ -249,6 +257,17 @@ inline void print_counts(const Json& r) {
   std::printf("\n\n");
 }
 
+inline void print_metric_quality(const Json& q) {
+  std::printf("in the metric: Q %.2f on average, at most %.2f; efficiency %.3f\n", q["Q_tau"]["mean"].get<double>(),
+              q["Q_tau"]["max"].get<double>(), q["efficiency"].get<double>());
+  std::printf("first layer: %.2f of the height asked for on average, within 30 %% of it at %.1f %% of the wall\n",
+              q["first_height"]["mean"].get<double>(),
+              100 * q["first_height"]["share_within_30_percent"].get<double>());
+  if (q["alignment"]["count"] > 0)
+    std::printf("long edges: %.1f %% within 15 degrees of the centerline's direction\n",
+                100 * q["alignment"]["share_below_15_degrees"].get<double>());
+}
+
 inline void print(const Json& r, bool verbose) {
   print_counts(r);
   for (const auto& repair : r["repairs"])
@@ -264,9 +283,7 @@ inline void print(const Json& r, bool verbose) {
                 s["mean"].get<double>());
   }
   if (r["quality"].contains("Q_tau"))
-    std::printf("in the metric: Q %.2f on average, at most %.2f; efficiency %.3f\n",
-                r["quality"]["Q_tau"]["mean"].get<double>(), r["quality"]["Q_tau"]["max"].get<double>(),
-                r["quality"]["efficiency"].get<double>());
+    print_metric_quality(r["quality"]);
   double fewest = 0, most = 0;
   for (const auto& b : r["branches"]) {
     const double p = b["points_per_circumference"];

@@ -42,12 +42,13 @@ namespace Tubular_meshing {
  * - In the core the size is 2 π r / N, in all directions, of the Centerline_sizing_field; its radius r, that of an
  *   aneurysm's sac included, is also the one to which δ and \f$ h_n^0 \f$ are relative.
  * - The normal direction e_n is that of the wall, which is that of x − x_c in a tube, and is right in a sac or at a
- *   junction too; e_t is the centerline's direction, made perpendicular to it; e_bn is perpendicular to both.
+ *   junction too; it is averaged over a quarter of `smoothing_radius`. e_t is the centerline's direction, made
+ *   perpendicular to it; e_bn is perpendicular to both.
  * Curvatures are those of compute_curvatures(), by absolute value in (5) and (9), with their sign in (6).
  *
  * Where the nearest branch or the nearest part of the wall changes, tensors are blended in the logarithmic sense, over
- * about half a radius: the metric is continuous in all of space, and positive definite everywhere. Caps are no walls:
- * the layer runs on to the openings.
+ * a fifth of a radius at the wall and half a radius inside: the metric is continuous in all of space, and positive
+ * definite everywhere. Caps are no walls: the layer runs on to the openings.
  *
  * The field is sampled once, in O(n log n) for n faces and leaves of an octree; afterwards it depends on nothing that
  * it was built from. A query is O(log n), takes about a microsecond, allocates nothing, and is safe from several

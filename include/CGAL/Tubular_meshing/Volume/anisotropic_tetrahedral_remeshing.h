@@ -91,9 +91,9 @@ void remesh_to_metric(Mixed_mesh<Point>& mesh, const MetricField& metric, const 
  *
  * What the metric should be like: sizes that change by less than, say, a factor 1.5 from one element to the next (see
  * Metric_tensor_3::limit_growth()), and on a curved boundary sizes along the surface well below its radius of
- * curvature; otherwise no mesh fits it well. Ratios of sizes up to 100 are tested; from about 1000 on it may take very
- * long, or leave bad elements, which quality_report() shows. A feature of the field much smaller than the edges of the
- * given mesh may be missed.
+ * curvature; otherwise no mesh fits it well. Ratios of sizes up to 100 are tested; from about 1000 on it comes to
+ * an end, but may leave bad elements, which quality_report() shows. A feature of the field much smaller than the edges
+ * of the given mesh may be missed.
  *
  * O(n log n) in the number n of tetrahedra, of the input or of the result, whichever is larger. The result does not
  * depend on the number of threads. About 300 bytes a tetrahedron.

@@ -129,6 +129,15 @@ public:
   }
   double triangle(Index a, Index b, Index c) const { return metric_quality(at(a), at(b), at(c)); }
 
+  // As the metrics at the vertices of the mesh foretell.
+  double number_of_unit_tetrahedra() const {
+    double n = 0;
+    for (Index t = 0; t < store.number_of_slots(); ++t)
+      if (store.is_alive(t))
+        n += shape(store[t].v).volume;
+    return n;
+  }
+
   // Vertices and tetrahedra along a space-filling curve; the unused are gone.
   void renumber() {
     typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
@@ -168,15 +177,6 @@ private:
       }
     return norm(high - low);
   }
-  // As the metrics at the vertices of the mesh foretell.
-  double number_of_unit_tetrahedra() const {
-    double n = 0;
-    for (Index t = 0; t < store.number_of_slots(); ++t)
-      if (store.is_alive(t))
-        n += shape(store[t].v).volume;
-    return n;
-  }
-
   const Field& field_;
   Metric_limits limits_;
   std::vector<Metric_tensor_3> metric_;

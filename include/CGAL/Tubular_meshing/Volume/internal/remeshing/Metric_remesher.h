@@ -162,10 +162,11 @@ private:
    * shape would make more of them. */
   std::size_t split_above(double size) {
     const double step = 0.6;
+    const std::size_t most = most_splits();
     std::size_t n = 0;
     double longest = 1e300;
     std::vector<Index> todo = list_tetrahedra(store_), next, made;
-    for (int i, j; !todo.empty(); todo.swap(next)) {
+    for (int i, j; !todo.empty() && n < most; todo.swap(next)) {
       const Edge_list edges = list_edges(mesh_, todo, [=](double l) { return l > sqrt_2 * size; });
       next.clear();
       made.clear();
@@ -186,11 +187,18 @@ private:
     return n;
   }
 
-  // The shortest edges first, again where new ones come about.
+  /* What a mesh can need, several times over: there are five or six tetrahedra a vertex. In metrics whose sizes are in
+   * a ratio of thousands, elements may get ever worse shapes, and ever more long edges with them; passes have an end.
+   */
+  std::size_t most_splits() const { return 10000 + std::size_t(mesh_.number_of_unit_tetrahedra()); }
+
+  // The shortest edges first, again where new ones come about; few rounds do most.
   std::size_t collapse_below(double size) {
+    const int most_rounds = 20;
     std::size_t n = 0;
     std::vector<Index> todo = list_tetrahedra(store_);
-    for (int i, j; !todo.empty();) {
+    int i, j;
+    for (int round = 0; round < most_rounds && !todo.empty(); ++round) {
       Edge_list edges = list_edges(mesh_, todo, [=](double l) { return l < size / sqrt_2; });
       std::reverse(edges.begin(), edges.end());
       todo.clear();
