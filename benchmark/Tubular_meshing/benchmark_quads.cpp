@@ -2,8 +2,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Triangles to quads: the argument is the number of squares on a side of a grid with random diagonals and vertices.
+// Walls of quads: the argument is the number of branches of a generated tree, cut and mapped beforehand.
 
+#include <CGAL/Tubular_meshing/Fields/Centerline_sizing_field.h>
+#include <CGAL/Tubular_meshing/Generators/bronchial_tree.h>
+#include <CGAL/Tubular_meshing/Generators/tubular_surface.h>
+#include <CGAL/Tubular_meshing/Operators/cut_by_centerlines.h>
+#include <CGAL/Tubular_meshing/Quads/quadrangulate_patches.h>
+#include <CGAL/Tubular_meshing/Surface/parameterize_patch.h>
+#include <CGAL/Tubular_meshing/Tubular_model.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
 #include <CGAL/Tubular_meshing/Quads/recombine_triangles.h>
 
 #include <benchmark/benchmark.h>
@@ -53,5 +64,29 @@ void recombine(benchmark::State& state, bool odd) {
 }
 BENCHMARK_CAPTURE(recombine, even, false)->Arg(71)->Arg(224)->Arg(708)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(recombine, odd, true)->Arg(71)->Arg(224)->Unit(benchmark::kMillisecond);
+
+void quadrangulate(benchmark::State& state) {
+  typedef CGAL::Exact_predicates_inexact_constructions_kernel::Point_3 Point_3;
+  namespace tubular = CGAL::Tubular_meshing;
+  const auto skeleton = tubular::bronchial_tree<Point_3>(std::size_t(state.range(0)));
+  CGAL::Surface_mesh<Point_3> surface;
+  tubular::generate_tubular_surface(skeleton, surface, tubular::parameters::points_per_circumference(16));
+  auto model = tubular::make_tubular_model(surface, tubular::centerlines_of(skeleton));
+  const tubular::Centerline_sizing_field<Point_3> size(
+      tubular::Centerline_field<Point_3>(model.centerlines),
+      tubular::Wall_distance<Point_3>(model.surface, model.patch, tubular::labels::wall),
+      tubular::parameters::points_per_circumference(16));
+  const auto cut = tubular::cut_by_centerlines(model.surface, model.centerlines, model.patch);
+  const auto maps = tubular::parameterize_patches(model.surface, cut);
+  tubular::Quad_report quads;
+  for (auto _ : state)
+    quads =
+        tubular::quadrangulate_patches(model.surface, cut, maps, size, tubular::parameters::number_of_threads(1)).quads;
+  state.counters["quads"] = double(quads.wall_quads());
+  state.counters["irregular"] = double(quads.irregular_vertices);
+  state.counters["least_eta"] = quads.least_eta;
+  state.counters["mean_eta"] = quads.mean_eta;
+}
+BENCHMARK(quadrangulate)->Arg(11)->Arg(101)->Arg(1001)->Unit(benchmark::kMillisecond);
 
 } // namespace

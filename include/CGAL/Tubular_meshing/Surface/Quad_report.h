@@ -19,7 +19,7 @@ struct Quad_report {
   std::size_t cap_quads = 0;                    ///< of caps
   std::size_t cap_triangles = 0;                ///< of caps
   std::size_t irregular_vertices = 0;           ///< of the wall, its rims left out: those of other than four quads
-  std::size_t annular_patches_without_grid = 0; ///< whose grids had folded cells, and which are unstructured
+  std::size_t annular_patches_without_grid = 0; ///< whose grids had bad or folded cells: unstructured
   std::size_t folded_quads = 0; ///< with a corner that turns the other way than the surface: 0 unless it is folded
   double least_eta = 1;         ///< the least \f$ \eta_q \f$ (14) of the wall's quads
   double mean_eta = 1;          ///< its mean

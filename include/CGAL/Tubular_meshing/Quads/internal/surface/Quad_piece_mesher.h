@@ -10,11 +10,13 @@
 #include <CGAL/Tubular_meshing/Quads/internal/surface/Quad_surface_improver.h>
 #include <CGAL/Tubular_meshing/Quads/internal/unstructured/Patch_quadrangulator.h>
 #include <CGAL/Tubular_meshing/Quads/internal/unstructured/Sheet.h>
+#include <CGAL/Tubular_meshing/Quality/internal/element_measures.h>
 #include <CGAL/Tubular_meshing/Surface/Patch_parameterization.h>
 #include <CGAL/Tubular_meshing/Surface/Remeshed_surface.h>
 #include <CGAL/Tubular_meshing/Surface/internal/remeshing/Chart.h>
 #include <CGAL/Tubular_meshing/Surface/internal/remeshing/Remeshed_piece.h>
 #include <CGAL/Tubular_meshing/exceptions.h>
+#include <CGAL/Tubular_meshing/internal/Vector_3d.h>
 #include <CGAL/Tubular_meshing/internal/parallel.h>
 
 #include <CGAL/Surface_mesh.h>
@@ -97,6 +99,8 @@ public:
   }
 
 private:
+  static constexpr double good_enough = 0.3; // η of a grid
+
   size_type rim_of_cap(size_type piece) const { return rims_[piece - maps_.size()]; }
   size_type piece_on_the_right(size_type c) const {
     if (!cut_.curves[c].is_rim())
@@ -140,16 +144,41 @@ private:
 
   template <class Piece_size> void mesh_patch(size_type k, const Piece_size& size, Piece& piece) {
     kinds_[k] = Quad_piece_kind::unstructured;
-    if (chains_.is_tube(k)) {
-      try {
-        make_grid(k, size, piece);
-        kinds_[k] = Quad_piece_kind::grid;
+    if (!chains_.is_tube(k))
+      return make_unstructured(k, size, piece);
+    kinds_[k] = Quad_piece_kind::grid;
+    try {
+      make_grid(k, size, piece);
+      if (least_eta(piece) >= good_enough)
         return;
-      } catch (const Error&) { // folded, or too wound
-        piece = Piece();
-        kinds_[k] = Quad_piece_kind::unstructured_for_grid;
-      }
+    } catch (const Error&) { // folded, or too wound
+      piece = Piece();
     }
+    Piece other;
+    make_unstructured(k, size, other);
+    if (other.empty() || least_eta(other) <= least_eta(piece))
+      return;
+    piece = std::move(other);
+    kinds_[k] = Quad_piece_kind::unstructured_for_grid;
+  }
+
+  // (14); 0 without quads.
+  double least_eta(const Piece& piece) const {
+    std::vector<Vector_3d> points;
+    for (const auto& side : piece.sides) {
+      const size_type n = curve_points_[side.curve].size();
+      for (size_type i = 0; i < n; ++i)
+        points.emplace_back(curve_points_[side.curve][side.forward ? i : n - 1 - i].point);
+    }
+    for (const Point_3& p : piece.inner_points)
+      points.emplace_back(p);
+    double least = piece.quads.empty() ? 0 : 1;
+    for (const auto& q : piece.quads)
+      least = (std::min)(least, quad_eta({points[q[0]], points[q[1]], points[q[2]], points[q[3]]}));
+    return least;
+  }
+
+  template <class Piece_size> void make_unstructured(size_type k, const Piece_size& size, Piece& piece) const {
     const auto polygons = patch_polygons(maps_[k], cut_, k, curve_points_, piece);
     const Patch_sheet<Point_3> sheet(maps_[k]);
     const Patch_chart<Point_3, Piece_size> chart(maps_[k], size);

@@ -11,7 +11,7 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <deque>
+#include <cstdint>
 #include <set>
 #include <utility>
 #include <vector>
@@ -22,7 +22,7 @@ namespace internal {
 
 /* Clean-up across many quads: regions with corners at which they have one quad, and two at all other vertices of their
  * border, are meshed anew with one irregular vertex, or with none: G. Bunin, *Non-local topological clean-up*, 15th
- * International Meshing Roundtable, 2006. They grow from each irregular vertex, side by side. */
+ * International Meshing Roundtable, 2006. They grow from each irregular vertex, row by row. */
 template <class Sheet> class One_defect_remesher {
 public:
   typedef Quad_patch::Quad Quad;
@@ -43,30 +43,35 @@ public:
   }
 
 private:
-  static constexpr std::size_t most_regions = 40; // from one vertex
-  static constexpr std::size_t most_quads = 250;  // of a region
+  static constexpr std::size_t most_regions = 60; // from one vertex
+  static constexpr std::size_t most_quads = 300;  // of a region
+  static constexpr int most_trials = 4;           // that fail, from one vertex
   static constexpr int sweeps = 12;
 
   struct Region {
-    std::vector<int> quads;      // ascending
+    std::vector<int> quads;
     std::vector<Vertices> sides; // counterclockwise; each from a corner to the next one, both included
     int cost = 0;                // of the vertices inside
   };
 
+  // The region with the highest cost goes on growing.
   bool grow_from(int v) {
-    std::deque<Region> queue;
-    std::set<std::vector<int>> seen;
+    std::vector<Region> regions;
+    std::set<std::uint64_t> seen;
     const auto push = [&](std::vector<int> quads) {
       Region region;
       region.quads = std::move(quads);
-      if (make_convex(region) && seen.size() < most_regions && seen.insert(region.quads).second)
-        queue.push_back(std::move(region));
+      if (make_convex(region) && seen.size() < most_regions && seen.insert(hash(region.quads)).second)
+        regions.push_back(std::move(region));
     };
     push(mesh_.quads_at(v));
-    while (!queue.empty()) {
-      const Region region = std::move(queue.front());
-      queue.pop_front();
-      if (remesh(region))
+    for (int trials = 0; !regions.empty() && trials < most_trials;) {
+      const auto best = std::max_element(regions.begin(), regions.end(),
+                                         [](const Region& a, const Region& b) { return a.cost < b.cost; });
+      std::swap(*best, regions.back());
+      const Region region = std::move(regions.back());
+      regions.pop_back();
+      if (remesh(region, trials))
         return true;
       for (const Vertices& side : region.sides)
         push(with_row_beyond(region, side));
@@ -74,20 +79,33 @@ private:
     return false;
   }
 
+  // Of a set, whatever the order.
+  static std::uint64_t hash(const std::vector<int>& quads) {
+    std::uint64_t sum = 0;
+    for (int q : quads) {
+      std::uint64_t x = (std::uint64_t(q) + 1) * 0x9e3779b97f4a7c15u;
+      x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
+      x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
+      sum += x ^ (x >> 31);
+    }
+    return sum;
+  }
+
   std::vector<int> with_row_beyond(const Region& region, const Vertices& side) const {
     std::vector<int> quads = region.quads;
     for (std::size_t i = 0; i + 1 < side.size(); ++i) {
       const int q = mesh_.quad_left_of(side[i + 1], side[i]);
-      if (q >= 0)
+      if (q >= 0 && std::find(quads.begin() + std::ptrdiff_t(region.quads.size()), quads.end(), q) == quads.end())
         quads.push_back(q);
     }
     return quads;
   }
 
   // Which quads are a region's, until the next call.
-  void mark(const std::vector<int>& quads) const {
+  void mark(const std::vector<int>& quads) {
     ++stamp_;
     marks_.resize(mesh_.quads.size(), 0);
+    vertex_marks_.resize(mesh_.places.size(), 0);
     for (int q : quads)
       marks_[std::size_t(q)] = stamp_;
   }
@@ -106,63 +124,48 @@ private:
   }
 
   /* Adds quads until the border turns nowhere outward, and describes it. False if that is impossible, or no disk. */
-  bool make_convex(Region& region) const {
+  bool make_convex(Region& region) {
     std::vector<int>& quads = region.quads;
-    for (bool grown = true; grown;) {
-      grown = false;
-      std::sort(quads.begin(), quads.end());
-      quads.erase(std::unique(quads.begin(), quads.end()), quads.end());
-      if (quads.size() > most_quads)
-        return false;
-      mark(quads);
-      std::vector<int> more;
-      for (int q : quads)
-        for (int v : mesh_.quad(q)) {
-          const auto inside = quads_inside(v);
-          if (inside.first == mesh_.valence(v) ? mesh_.is_fixed(v) && inside.first > 2
-                                               : inside.first > 2 || !inside.second) {
-            if (inside.first == mesh_.valence(v))
-              return false; // on a loop, where nothing is to be added
-            more.insert(more.end(), mesh_.quads_at(v).begin(), mesh_.quads_at(v).end());
-          }
+    mark(quads);
+    for (std::size_t i = 0; i < quads.size(); ++i) // those added come in their turn
+      for (int v : mesh_.quad(quads[i])) {
+        const auto inside = quads_inside(v);
+        if (inside.first == mesh_.valence(v)) {
+          if (mesh_.is_fixed(v) && inside.first > 2)
+            return false; // on a loop, where nothing is to be added
+        } else if (inside.first > 2 || !inside.second) {
+          for (int q : mesh_.quads_at(v))
+            if (!is_marked(q)) {
+              marks_[std::size_t(q)] = stamp_;
+              quads.push_back(q);
+            }
+          if (quads.size() > most_quads)
+            return false;
         }
-      if (!more.empty()) {
-        quads.insert(quads.end(), more.begin(), more.end());
-        grown = true;
       }
-    }
     return describe_border(region);
   }
 
-  bool describe_border(Region& region) const {
+  bool describe_border(Region& region) {
     std::vector<std::pair<int, int>> border; // edges, by their first vertices
     Vertices vertices;
-    for (int q : region.quads)
-      for (int v : mesh_.quad(q)) {
-        vertices.push_back(v);
-        const int w = mesh_.after(q, v), other = mesh_.quad_left_of(w, v);
-        if (!is_marked(other))
+    for (int q : region.quads) {
+      const Quad& c = mesh_.quad(q);
+      for (std::size_t k = 0; k < 4; ++k) {
+        const int v = c[k], w = c[(k + 1) % 4];
+        if (vertex_marks_[std::size_t(v)] != stamp_) {
+          vertex_marks_[std::size_t(v)] = stamp_;
+          vertices.push_back(v);
+        }
+        if (!is_marked(mesh_.quad_left_of(w, v)))
           border.emplace_back(v, w);
       }
-    std::sort(vertices.begin(), vertices.end());
-    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-    std::sort(border.begin(), border.end());
+    }
     const std::size_t edges = (4 * region.quads.size() + border.size()) / 2;
     if (border.empty() || vertices.size() + region.quads.size() != edges + 1)
       return false;
-    const auto next = [&](int v) {
-      return std::lower_bound(border.begin(), border.end(), std::make_pair(v, -1))->second;
-    };
-    for (std::size_t i = 1; i < border.size(); ++i)
-      if (border[i].first == border[i - 1].first)
-        return false;
     Vertices cycle;
-    int v = border[0].first;
-    do {
-      cycle.push_back(v);
-      v = next(v);
-    } while (v != cycle[0] && cycle.size() <= border.size());
-    if (cycle.size() != border.size())
+    if (!walk(border, cycle))
       return false;
     std::size_t first = 0;
     while (first < cycle.size() && quads_inside(cycle[first]).first != 1)
@@ -170,7 +173,6 @@ private:
     if (first == cycle.size())
       return false; // no corner
     std::rotate(cycle.begin(), cycle.begin() + std::ptrdiff_t(first), cycle.end());
-    region.sides.clear();
     for (std::size_t i = 0; i < cycle.size(); ++i) {
       if (quads_inside(cycle[i]).first == 1) {
         if (i > 0)
@@ -180,24 +182,38 @@ private:
       region.sides.back().push_back(cycle[i]);
     }
     region.sides.back().push_back(cycle[0]);
-    std::sort(cycle.begin(), cycle.end());
-    region.cost = 0;
-    for (int w : vertices)
-      if (!std::binary_search(cycle.begin(), cycle.end(), w))
-        region.cost += exchange_.cost(w);
+    for (int v : vertices)
+      region.cost += exchange_.cost(v);
+    for (int v : cycle)
+      region.cost -= exchange_.cost(v);
     return true;
+  }
+
+  // The border's vertices in order. False if they are not one cycle.
+  static bool walk(std::vector<std::pair<int, int>>& border, Vertices& cycle) {
+    std::sort(border.begin(), border.end());
+    for (std::size_t i = 1; i < border.size(); ++i)
+      if (border[i].first == border[i - 1].first)
+        return false;
+    int v = border[0].first;
+    do {
+      cycle.push_back(v);
+      v = std::lower_bound(border.begin(), border.end(), std::make_pair(v, -1))->second;
+    } while (v != cycle[0] && cycle.size() <= border.size());
+    return cycle.size() == border.size();
   }
 
   // Of the vertex in the middle of a region with n sides.
   int cost_of_middle(std::size_t n) const { return exchange_.cost_inside(int(n)); }
 
-  bool remesh(const Region& region) {
+  bool remesh(const Region& region, int& trials) {
     const std::size_t n = region.sides.size();
     if (n < 3 || n > 5 || cost_of_middle(n) >= region.cost)
       return false;
     const std::size_t first_new = mesh_.places.size();
     std::vector<Quad> added;
     if ((n == 4 && fill_grid(region, added)) || (n != 4 && fill_around_middle(region, added))) {
+      ++trials;
       if (exchange_.apply(region.quads, added, first_new, sweeps))
         return true;
     } else {
@@ -301,8 +317,8 @@ private:
   Quad_patch& mesh_;
   const Sheet& sheet_;
   Quad_exchange<Sheet> exchange_;
-  mutable std::vector<int> marks_; // of quads
-  mutable int stamp_ = 0;
+  std::vector<int> marks_, vertex_marks_; // of quads, and of vertices
+  int stamp_ = 0;
 };
 
 } // namespace internal

@@ -42,10 +42,12 @@ public:
   bool apply(const std::vector<int>& removed, const std::vector<Quad>& added, std::size_t first_new, int sweeps) {
     const std::size_t quads_before = mesh_.quads.size();
     std::vector<int> concerned;
-    double worst_before = 1;
+    double worst_before = 1, mean_before = 0;
     for (int q : removed) {
       concerned.insert(concerned.end(), mesh_.quad(q).begin(), mesh_.quad(q).end());
-      worst_before = (std::min)(worst_before, mesh_.quality(q));
+      const double quality = mesh_.quality(q);
+      worst_before = (std::min)(worst_before, quality);
+      mean_before += quality / double(removed.size());
     }
     sort_and_unite(concerned);
     const int cost_before = sum_of_costs(concerned);
@@ -65,7 +67,10 @@ public:
       for (int v : movable)
         places.emplace_back(v, mesh_.places[std::size_t(v)]);
       smoother_.relax(movable, sweeps);
-      if (worst_at(movable, concerned) >= (std::min)(worst_before, good_enough))
+      double mean = 0;
+      for (std::size_t q = quads_before; q < mesh_.quads.size(); ++q)
+        mean += mesh_.quality(int(q)) / double(added.size());
+      if (worst_at(movable, concerned) >= (std::min)(worst_before, good_enough) && mean > mean_before - worth_it)
         return true;
     }
     for (const auto& p : places)
@@ -79,7 +84,8 @@ public:
   }
 
 private:
-  static constexpr double good_enough = 0.4; // η, before the worst quads are cared for
+  static constexpr double worth_it = 0.01;   // of the mean
+  static constexpr double good_enough = 0.5; // before the worst quads are cared for
 
   static int cost(int valence, int wanted, int least, int factor) {
     const int none = 40, d = valence - wanted;
