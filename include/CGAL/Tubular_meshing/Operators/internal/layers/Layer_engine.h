@@ -37,7 +37,8 @@ struct Layer_options {
  *
  * Cells are positive if their Jacobians are, at all corners on all levels. If so, and if the boundary of all does not
  * cross itself, they cannot overlap: how often they cover a point is how often the boundary winds around it. Where one
- * or the other is not so, the thickness around is reduced, and a smaller one asked for again. */
+ * or the other is not so, columns that were turned for better angles are turned back, and, if that is not it, the
+ * thickness around is reduced, until all is well. */
 class Layer_engine {
 public:
   typedef Layer_surface::Index Index;
@@ -86,13 +87,32 @@ private:
       place_ = surface_.points[bad.front()];
       std::sort(bad.begin(), bad.end());
       bad.erase(std::unique(bad.begin(), bad.end()), bad.end());
-      for (Index v : bad)
-        thickness_[v] *= reduction;
-      limit_slope(surface_, largest_slope, thickness_);
+      give_way(bad);
     }
     throw Meshing_error("No layers without folded or overlapping cells were found at " + place_of(place_) +
                         ", however thin: the surface may intersect itself there, or have folds; repair it, or mesh it "
                         "anew.");
+  }
+
+  // By the direction that was there before the column was turned, for which gaps were measured; then by the thickness.
+  void give_way(const std::vector<Index>& bad) {
+    std::vector<Index> unturned;
+    const auto turn_back = [&](Index v) {
+      const Vector_3d& d = directions_.directions()[v];
+      const bool was_turned = squared_norm(d - direction_[v]) > 0;
+      direction_[v] = d;
+      return was_turned;
+    };
+    for (Index v : bad) {
+      bool turned = turn_back(v);
+      for (const Index* w = surface_.neighbors_begin(v); w != surface_.neighbors_end(v); ++w)
+        turned = turn_back(*w) || turned;
+      if (!turned)
+        unturned.push_back(v);
+    }
+    for (Index v : unturned)
+      thickness_[v] *= reduction;
+    limit_slope(surface_, largest_slope, thickness_);
   }
 
   std::vector<Index> folded_vertices() const {
