@@ -51,7 +51,7 @@ private:
   struct Region {
     std::vector<int> quads;
     std::vector<Vertices> sides; // counterclockwise; each from a corner to the next one, both included
-    int cost = 0;                // of the vertices inside
+    int cost = 0;                // of the vertices inside, and of those on loops
   };
 
   // The region with the highest cost goes on growing.
@@ -123,6 +123,12 @@ private:
     return {n, joints + 1 >= n};
   }
 
+  // Whether a vertex on a loop has all its quads inside: then it is to have as many as it should.
+  bool is_free_on_loop(int v) const { return mesh_.is_fixed(v) && quads_inside(v).first == mesh_.valence(v); }
+  bool is_corner(int v) const {
+    return (is_free_on_loop(v) ? mesh_.loop_valences[std::size_t(v)] : quads_inside(v).first) == 1;
+  }
+
   /* Adds quads until the border turns nowhere outward, and describes it. False if that is impossible, or no disk. */
   bool make_convex(Region& region) {
     std::vector<int>& quads = region.quads;
@@ -131,8 +137,8 @@ private:
       for (int v : mesh_.quad(quads[i])) {
         const auto inside = quads_inside(v);
         if (inside.first == mesh_.valence(v)) {
-          if (mesh_.is_fixed(v) && inside.first > 2)
-            return false; // on a loop, where nothing is to be added
+          if (mesh_.is_fixed(v) && mesh_.loop_valences[std::size_t(v)] > 2)
+            return false; // a loop that turns outward
         } else if (inside.first > 2 || !inside.second) {
           for (int q : mesh_.quads_at(v))
             if (!is_marked(q)) {
@@ -168,13 +174,13 @@ private:
     if (!walk(border, cycle))
       return false;
     std::size_t first = 0;
-    while (first < cycle.size() && quads_inside(cycle[first]).first != 1)
+    while (first < cycle.size() && !is_corner(cycle[first]))
       ++first;
     if (first == cycle.size())
       return false; // no corner
     std::rotate(cycle.begin(), cycle.begin() + std::ptrdiff_t(first), cycle.end());
     for (std::size_t i = 0; i < cycle.size(); ++i) {
-      if (quads_inside(cycle[i]).first == 1) {
+      if (is_corner(cycle[i])) {
         if (i > 0)
           region.sides.back().push_back(cycle[i]);
         region.sides.emplace_back();
@@ -185,7 +191,8 @@ private:
     for (int v : vertices)
       region.cost += exchange_.cost(v);
     for (int v : cycle)
-      region.cost -= exchange_.cost(v);
+      if (!is_free_on_loop(v))
+        region.cost -= exchange_.cost(v);
     return true;
   }
 

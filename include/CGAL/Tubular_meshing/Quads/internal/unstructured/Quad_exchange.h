@@ -70,7 +70,9 @@ public:
       double mean = 0;
       for (std::size_t q = quads_before; q < mesh_.quads.size(); ++q)
         mean += mesh_.quality(int(q)) / double(added.size());
-      if (worst_at(movable, concerned) >= (std::min)(worst_before, good_enough) && mean > mean_before - worth_it)
+      const double worst = worst_at(movable, concerned);
+      const bool mends = worst_before < good_enough && worst > worst_before + much_better;
+      if (worst >= (std::min)(worst_before, good_enough) && (mends || mean > mean_before - worth_it))
         return true;
     }
     for (const auto& p : places)
@@ -85,6 +87,7 @@ public:
 
 private:
   static constexpr double worth_it = 0.01;   // of the mean
+  static constexpr double much_better = 0.1; // of the worst
   static constexpr double good_enough = 0.5; // before the worst quads are cared for
 
   static int cost(int valence, int wanted, int least, int factor) {
