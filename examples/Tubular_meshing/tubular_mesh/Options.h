@@ -196,7 +196,7 @@ inline void declare_options(CLI::App& app, Options& o, const std::string& versio
   app.set_version_flag("--version", version);
   app.add_option("surface", o.surface, "surface: .stl .off .obj .ply .vtp .vtk .msh")->required();
   app.add_option("-o,--output", o.output,
-                 "mesh to write: .vtu .msh .mesh; a surface: .stl .vtp .msh .ply .off .obj .vtk")
+                 "mesh to write: .vtu .msh .mesh .inp; a surface: .stl .vtp .msh .ply .off .obj .vtk")
       ->required();
   app.add_option("-t,--type", o.type,
                  "kind of mesh: isotropic or anisotropic (tetrahedra), mixed (hexahedra, pyramids, tetrahedra) or "
