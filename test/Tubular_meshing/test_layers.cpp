@@ -512,8 +512,9 @@ TEST(Extrude_boundary_layer, heights_grow_from_the_first_one) {
   EXPECT_TRUE(CGAL::is_closed(layer.inner));
   ASSERT_EQ(layer.mesh_points.size(), layer.inner.number_of_vertices());
   for (auto v : layer.inner.vertices())
-    if (layer.mesh_points[v] != tubular::no_point)
+    if (layer.mesh_points[v] != tubular::no_point) {
       EXPECT_EQ(mesh.points[layer.mesh_points[v]], layer.inner.point(v));
+    }
   double area = 0;
   for (auto f : layer.inner.faces())
     if (layer.patch[f] == 3)
