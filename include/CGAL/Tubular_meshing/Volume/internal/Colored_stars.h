@@ -42,7 +42,13 @@ public:
 
   // visit(v) for each movable vertex, color by color, those of a color on `threads` threads.
   template <class Visit> void for_each_movable(int threads, const Visit& visit) const {
+    for_each_movable(threads, visit, [] {});
+  }
+  // The same; before_color() is called once before each color.
+  template <class Visit, class Before_color>
+  void for_each_movable(int threads, const Visit& visit, const Before_color& before_color) const {
     for (std::size_t c = 0; c + 1 < color_begin_.size(); ++c) {
+      before_color();
       const std::size_t begin = color_begin_[c];
       for_each_range(color_begin_[c + 1] - begin, threads, [&](std::size_t first, std::size_t last) {
         for (std::size_t k = first; k < last; ++k)

@@ -5,11 +5,12 @@
 #define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_TOPOLOGY_OPTIMIZER_H
 
 #include <CGAL/Tubular_meshing/Quality/internal/element_measures.h>
+#include <CGAL/Tubular_meshing/Volume/internal/Flip_search.h>
 #include <CGAL/Tubular_meshing/Volume/internal/Tetrahedron_store.h>
 #include <CGAL/Tubular_meshing/internal/parallel.h>
 
 #include <algorithm>
-#include <array>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
@@ -30,15 +31,8 @@ struct Isotropic_measure {
   }
 };
 
-/* Flips that raise the quality of the worst tetrahedron of the cavity they change: edges are removed (the ring around
- * an edge is filled by the best of all triangulations of its link, found by dynamic programming [Klincsek 1980];
- * 3-2, 4-4 and 2-2 flips on the surface are cases of it) and facets are (2-3 flips).
- *
- * On the surface a flip must in addition keep labels, rims and shape: `Surface_guard` is asked
- *   bool operator()(a, b, c, d, patch): may the edge ab between the facets abc and abd become the edge cd?
- * `Measure` gives the quality, at most one and positive for what is not inverted, of tetrahedra and of triangles, which
- * are compared with each other: see Isotropic_measure.
- */
+/* Flips, of edges and of facets, that raise the quality of the worst tetrahedron of the cavity they change, as long as
+ * there are any: see Flip_search. */
 template <class Surface_guard, class Measure = Isotropic_measure> class Topology_optimizer {
 public:
   typedef Tetrahedron_store Store;
@@ -49,15 +43,36 @@ public:
   Topology_optimizer(Store& store, const Surface_guard& guard, const Measure& measure, int threads)
       : store_(store)
       , guard_(guard)
-      , measure_(measure) {
-    update_all(threads);
+      , measure_(measure)
+      , threads_(threads)
+      , search_(store_, guard_, measure_, quality_) {
+    update_all();
   }
+  Topology_optimizer(const Topology_optimizer&) = delete;
+  Topology_optimizer& operator=(const Topology_optimizer&) = delete;
 
   // Tries to improve every tetrahedron below `threshold`, new ones included; returns the number of flips done.
   std::size_t improve_below(double threshold) {
     std::vector<Index> todo;
     for (Index t = 0; t < store_.number_of_slots(); ++t)
       if (store_.is_alive(t) && quality_[t] < threshold)
+        todo.push_back(t);
+    return improve_these(todo, threshold);
+  }
+
+  /* The same for those of which `is_of_interest(t)` holds. Where few can be improved, as in a mesh that is good
+   * already, it is quicker to find them first, with all threads. */
+  template <class IsOfInterest> std::size_t improve_few_below(double threshold, const IsOfInterest& is_of_interest) {
+    std::vector<char> has_flip(store_.number_of_slots(), 0);
+    for_each_range(has_flip.size(), threads_, [&](std::size_t first, std::size_t last) {
+      Flip_search<Surface_guard, Measure> search(store_, guard_, measure_, quality_);
+      for (std::size_t t = first; t < last; ++t)
+        has_flip[t] = store_.is_alive(Index(t)) && quality_[t] < threshold && is_of_interest(Index(t)) &&
+                      search.find(Index(t));
+    });
+    std::vector<Index> todo;
+    for (Index t = 0; t < has_flip.size(); ++t)
+      if (has_flip[t])
         todo.push_back(t);
     return improve_these(todo, threshold);
   }
@@ -69,8 +84,10 @@ public:
     const std::size_t most = 20 * todo.size() + 100;
     for (std::size_t k = 0; k < todo.size() && k < most; ++k) {
       const Index t = todo[k];
-      if (!store_.is_alive(t) || quality_[t] >= threshold || !improve(t))
+      if (!store_.is_alive(t) || quality_[t] >= threshold || !search_.find(t))
         continue;
+      store_.replace(search_.old_cells(), search_.new_cells(), search_.new_facets(), new_tetrahedra_);
+      update_new(new_tetrahedra_);
       ++flips;
       for (Index n : new_tetrahedra_)
         if (quality_[n] < threshold)
@@ -81,207 +98,51 @@ public:
 
   // Where others change the store as well, they keep the qualities up to date.
   double quality(Index t) const { return quality_[t]; }
-  void update_all(int threads) {
+  void update_all() {
     quality_.resize(store_.number_of_slots());
-    for_each_range(quality_.size(), threads, [&](std::size_t first, std::size_t last) {
+    is_new_.resize(store_.number_of_slots(), 0);
+    for_each_range(quality_.size(), threads_, [&](std::size_t first, std::size_t last) {
       for (std::size_t t = first; t < last; ++t)
         update(Index(t));
     });
   }
   template <class List> void update_new(const List& tetrahedra) {
-    if (quality_.size() < store_.number_of_slots())
+    if (quality_.size() < store_.number_of_slots()) {
       quality_.resize(store_.number_of_slots());
-    for (Index t : tetrahedra)
-      update(t);
-  }
-  void update(Index t) {
-    if (store_.is_alive(t)) {
-      const auto& v = store_[t].v;
-      quality_[t] = quality_of(v[0], v[1], v[2], v[3]);
+      is_new_.resize(store_.number_of_slots(), 0);
     }
+    for (Index t : tetrahedra) {
+      update(t);
+      is_new_[t] = 1;
+    }
+  }
+
+  // visit(t) for each tetrahedron that has come since this was called last.
+  template <class Visit> void for_each_new(const Visit& visit) {
+    for (Index t = 0; t < is_new_.size(); ++t)
+      if (is_new_[t]) {
+        is_new_[t] = 0;
+        if (store_.is_alive(t))
+          visit(t);
+      }
   }
 
 private:
-  static constexpr int most_link_vertices = 8;
-  static constexpr double peelable = 0.3;  // worse than this, a tetrahedron on the surface is flat
-  static constexpr double worth_it = 1e-3; // smaller gains invite endless exchanges between near ties
-
-  double quality_of(Index a, Index b, Index c, Index d) const { return measure_.tetrahedron(a, b, c, d); }
-  double triangle_quality_of(Index a, Index b, Index c) const { return measure_.triangle(a, b, c); }
-
-  bool improve(Index t) {
-    for (int i = 0; i < 4; ++i)
-      for (int j = i + 1; j < 4; ++j)
-        if (remove_edge(t, i, j))
-          return true;
-    for (int i = 0; i < 4; ++i)
-      if (remove_facet(t, i))
-        return true;
-    return false;
-  }
-
-  bool remove_edge(Index t, int i, int j) {
-    store_.ring(t, i, j, ring_);
-    const int m = int(ring_.link.size());
-    if (m == 2)
-      return peel(t, i, j);
-    if (m > most_link_vertices)
-      return false;
-    double worst = 1;
-    const std::int32_t region = store_.region(t);
-    for (Index r : ring_.tetrahedra) {
-      worst = (std::min)(worst, double(quality_[r]));
-      if (store_.region(r) != region)
-        return false;
+  void update(Index t) {
+    if (store_.is_alive(t)) {
+      const auto& v = store_[t].v;
+      quality_[t] = float(measure_.tetrahedron(v[0], v[1], v[2], v[3]));
     }
-    if (has_labelled_facet_inside())
-      return false;
-    double required = worst + worth_it;
-    facets_.clear();
-    if (!ring_.closed && !surface_flip_improves(required))
-      return false;
-    if (!best_triangulation(m, required))
-      return false;
-    // asked last, as they may be dear
-    if (!ring_.closed && (are_joined(ring_.link.front(), ring_.link.back()) ||
-                          !guard_(ring_.a, ring_.b, ring_.link.front(), ring_.link.back(), facets_.front().label)))
-      return false;
-    new_cells_.clear();
-    collect(0, m - 1);
-    commit(ring_.tetrahedra);
-    return true;
-  }
-
-  // A flat tetrahedron that lies on the surface with two facets: without it, the surface's edge is flipped.
-  bool peel(Index t, int i, int j) {
-    const Index c = ring_.link[0], d = ring_.link[1];
-    const auto kl = Store::other_corners(i, j);
-    const std::int32_t label = store_[t].label[kl.first];
-    if (quality_[t] > peelable || label == 0 || label != store_[t].label[kl.second] ||
-        store_[t].neighbor[i] == Store::none || store_[t].neighbor[j] == Store::none || store_[t].label[i] != 0 ||
-        store_[t].label[j] != 0 || !guard_(ring_.a, ring_.b, c, d, label))
-      return false;
-    store_.ring(t, kl.first, kl.second, ring_);
-    if (!ring_.closed) // the edge cd is on the surface already
-      return false;
-    const Index a = store_[t].v[i], b = store_[t].v[j];
-    new_cells_.clear();
-    facets_ = {{{a, c, d}, label}, {{b, c, d}, label}};
-    commit(std::array<Index, 1>{t});
-    return true;
-  }
-
-  bool has_labelled_facet_inside() const {
-    const std::size_t n = ring_.tetrahedra.size();
-    for (std::size_t k = 0; k + (ring_.closed ? 0 : 1) < n; ++k) {
-      const auto& tet = store_[ring_.tetrahedra[k]];
-      if (tet.label[store_.corner(ring_.tetrahedra[k], ring_.link[k])] != 0)
-        return true;
-    }
-    return false;
-  }
-
-  // The two boundary facets of an open ring; `required` sinks where they are the worst of the cavity.
-  bool surface_flip_improves(double& required) {
-    const Index a = ring_.a, b = ring_.b, c = ring_.link.front(), d = ring_.link.back();
-    const Index first = ring_.tetrahedra.front(), last = ring_.tetrahedra.back();
-    const std::size_t m = ring_.link.size();
-    const std::int32_t label = store_[first].label[store_.corner(first, ring_.link[1])];
-    if (label == 0 || label != store_[last].label[store_.corner(last, ring_.link[m - 2])])
-      return false;
-    // triangles count with the tetrahedra: one measure that only ever rises
-    const double before = (std::min)(triangle_quality_of(a, b, c), triangle_quality_of(a, b, d));
-    const double after = (std::min)(triangle_quality_of(a, c, d), triangle_quality_of(b, c, d));
-    required = (std::min)(required, before + worth_it);
-    if (after < required)
-      return false;
-    facets_.push_back({{a, c, d}, label});
-    facets_.push_back({{b, c, d}, label});
-    return true;
-  }
-
-  /* Whether two vertices are joined by an edge. If those of a flip on the surface are, outside of the cavity, the new
-   * facets would come to lie on others: a dimple would be closed by the flip. */
-  bool are_joined(Index c, Index d) {
-    store_.star(c, star_);
-    return std::any_of(star_.begin(), star_.end(), [&](Index t) { return store_[t].v[store_.corner(t, d)] == d; });
-  }
-
-  // Klincsek's recurrence over the link polygon 0 … m-1: the worst quality of the best triangulation of i … j.
-  bool best_triangulation(int m, double required) {
-    const auto& r = ring_.link;
-    for (int i = 0; i + 1 < m; ++i)
-      best_[i][i + 1] = 1;
-    for (int length = 2; length < m; ++length)
-      for (int i = 0; i + length < m; ++i) {
-        const int k = i + length;
-        double best = -1;
-        for (int j = i + 1; j < k; ++j) {
-          double q = (std::min)(best_[i][j], best_[j][k]);
-          if (q <= best || q < required)
-            continue;
-          q = (std::min)(q, quality_of(r[i], r[j], r[k], ring_.b));
-          if (q <= best || q < required)
-            continue;
-          q = (std::min)(q, quality_of(r[i], r[k], r[j], ring_.a));
-          if (q > best && q >= required) {
-            best = q;
-            apex_[i][k] = j;
-          }
-        }
-        best_[i][k] = best;
-      }
-    return best_[0][m - 1] >= required;
-  }
-
-  void collect(int i, int k) {
-    if (k < i + 2)
-      return;
-    const int j = apex_[i][k];
-    const auto& r = ring_.link;
-    new_cells_.push_back({r[i], r[j], r[k], ring_.b});
-    new_cells_.push_back({r[i], r[k], r[j], ring_.a});
-    collect(i, j);
-    collect(j, k);
-  }
-
-  bool remove_facet(Index t, int i) {
-    const auto& tet = store_[t];
-    if (tet.neighbor[i] == Store::none || tet.label[i] != 0)
-      return false;
-    const Index s = Store::tetrahedron_of(tet.neighbor[i]);
-    const Index p = tet.v[i], q = store_[s].v[Store::opposite_of(tet.neighbor[i])];
-    const auto& c = Store::facet_corners(i);
-    const double worst = (std::min)(quality_[t], quality_[s]) + worth_it;
-    new_cells_.clear();
-    for (int k = 0; k < 3; ++k) {
-      const Index u = tet.v[c[k]], v = tet.v[c[(k + 1) % 3]];
-      if (quality_of(p, q, u, v) < worst)
-        return false;
-      new_cells_.push_back({p, q, u, v});
-    }
-    facets_.clear();
-    commit(std::array<Index, 2>{t, s});
-    return true;
-  }
-
-  template <class Tetrahedra> void commit(const Tetrahedra& gone) {
-    store_.replace(gone, new_cells_, facets_, new_tetrahedra_);
-    update_new(new_tetrahedra_);
   }
 
   Store& store_;
-  Surface_guard guard_;
-  Measure measure_;
+  const Surface_guard guard_;
+  const Measure measure_;
+  const int threads_;
   std::vector<float> quality_;
-
-  // the cavity at hand
-  Store::Ring ring_;
-  std::array<std::array<double, most_link_vertices>, most_link_vertices> best_;
-  std::array<std::array<int, most_link_vertices>, most_link_vertices> apex_;
-  boost::container::small_vector<Store::Vertices, 16> new_cells_;
-  boost::container::small_vector<Store::Labelled_facet, 2> facets_;
-  Store::Index_list new_tetrahedra_, star_;
+  std::vector<char> is_new_;
+  Flip_search<Surface_guard, Measure> search_;
+  Store::Index_list new_tetrahedra_;
 };
 
 } // namespace internal

@@ -7,6 +7,7 @@
 #include <CGAL/Tubular_meshing/Volume/internal/Patch_projection.h>
 #include <CGAL/Tubular_meshing/Volume/internal/Tetrahedron_store.h>
 #include <CGAL/Tubular_meshing/Volume/internal/remeshing/Surface_locations.h>
+#include <CGAL/Tubular_meshing/Volume/internal/remeshing/Vertex_clock.h>
 #include <CGAL/Tubular_meshing/Volume/internal/remeshing/metric_quality.h>
 #include <CGAL/Tubular_meshing/Volume/internal/remeshing/remeshing_input.h>
 #include <CGAL/Tubular_meshing/internal/parallel.h>
@@ -62,6 +63,7 @@ public:
           metric_[v] = at(store.point(Index(v))).metric;
     });
     on_surface_.assign(metric_.size(), 0);
+    clock.resize(metric_.size());
     Metric_limits::check_number_of_tetrahedra(number_of_unit_tetrahedra());
     location_ = locations.of_vertices(store, [&](Index v) { return projection.is_fixed(store.point(v), 1); });
     if (keep_boundary)
@@ -75,6 +77,7 @@ public:
   Surface_locations locations;
   const bool keep_boundary;
   const int threads;
+  Vertex_clock clock;
 
   const Metric_tensor_3& metric(Index v) const { return metric_[v]; }
   const Surface_location& location(Index v) const { return location_[v]; }
@@ -94,7 +97,9 @@ public:
       metric_.push_back(p.metric);
       location_.push_back(l);
       on_surface_.push_back(0);
+      clock.resize(metric_.size());
     }
+    clock.wake(v);
     metric_[v] = p.metric;
     location_[v] = l;
     on_surface_[v] = on_surface;
@@ -163,6 +168,7 @@ public:
     metric_.swap(metric);
     location_.swap(location);
     on_surface_.swap(on_surface);
+    clock.renumber(order);
     store.renumber(std::vector<Index>(order.begin(), order.end()));
   }
 

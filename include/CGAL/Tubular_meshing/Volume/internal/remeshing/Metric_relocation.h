@@ -116,17 +116,28 @@ public:
     stars_.build(store_, [&](Index v) { return mesh_.location(v).dimension != 0; });
   }
 
-  // One visit to each vertex.
+  // One visit to each vertex near which something has changed since the last one.
   void sweep() {
-    stars_.for_each_movable(mesh_.threads, [this](Index v) { relocate(v); });
+    stars_.for_each_movable(
+        mesh_.threads,
+        [this](Index v) {
+          if (!mesh_.clock.is_awake(store_, v, stars_.facets(v)))
+            return;
+          relocate(v);
+          mesh_.clock.set_visited(v);
+        },
+        [this] { mesh_.clock.tick(); });
   }
 
   // Brings vertices that are off the surface, where it was out of reach when they were made, onto it.
   void pull_to_surface() {
-    stars_.for_each_movable(mesh_.threads, [this](Index v) {
-      if (mesh_.location(v).dimension < 3 && !mesh_.is_on_surface(v))
-        pull(v);
-    });
+    stars_.for_each_movable(
+        mesh_.threads,
+        [this](Index v) {
+          if (mesh_.location(v).dimension < 3 && !mesh_.is_on_surface(v))
+            pull(v);
+        },
+        [this] { mesh_.clock.tick(); });
   }
 
 private:
@@ -134,6 +145,7 @@ private:
   static constexpr double least_gain = 1e-4; // of the energy; less is not worth the visit
   static constexpr double most_loss = 1.5;   // for getting onto the surface
   static constexpr double negligible = 1e-9; // distance from the surface, in the metric
+  static constexpr double noticeable = 0.05; // a way, in the metric, that is of interest to the neighbors
 
   void relocate(Index v) const {
     const Surface_location at = mesh_.location(v);
@@ -157,10 +169,17 @@ private:
       Metric_energy e;
       e.size2 = size2_;
       if (energy(v, there, false, e) && e.value < here.value && keeps_surface(v, p) && is_valid(v, p)) {
-        mesh_.move(v, there, true);
+        move(v, there, true);
         return;
       }
     }
+  }
+
+  void move(Index v, const Metric_point& there, bool on_surface) const {
+    const double way2 = there.metric.squared_length(there.position - store_.point(v));
+    if (way2 > noticeable * noticeable * size2_)
+      mesh_.clock.set_moved(v);
+    mesh_.move(v, there, on_surface);
   }
 
   void pull(Index v) const {
@@ -181,7 +200,7 @@ private:
       e.size2 = size2_;
       if (energy(v, there, false, e) && e.value < most_loss * here.value && keeps_surface(v, there.position) &&
           is_valid(v, there.position)) {
-        mesh_.move(v, there, share == 1);
+        move(v, there, share == 1);
         return;
       }
     }

@@ -71,14 +71,14 @@ public:
     const int rounds = 6;
     for (int round = 0; round < rounds; ++round) {
       relocate(2, 1);
-      observe(*this, "flip", flips_.improve_below(0.75));
+      observe(*this, "flip", flip(0.75));
       observe(*this, "size", split_above(1) + collapse_below(1));
       observe(*this, "balance", balance());
     }
     for (int round = 0; round < 3; ++round) {
       relocate(2, 1);
       observe(*this, "repair", repair_below(0.25));
-      observe(*this, "finish", flips_.improve_below(0.8));
+      observe(*this, "finish", flip(0.8));
     }
   }
 
@@ -136,19 +136,55 @@ private:
     for (int round = 0; round < most_rounds; ++round) {
       observe(*this, "split", split_above(size));
       observe(*this, "collapse", collapse_below(size));
-      observe(*this, "flip", flips_.improve_below(0.5));
-      mesh_.renumber();
+      observe(*this, "flip", flip(0.5));
+      renumber();
       relocate(1, size);
     }
   }
 
   void relocate(int sweeps, double size) {
+    wake_vertices_of_new_tetrahedra();
+    if (size != last_size_)
+      mesh_.clock.wake_all();
+    last_size_ = size;
     Metric_relocation<Mesh> relocation(mesh_, size);
     if (!mesh_.keep_boundary)
       relocation.pull_to_surface();
     for (int i = 0; i < sweeps; ++i)
       relocation.sweep();
-    flips_.update_all(mesh_.threads);
+    flips_.update_all();
+  }
+
+  void renumber() {
+    wake_vertices_of_new_tetrahedra();
+    mesh_.renumber();
+    flips_.update_all();
+  }
+
+  void wake_vertices_of_new_tetrahedra() {
+    flips_.for_each_new([this](Index t) {
+      for (Index v : store_[t].v)
+        mesh_.clock.wake(v);
+    });
+  }
+
+  // Tetrahedra at rest since the last time, with the same threshold, are not tried again.
+  std::size_t flip(double threshold) {
+    std::vector<char> is_stirred(store_.number_of_vertices(), threshold != last_threshold_);
+    const Vertex_clock::Time last = last_flips_;
+    wake_vertices_of_new_tetrahedra();
+    for (Index t = 0; t < store_.number_of_slots(); ++t)
+      if (store_.is_alive(t) && mesh_.clock.any_stirred_since(store_[t].v, last))
+        for (Index v : store_[t].v)
+          is_stirred[v] = 1;
+    mesh_.clock.tick();
+    last_flips_ = mesh_.clock.now();
+    mesh_.clock.tick();
+    last_threshold_ = threshold;
+    return flips_.improve_few_below(threshold, [&](Index t) {
+      const auto& v = store_[t].v;
+      return is_stirred[v[0]] || is_stirred[v[1]] || is_stirred[v[2]] || is_stirred[v[3]];
+    });
   }
 
   /* Bad shapes may be split and collapsed as long as it does not make them much worse. Where an edge is many times too
@@ -268,6 +304,8 @@ private:
   Flips flips_;
   Edge_splitter<Mesh, Flips> splitter_;
   Edge_collapser<Mesh, Flips> collapser_;
+  double last_size_ = 0, last_threshold_ = 0;
+  Vertex_clock::Time last_flips_ = 0;
 };
 
 } // namespace internal

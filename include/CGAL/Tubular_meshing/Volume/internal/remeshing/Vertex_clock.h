@@ -1,0 +1,83 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REMESHING_VERTEX_CLOCK_H
+#define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REMESHING_VERTEX_CLOCK_H
+
+#include <CGAL/Tubular_meshing/Volume/internal/Tetrahedron_store.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Tubular_meshing {
+namespace internal {
+
+/* When vertices moved last, and when each was looked at last: most of a mesh is at rest soon, and need not be looked at
+ * again before something near it has changed.
+ *
+ * Time goes on by tick(). In between, threads may write for vertices of their own, if these are no neighbors.
+ */
+class Vertex_clock {
+public:
+  typedef Tetrahedron_store Store;
+  typedef Store::Index Index;
+  typedef std::uint32_t Time;
+
+  void resize(std::size_t n) {
+    moved_.resize(n, 0);
+    renewed_.resize(n, 0);
+    visited_.resize(n, 0);
+  }
+  void renumber(const std::vector<std::size_t>& order) {
+    const auto in_order = [&](std::vector<Time>& times) {
+      std::vector<Time> result;
+      for (std::size_t v : order)
+        result.push_back(times[v]);
+      times.swap(result);
+    };
+    in_order(moved_);
+    in_order(renewed_);
+    in_order(visited_);
+  }
+
+  Time now() const { return now_; }
+  void tick() { ++now_; }
+
+  // Another neighborhood than before.
+  void wake(Index v) {
+    visited_[v] = 0;
+    renewed_[v] = now_;
+  }
+  void wake_all() { std::fill(visited_.begin(), visited_.end(), Time(0)); }
+  void set_visited(Index v) { visited_[v] = now_; }
+  void set_moved(Index v) { moved_[v] = now_; }
+
+  template <class Vertices> bool any_stirred_since(const Vertices& vertices, Time t) const {
+    return std::any_of(vertices.begin(), vertices.end(),
+                       [&](Index v) { return moved_[v] > t || renewed_[v] > t; });
+  }
+
+  // Whether something has moved among v and its neighbors since it was visited; `star`: facet codes around v.
+  template <class Star> bool is_awake(const Store& store, Index v, const Star& star) const {
+    const Time last = visited_[v];
+    if (last == 0 || moved_[v] >= last) // its own move at that time may have been a first step only
+      return true;
+    return std::any_of(star.begin(), star.end(), [&](Index f) {
+      const auto& w = store[Store::tetrahedron_of(f)].v;
+      return (std::max)((std::max)(moved_[w[0]], moved_[w[1]]), (std::max)(moved_[w[2]], moved_[w[3]])) > last;
+    });
+  }
+
+private:
+  Time now_ = 1;
+  std::vector<Time> moved_, renewed_, visited_;
+};
+
+} // namespace internal
+} // namespace Tubular_meshing
+} // namespace CGAL
+
+#endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REMESHING_VERTEX_CLOCK_H
