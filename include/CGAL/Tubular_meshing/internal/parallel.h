@@ -17,19 +17,20 @@ namespace Tubular_meshing {
 namespace internal {
 
 /* Calls body(first, last) on pieces of [0, n), on `threads` threads where oneTBB is there (0: as many as there are
- * cores). The pieces may be done in any order: the body must not depend on it. */
-template <class Body> void for_each_range(std::size_t n, int threads, const Body& body) {
+ * cores). The pieces, of about `grain`, may be done in any order: the body must not depend on it. */
+template <class Body> void for_each_range(std::size_t n, int threads, const Body& body, std::size_t grain = 128) {
 #ifdef CGAL_LINKED_WITH_TBB
-  if (threads != 1 && n > 256) {
+  if (threads != 1 && n > 2 * grain) {
     tbb::task_arena arena(threads > 0 ? threads : int(tbb::task_arena::automatic));
     arena.execute([&] {
-      tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, 128),
+      tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, grain),
                         [&](const tbb::blocked_range<std::size_t>& r) { body(r.begin(), r.end()); });
     });
     return;
   }
 #else
   static_cast<void>(threads);
+  static_cast<void>(grain);
 #endif
   if (n > 0)
     body(std::size_t(0), n);

@@ -58,6 +58,13 @@ public:
   const Cells& new_cells() const { return new_cells_; }
   const Facets& new_facets() const { return facets_; } // on the surface
 
+  /* Whether it is still possible if all that has come since are those of which `is_new(t)` holds. A flip on the surface
+   * depends on what is around. */
+  template <class IsNew> bool is_fresh(const IsNew& is_new) const {
+    return facets_.empty() && std::none_of(old_cells_.begin(), old_cells_.end(),
+                                           [&](Index t) { return !store_.is_alive(t) || is_new(t); });
+  }
+
 private:
   static constexpr int most_link_vertices = 8;
   static constexpr double peelable = 0.3;  // worse than this, a tetrahedron on the surface is flat

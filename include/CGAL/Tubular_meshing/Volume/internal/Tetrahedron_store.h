@@ -13,6 +13,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -122,21 +123,22 @@ public:
 
   // The tetrahedra around a vertex, by a walk from neighbor to neighbor.
   template <class List> void star(Index v, List& tetrahedra) const {
+    const std::size_t few = 64; // up to which looking through a list is the quickest
+    std::unordered_set<Index> known;
+    const auto is_known = [&](Index t) {
+      if (tetrahedra.size() < few)
+        return std::find(tetrahedra.begin(), tetrahedra.end(), t) != tetrahedra.end();
+      if (known.empty())
+        known.insert(tetrahedra.begin(), tetrahedra.end());
+      return !known.insert(t).second;
+    };
     tetrahedra.clear();
     tetrahedra.push_back(at_vertex_[v]);
-    ++stamp_;
-    visited_[at_vertex_[v]] = stamp_;
     for (std::size_t k = 0; k < tetrahedra.size(); ++k) {
       const Tetrahedron& t = tetrahedra_[tetrahedra[k]];
-      for (int i = 0; i < 4; ++i) {
-        if (t.v[i] == v || t.neighbor[i] == none)
-          continue;
-        const Index n = tetrahedron_of(t.neighbor[i]);
-        if (visited_[n] != stamp_) {
-          visited_[n] = stamp_;
-          tetrahedra.push_back(n);
-        }
-      }
+      for (int i = 0; i < 4; ++i)
+        if (t.v[i] != v && t.neighbor[i] != none && !is_known(tetrahedron_of(t.neighbor[i])))
+          tetrahedra.push_back(tetrahedron_of(t.neighbor[i]));
     }
   }
 
@@ -401,8 +403,8 @@ private:
   std::vector<Tetrahedron> tetrahedra_;
   std::vector<Index> at_vertex_; // one tetrahedron a vertex
   std::vector<Index> free_, free_vertices_;
-  mutable std::vector<std::uint32_t> visited_; // per tetrahedron: the last walk that came by
-  mutable std::uint32_t stamp_ = 0;
+  std::vector<std::uint32_t> visited_; // per tetrahedron: the last replace() that it went by
+  std::uint32_t stamp_ = 0;
 };
 
 } // namespace internal

@@ -6,11 +6,13 @@
 
 #include <CGAL/Tubular_meshing/Quality/internal/element_measures.h>
 #include <CGAL/Tubular_meshing/Volume/internal/Flip_search.h>
+#include <CGAL/Tubular_meshing/Volume/internal/Speculation.h>
 #include <CGAL/Tubular_meshing/Volume/internal/Tetrahedron_store.h>
 #include <CGAL/Tubular_meshing/internal/parallel.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace CGAL {
@@ -45,7 +47,7 @@ public:
       , guard_(guard)
       , measure_(measure)
       , threads_(threads)
-      , search_(store_, guard_, measure_, quality_) {
+      , searches_([this] { return Search(store_, guard_, measure_, quality_); }, threads) {
     update_all();
   }
   Topology_optimizer(const Topology_optimizer&) = delete;
@@ -53,26 +55,14 @@ public:
 
   // Tries to improve every tetrahedron below `threshold`, new ones included; returns the number of flips done.
   std::size_t improve_below(double threshold) {
-    std::vector<Index> todo;
-    for (Index t = 0; t < store_.number_of_slots(); ++t)
-      if (store_.is_alive(t) && quality_[t] < threshold)
-        todo.push_back(t);
-    return improve_these(todo, threshold);
+    return improve_below(threshold, [](Index) { return true; });
   }
 
-  /* The same for those of which `is_of_interest(t)` holds. Where few can be improved, as in a mesh that is good
-   * already, it is quicker to find them first, with all threads. */
-  template <class IsOfInterest> std::size_t improve_few_below(double threshold, const IsOfInterest& is_of_interest) {
-    std::vector<char> has_flip(store_.number_of_slots(), 0);
-    for_each_range(has_flip.size(), threads_, [&](std::size_t first, std::size_t last) {
-      Flip_search<Surface_guard, Measure> search(store_, guard_, measure_, quality_);
-      for (std::size_t t = first; t < last; ++t)
-        has_flip[t] = store_.is_alive(Index(t)) && quality_[t] < threshold && is_of_interest(Index(t)) &&
-                      search.find(Index(t));
-    });
+  // The same for those of which `is_of_interest(t)` holds.
+  template <class IsOfInterest> std::size_t improve_below(double threshold, const IsOfInterest& is_of_interest) {
     std::vector<Index> todo;
-    for (Index t = 0; t < has_flip.size(); ++t)
-      if (has_flip[t])
+    for (Index t = 0; t < store_.number_of_slots(); ++t)
+      if (store_.is_alive(t) && quality_[t] < threshold && is_of_interest(t))
         todo.push_back(t);
     return improve_these(todo, threshold);
   }
@@ -82,17 +72,21 @@ public:
     std::size_t flips = 0;
     // each flip raises the worst quality of a cavity, so this ends; the bound is against rounding
     const std::size_t most = 20 * todo.size() + 100;
-    for (std::size_t k = 0; k < todo.size() && k < most; ++k) {
-      const Index t = todo[k];
-      if (!store_.is_alive(t) || quality_[t] >= threshold || !search_.find(t))
-        continue;
-      store_.replace(search_.old_cells(), search_.new_cells(), search_.new_facets(), new_tetrahedra_);
-      update_new(new_tetrahedra_);
-      ++flips;
-      for (Index n : new_tetrahedra_)
-        if (quality_[n] < threshold)
-          todo.push_back(n);
-    }
+    searches_.run([&] { return (std::min)(todo.size(), most); }, [&] { return now(); },
+                  [&](Search& search, std::size_t k) {
+                    return store_.is_alive(todo[k]) && quality_[todo[k]] < threshold && search.find(todo[k]);
+                  },
+                  [&](const Search& search, std::size_t, Time since) {
+                    return search.is_fresh([&](Index t) { return is_newer(t, since); });
+                  },
+                  [&](const Search& search, std::size_t) {
+                    store_.replace(search.old_cells(), search.new_cells(), search.new_facets(), new_tetrahedra_);
+                    update_new(new_tetrahedra_);
+                    ++flips;
+                    for (Index n : new_tetrahedra_)
+                      if (quality_[n] < threshold)
+                        todo.push_back(n);
+                  });
     return flips;
   }
 
@@ -100,7 +94,7 @@ public:
   double quality(Index t) const { return quality_[t]; }
   void update_all() {
     quality_.resize(store_.number_of_slots());
-    is_new_.resize(store_.number_of_slots(), 0);
+    made_.resize(store_.number_of_slots(), 0);
     for_each_range(quality_.size(), threads_, [&](std::size_t first, std::size_t last) {
       for (std::size_t t = first; t < last; ++t)
         update(Index(t));
@@ -109,25 +103,30 @@ public:
   template <class List> void update_new(const List& tetrahedra) {
     if (quality_.size() < store_.number_of_slots()) {
       quality_.resize(store_.number_of_slots());
-      is_new_.resize(store_.number_of_slots(), 0);
+      made_.resize(store_.number_of_slots(), 0);
     }
+    ++now_;
     for (Index t : tetrahedra) {
       update(t);
-      is_new_[t] = 1;
+      made_[t] = now_;
     }
   }
 
-  // visit(t) for each tetrahedron that has come since this was called last.
-  template <class Visit> void for_each_new(const Visit& visit) {
-    for (Index t = 0; t < is_new_.size(); ++t)
-      if (is_new_[t]) {
-        is_new_[t] = 0;
-        if (store_.is_alive(t))
-          visit(t);
-      }
+  // Each change is one step of time.
+  typedef std::uint32_t Time;
+  Time now() const { return now_; }
+  bool is_newer(Index t, Time time) const { return made_[t] > time; }
+
+  // visit(t) for each tetrahedron that has come since.
+  template <class Visit> void for_each_newer(Time time, const Visit& visit) const {
+    for (Index t = 0; t < made_.size(); ++t)
+      if (made_[t] > time && store_.is_alive(t))
+        visit(t);
   }
 
 private:
+  typedef Flip_search<Surface_guard, Measure> Search;
+
   void update(Index t) {
     if (store_.is_alive(t)) {
       const auto& v = store_[t].v;
@@ -140,8 +139,9 @@ private:
   const Measure measure_;
   const int threads_;
   std::vector<float> quality_;
-  std::vector<char> is_new_;
-  Flip_search<Surface_guard, Measure> search_;
+  std::vector<Time> made_;
+  Time now_ = 0;
+  Speculation<Search> searches_;
   Store::Index_list new_tetrahedra_;
 };
 

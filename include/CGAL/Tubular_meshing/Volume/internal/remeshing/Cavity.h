@@ -44,7 +44,7 @@ public:
   typedef boost::container::small_vector<Facet_cone, 64> Cones;
   typedef boost::container::small_vector<Store::Labelled_facet, 16> Facets;
 
-  explicit Cavity(Mesh& mesh)
+  explicit Cavity(const Mesh& mesh)
       : mesh_(mesh)
       , store_(mesh.store) {}
 
@@ -102,8 +102,8 @@ public:
     }
   }
 
-  // The shortest and the longest edge from the kernel to the vertices of the cavity that it is not yet joined to.
-  template <class IsNew> std::array<double, 2> new_lengths(const IsNew& is_new) const {
+  // The shortest and the longest edge from the kernel to the vertices of the cavity.
+  std::array<double, 2> lengths() const {
     boost::container::small_vector<Index, 64> seen;
     std::array<double, 2> range = {1e300, 0};
     for (const Facet_cone& c : cones_)
@@ -111,21 +111,24 @@ public:
         if (std::find(seen.begin(), seen.end(), v) != seen.end())
           continue;
         seen.push_back(v);
-        if (!is_new(v))
-          continue;
         const double l = metric_length(kernel_, mesh_.at(v));
         range = {(std::min)(range[0], l), (std::max)(range[1], l)};
       }
     return range;
   }
 
+  // Of the tetrahedra to go.
+  template <class Predicate> bool all_of_gone(const Predicate& p) const {
+    return std::all_of(gone_.begin(), gone_.end(), p);
+  }
+
   // Puts the cones, with `kernel` as their apex, in place of the cavity; their numbers are left in `come`.
-  void commit(Index kernel, Store::Index_list& come) {
-    cells_.clear();
+  void commit(Store& store, Index kernel, Store::Index_list& come) const {
+    boost::container::small_vector<Store::Vertices, 64> cells;
     for (const Facet_cone& c : cones_)
-      cells_.push_back({c.f[0], c.f[1], c.f[2], kernel});
-    store_.replace(
-        gone_, cells_, [&](std::size_t k) { return cones_[k].region; }, facets_, come);
+      cells.push_back({c.f[0], c.f[1], c.f[2], kernel});
+    store.replace(
+        gone_, cells, [&](std::size_t k) { return cones_[k].region; }, facets_, come);
   }
 
 private:
@@ -180,15 +183,14 @@ private:
     return true;
   }
 
-  Mesh& mesh_;
-  Store& store_;
+  const Mesh& mesh_;
+  const Store& store_;
   Metric_point kernel_;
   Index vertex_ = Store::none; // of the kernel, if it is one
   double worst_before_ = 1;
   Store::Index_list gone_;
   Cones cones_;
   Facets facets_;
-  boost::container::small_vector<Store::Vertices, 64> cells_;
 };
 
 } // namespace internal

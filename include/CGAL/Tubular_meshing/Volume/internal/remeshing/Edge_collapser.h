@@ -18,31 +18,46 @@ namespace Tubular_meshing {
 namespace internal {
 
 /* Takes a vertex out: it is pulled onto a neighbor that lies where it may move itself (a vertex on a patch onto one on
- * the same patch or its rim, and so on). On the surface that must not change the surface's shape or topology. */
+ * the same patch or its rim, and so on). On the surface that must not change the surface's shape or topology.
+ *
+ * First it is found whether that is possible, which only reads: several collapsers may do so at the same time. */
 template <class Mesh, class Flips> class Edge_collapser {
 public:
   typedef Tetrahedron_store Store;
   typedef Store::Index Index;
 
-  Edge_collapser(Mesh& mesh, Flips& flips)
+  Edge_collapser(const Mesh& mesh, const Flips& flips)
       : mesh_(mesh)
       , flips_(flips)
       , cavity_(mesh)
       , link_condition_(mesh.store) {}
 
-  // The edge between corners i and j of t: the one end onto the other, or the other way.
-  bool collapse(Index t, int i, int j, const Operation_bounds& bounds) {
+  // Whether the edge between corners i and j of t can be collapsed: the one end onto the other, or the other way.
+  bool find(Index t, int i, int j, const Operation_bounds& bounds) {
     const Index v = mesh_.store[t].v[i], w = mesh_.store[t].v[j];
     if (mesh_.location(v).dimension == 0 && mesh_.location(w).dimension == 0)
       return false;
     mesh_.store.ring(t, i, j, ring_);
     const Surface_location edge = mesh_.locations.of_edge(mesh_.store, ring_);
     const bool first = mesh_.location(v).dimension >= mesh_.location(w).dimension;
-    return first ? collapse_onto(v, w, edge, bounds) || collapse_onto(w, v, edge, bounds)
-                 : collapse_onto(w, v, edge, bounds) || collapse_onto(v, w, edge, bounds);
+    return first ? can_collapse_onto(v, w, edge, bounds) || can_collapse_onto(w, v, edge, bounds)
+                 : can_collapse_onto(w, v, edge, bounds) || can_collapse_onto(v, w, edge, bounds);
   }
 
-  const Store::Index_list& new_tetrahedra() const { return come_; }
+  // Whether what was found still holds, if all changes since are that those tetrahedra have come of which is_new(t).
+  template <class IsNew> bool is_fresh(const IsNew& is_new) const {
+    const auto is_old = [&](Index t) { return mesh_.store.is_alive(t) && !is_new(t); };
+    return cavity_.all_of_gone(is_old) &&
+           (mesh_.location(from_).dimension == 3 || std::all_of(link_condition_.other_star().begin(),
+                                                                link_condition_.other_star().end(), is_old));
+  }
+
+  // Does what was found; the new tetrahedra are left in `come`.
+  void commit(Mesh& mesh, Flips& flips, Store::Index_list& come) const {
+    cavity_.commit(mesh.store, to_, come);
+    mesh.store.remove_vertex(from_);
+    flips.update_new(come);
+  }
 
 private:
   static constexpr double good_enough = 0.5;          // cones that need not be improved
@@ -50,21 +65,20 @@ private:
   static constexpr double least_cosine = 0.8;         // between a facet of the surface and what becomes of it
   static constexpr double deviation = 0.1;            // of new edges from the surface, in their length
 
-  bool collapse_onto(Index v, Index w, const Surface_location& edge, const Operation_bounds& bounds) {
+  bool can_collapse_onto(Index v, Index w, const Surface_location& edge, const Operation_bounds& bounds) {
     const Surface_location& at = mesh_.location(v);
     if (at.dimension == 0 || (at.dimension < 3 && !(edge == at)))
       return false;
     mesh_.store.star(v, star_);
     if (star_.size() > most_tetrahedra)
       return false;
+    if (has_new_edge_above(bounds.longest, v, w))
+      return false;
     cavity_.begin(mesh_.at(w), w);
     for (Index t : star_) {
       cavity_.add_tetrahedron(t, flips_.quality(t));
       cavity_.add_cone(t, mesh_.store.corner(t, v));
     }
-    const auto is_new = [&](Index u) { return std::find(ring_.link.begin(), ring_.link.end(), u) == ring_.link.end(); };
-    if (cavity_.new_lengths(is_new)[1] > bounds.longest)
-      return false;
     if (at.dimension < 3 && (!add_facets(v, w) || !link_condition_.holds(v, w, ring_, star_)))
       return false;
     if (at.dimension == 3) // on the surface, vertices may come closer than tetrahedra allow for
@@ -72,12 +86,23 @@ private:
     const double worst = cavity_.worst();
     if (!(worst > 0) || !bounds.allow(cavity_.worst_before(), worst))
       return false;
-    if (at.dimension < 3 && !keeps_shape(v, w, at))
-      return false;
-    cavity_.commit(w, come_);
-    mesh_.store.remove_vertex(v);
-    flips_.update_new(come_);
-    return true;
+    from_ = v;
+    to_ = w;
+    return at.dimension == 3 || keeps_shape(v, w, at);
+  }
+
+  // Of the edges from w to the neighbors of v that it is not yet joined to.
+  bool has_new_edge_above(double length, Index v, Index w) {
+    seen_.assign({v, w});
+    seen_.insert(seen_.end(), ring_.link.begin(), ring_.link.end());
+    for (Index t : star_)
+      for (Index u : mesh_.store[t].v)
+        if (std::find(seen_.begin(), seen_.end(), u) == seen_.end()) {
+          if (mesh_.length(u, w) > length)
+            return true;
+          seen_.push_back(u);
+        }
+    return false;
   }
 
   // What becomes of the labelled facets at v. False where one would turn too far.
@@ -146,13 +171,14 @@ private:
     return length2 > 0 ? std::sqrt(squared_norm(mesh_.project(middle, on) - middle) / length2) : 0;
   }
 
-  Mesh& mesh_;
-  Flips& flips_;
+  const Mesh& mesh_;
+  const Flips& flips_;
   Cavity<Mesh> cavity_;
   Link_condition link_condition_;
   Store::Ring ring_;
   std::vector<Index> star_;
-  Store::Index_list come_;
+  boost::container::small_vector<Index, 64> seen_;
+  Index from_ = Store::none, to_ = Store::none;
 };
 
 } // namespace internal

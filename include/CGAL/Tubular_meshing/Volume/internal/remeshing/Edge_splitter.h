@@ -27,19 +27,19 @@ struct Operation_bounds {
 };
 
 /* Puts a vertex at the middle, in the metric, of an edge; on the surface, at the nearest point of the edge's patch or
- * rim. */
+ * rim. First it is found whether that is possible, which only reads: several splitters may do so at the same time. */
 template <class Mesh, class Flips> class Edge_splitter {
 public:
   typedef Tetrahedron_store Store;
   typedef Store::Index Index;
 
-  Edge_splitter(Mesh& mesh, Flips& flips)
+  Edge_splitter(const Mesh& mesh, const Flips& flips)
       : mesh_(mesh)
       , flips_(flips)
       , cavity_(mesh) {}
 
-  // The edge between corners i and j of t, at the share `s` of it. New tetrahedra are left in new_tetrahedra().
-  bool split(Index t, int i, int j, double s, const Operation_bounds& bounds) {
+  // Whether the edge between corners i and j of t can be split, at the share `s` of it.
+  bool find(Index t, int i, int j, double s, const Operation_bounds& bounds) {
     mesh_.store.ring(t, i, j, ring_);
     location_ = mesh_.locations.of_edge(mesh_.store, ring_);
     if (location_.dimension < 3 && mesh_.keep_boundary)
@@ -52,11 +52,23 @@ public:
     return location_.dimension < 3 && try_at(middle, false, bounds);
   }
   // At the middle of the length that the metrics at its ends give it.
-  bool split(Index t, int i, int j, const Operation_bounds& bounds) {
-    return split(t, i, j, middle_of(mesh_.at(mesh_.store[t].v[i]), mesh_.at(mesh_.store[t].v[j])), bounds);
+  bool find(Index t, int i, int j, const Operation_bounds& bounds) {
+    return find(t, i, j, middle_of(mesh_.at(mesh_.store[t].v[i]), mesh_.at(mesh_.store[t].v[j])), bounds);
   }
 
-  const Store::Index_list& new_tetrahedra() const { return come_; }
+  // Whether what was found still holds, if all changes since are that those tetrahedra have come of which is_new(t).
+  template <class IsNew> bool is_fresh(const IsNew& is_new) const {
+    return cavity_.all_of_gone([&](Index t) { return mesh_.store.is_alive(t) && !is_new(t); });
+  }
+
+  // Does what was found; the new tetrahedra are left in `come`.
+  void commit(Mesh& mesh, Flips& flips, Store::Index_list& come) {
+    const Index v = mesh.add_vertex(cavity_.kernel(), location_, on_surface_);
+    for (auto& f : cavity_.facets())
+      std::replace(f.v.begin(), f.v.end(), Store::none, v);
+    cavity_.commit(mesh.store, v, come);
+    flips.update_new(come);
+  }
 
 private:
   static constexpr double good_enough = 0.7; // cones that need not be improved
@@ -72,6 +84,8 @@ private:
 
   bool try_at(const Vector_3d& p, bool on_surface, const Operation_bounds& bounds) {
     cavity_.begin(mesh_.at(p), Store::none);
+    if (!has_room(bounds.shortest)) // which a larger cavity would not make
+      return false;
     for (Index t : ring_.tetrahedra) {
       cavity_.add_tetrahedron(t, flips_.quality(t));
       cavity_.add_cone(t, mesh_.store.corner(t, ring_.a));
@@ -82,15 +96,15 @@ private:
     const double worst = cavity_.worst();
     if (!(worst > 0) || !bounds.allow(cavity_.worst_before(), worst))
       return false;
-    const auto lengths = cavity_.new_lengths([](Index) { return true; });
-    if (lengths[0] < bounds.shortest || lengths[1] > bounds.longest)
-      return false;
-    const Index v = mesh_.add_vertex(cavity_.kernel(), location_, on_surface);
-    for (auto& f : cavity_.facets())
-      std::replace(f.v.begin(), f.v.end(), Store::none, v);
-    cavity_.commit(v, come_);
-    flips_.update_new(come_);
-    return true;
+    const auto lengths = cavity_.lengths();
+    on_surface_ = on_surface;
+    return lengths[0] >= bounds.shortest && lengths[1] <= bounds.longest;
+  }
+
+  // Whether none of the new edges to the vertices around would be too short.
+  bool has_room(double shortest) const {
+    const auto is_far = [&](Index v) { return metric_length(cavity_.kernel(), mesh_.at(v)) >= shortest; };
+    return is_far(ring_.a) && is_far(ring_.b) && std::all_of(ring_.link.begin(), ring_.link.end(), is_far);
   }
 
   // The halves of the labelled facets of t at the edge; the new vertex is yet without a number.
@@ -107,12 +121,12 @@ private:
     }
   }
 
-  Mesh& mesh_;
-  Flips& flips_;
+  const Mesh& mesh_;
+  const Flips& flips_;
   Cavity<Mesh> cavity_;
   Store::Ring ring_;
   Surface_location location_;
-  Store::Index_list come_;
+  bool on_surface_ = false;
 };
 
 } // namespace internal

@@ -33,6 +33,9 @@ public:
     return holds_for_tetrahedra(v, w, ring, star) && holds_for_facets(v, w, star);
   }
 
+  // The tetrahedra around w.
+  const std::vector<Index>& other_star() const { return other_star_; }
+
 private:
   // No vertex but those around the edge may be joined to both its ends, and no facet of both.
   bool holds_for_tetrahedra(Index v, Index w, const Store::Ring& ring, const std::vector<Index>& star) {

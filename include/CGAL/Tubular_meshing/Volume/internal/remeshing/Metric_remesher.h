@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REMESHING_METRIC_REMESHER_H
 #define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REMESHING_METRIC_REMESHER_H
 
+#include <CGAL/Tubular_meshing/Volume/internal/Speculation.h>
 #include <CGAL/Tubular_meshing/Volume/internal/Surface_flip_guard.h>
 #include <CGAL/Tubular_meshing/Volume/internal/Topology_optimizer.h>
 #include <CGAL/Tubular_meshing/Volume/internal/remeshing/Edge_collapser.h>
@@ -59,8 +60,8 @@ public:
       , store_(mesh.store)
       , flips_(store_, Remeshing_flip_guard{{store_, mesh.projection}, mesh.keep_boundary}, Measure{&mesh},
                mesh.threads)
-      , splitter_(mesh, flips_)
-      , collapser_(mesh, flips_) {}
+      , splitters_([this] { return Splitter(mesh_, flips_); }, mesh.threads)
+      , collapsers_([this] { return Collapser(mesh_, flips_); }, mesh.threads) {}
 
   // `observe(*this, what, n)` is told after each pass what was done, and how often.
   template <class Observer> void run(const Observer& observe) {
@@ -86,6 +87,10 @@ public:
   const Flips& flips() const { return flips_; }
 
 private:
+  typedef Edge_splitter<Mesh, Flips> Splitter;
+  typedef Edge_collapser<Mesh, Flips> Collapser;
+  typedef typename Flips::Time Time;
+
   static constexpr double sqrt_2 = 1.4142135623730951;
 
   /* Splits edges that a small feature of the field crosses unseen by both ends: their length by samples is much larger
@@ -102,12 +107,14 @@ private:
       });
       todo.clear();
       int i, j;
-      for (std::size_t k = 0; k < edges.size(); ++k)
-        if (share[k] > 0 && edges[k].find(store_, i, j) &&
-            splitter_.split(edges[k].t, i, j, share[k], bounds_of_split(1, 1))) {
-          todo.insert(todo.end(), splitter_.new_tetrahedra().begin(), splitter_.new_tetrahedra().end());
-          ++n;
-        }
+      n += apply(
+          splitters_, edges.size(), [&](std::size_t k) { return share[k] > 0; },
+          [&](Splitter& s, std::size_t k) {
+            int i, j;
+            return edges[k].find(store_, i, j) &&
+                   s.find(edges[k].t, i, j, share[k], bounds_of_split(1, 1));
+          },
+          [&](const Store::Index_list& come) { todo.insert(todo.end(), come.begin(), come.end()); });
     }
     return n;
   }
@@ -162,10 +169,11 @@ private:
   }
 
   void wake_vertices_of_new_tetrahedra() {
-    flips_.for_each_new([this](Index t) {
+    flips_.for_each_newer(last_woken_, [this](Index t) {
       for (Index v : store_[t].v)
         mesh_.clock.wake(v);
     });
+    last_woken_ = flips_.now();
   }
 
   // Tetrahedra at rest since the last time, with the same threshold, are not tried again.
@@ -181,7 +189,7 @@ private:
     last_flips_ = mesh_.clock.now();
     mesh_.clock.tick();
     last_threshold_ = threshold;
-    return flips_.improve_few_below(threshold, [&](Index t) {
+    return flips_.improve_below(threshold, [&](Index t) {
       const auto& v = store_[t].v;
       return is_stirred[v[0]] || is_stirred[v[1]] || is_stirred[v[2]] || is_stirred[v[3]];
     });
@@ -202,25 +210,47 @@ private:
     std::size_t n = 0;
     double longest = 1e300;
     std::vector<Index> todo = list_tetrahedra(store_), next, made;
-    for (int i, j; !todo.empty() && n < most; todo.swap(next)) {
+    for (; !todo.empty() && n < most; todo.swap(next)) {
       const Edge_list edges = list_edges(mesh_, todo, [=](double l) { return l > sqrt_2 * size; });
       next.clear();
       made.clear();
       if (edges.empty())
         break;
-      longest = (std::min)(longest, double(edges.front().length));
-      for (const Listed_edge& e : edges)
-        if (e.length < step * longest)
-          next.push_back(e.t);
-        else if (e.find(store_, i, j) && splitter_.split(e.t, i, j, bounds_of_split(size, e.length))) {
-          made.insert(made.end(), splitter_.new_tetrahedra().begin(), splitter_.new_tetrahedra().end());
-          ++n;
-        }
-      longest *= step;
+      longest = step * (std::min)(longest, double(edges.front().length));
+      const auto later = std::find_if(edges.begin(), edges.end(), [=](const Listed_edge& e) { return e.length < longest; });
+      for (auto e = later; e != edges.end(); ++e)
+        next.push_back(e->t);
+      n += apply(
+          splitters_, std::size_t(later - edges.begin()), always,
+          [&](Splitter& s, std::size_t k) {
+            int i, j;
+            return edges[k].find(store_, i, j) && s.find(edges[k].t, i, j, bounds_of_split(size, edges[k].length));
+          },
+          [&](const Store::Index_list& come) { made.insert(made.end(), come.begin(), come.end()); });
       flips_.improve_these(made, 0.4);
       next.insert(next.end(), made.begin(), made.end());
     }
     return n;
+  }
+
+  /* Does what is wanted, wanted(k), and found to be possible, find(worker, k), for k < n, one after the other.
+   * after(come) is told what has come. Returns how often. */
+  static bool always(std::size_t) { return true; }
+  template <class Worker, class Wanted, class Find, class After>
+  std::size_t apply(Speculation<Worker>& workers, std::size_t n, const Wanted& wanted, const Find& find,
+                    const After& after) {
+    std::size_t done = 0;
+    workers.run([=] { return n; }, [this] { return flips_.now(); },
+                [&](Worker& w, std::size_t k) { return wanted(k) && find(w, k); },
+                [&](const Worker& w, std::size_t k, Time since) {
+                  return wanted(k) && w.is_fresh([&](Index t) { return flips_.is_newer(t, since); });
+                },
+                [&](Worker& w, std::size_t) {
+                  w.commit(mesh_, flips_, come_);
+                  after(come_);
+                  ++done;
+                });
+    return done;
   }
 
   /* What a mesh can need, several times over: there are five or six tetrahedra a vertex. In metrics whose sizes are in
@@ -233,16 +263,17 @@ private:
     const int most_rounds = 20;
     std::size_t n = 0;
     std::vector<Index> todo = list_tetrahedra(store_);
-    int i, j;
     for (int round = 0; round < most_rounds && !todo.empty(); ++round) {
       Edge_list edges = list_edges(mesh_, todo, [=](double l) { return l < size / sqrt_2; });
       std::reverse(edges.begin(), edges.end());
       todo.clear();
-      for (const Listed_edge& e : edges)
-        if (e.find(store_, i, j) && collapser_.collapse(e.t, i, j, bounds_of_collapse(size))) {
-          todo.insert(todo.end(), collapser_.new_tetrahedra().begin(), collapser_.new_tetrahedra().end());
-          ++n;
-        }
+      n += apply(
+          collapsers_, edges.size(), always,
+          [&](Collapser& c, std::size_t k) {
+            int i, j;
+            return edges[k].find(store_, i, j) && c.find(edges[k].t, i, j, bounds_of_collapse(size));
+          },
+          [&](const Store::Index_list& come) { todo.insert(todo.end(), come.begin(), come.end()); });
     }
     return n;
   }
@@ -260,24 +291,34 @@ private:
           if (v < locked.size())
             locked[v] = 1;
     };
-    const auto is_free = [&](Index v) { return v < locked.size() && !locked[v]; };
+    const auto is_free = [&](const Listed_edge& e) {
+      return e.a < locked.size() && e.b < locked.size() && !locked[e.a] && !locked[e.b];
+    };
     const Operation_bounds when_collapsing = {0.15, 0.5, 0, 1.75, 1, 1}, when_splitting = {0.25, 0.8, 0.6, 1e300, 1, 1};
     std::size_t n = 0;
-    int i, j;
     Edge_list edges = list_edges(mesh_, list_tetrahedra(store_), [](double l) { return l < 1; });
     std::reverse(edges.begin(), edges.end());
-    for (const Listed_edge& e : edges)
-      if (is_free(e.a) && is_free(e.b) && volume[e.a] < dense && volume[e.b] < dense && e.find(store_, i, j) &&
-          collapser_.collapse(e.t, i, j, when_collapsing)) {
-        lock(collapser_.new_tetrahedra());
-        ++n;
-      }
-    for (const Listed_edge& e : list_edges(mesh_, list_tetrahedra(store_), [](double l) { return l > 1.2; }))
-      if (is_free(e.a) && is_free(e.b) && volume[e.a] > sparse && volume[e.b] > sparse && e.find(store_, i, j) &&
-          splitter_.split(e.t, i, j, when_splitting)) {
-        lock(splitter_.new_tetrahedra());
-        ++n;
-      }
+    n += apply(
+        collapsers_, edges.size(),
+        [&](std::size_t k) {
+          return is_free(edges[k]) && volume[edges[k].a] < dense && volume[edges[k].b] < dense;
+        },
+        [&](Collapser& c, std::size_t k) {
+          int i, j;
+          return edges[k].find(store_, i, j) && c.find(edges[k].t, i, j, when_collapsing);
+        },
+        lock);
+    edges = list_edges(mesh_, list_tetrahedra(store_), [](double l) { return l > 1.2; });
+    n += apply(
+        splitters_, edges.size(),
+        [&](std::size_t k) {
+          return is_free(edges[k]) && volume[edges[k].a] > sparse && volume[edges[k].b] > sparse;
+        },
+        [&](Splitter& s, std::size_t k) {
+          int i, j;
+          return edges[k].find(store_, i, j) && s.find(edges[k].t, i, j, when_splitting);
+        },
+        lock);
     return n;
   }
 
@@ -289,12 +330,19 @@ private:
     for (Index t = 0; t < store_.number_of_slots(); ++t)
       if (store_.is_alive(t) && flips_.quality(t) < quality)
         worst.push_back(t);
+    Collapser collapser(mesh_, flips_);
+    Splitter splitter(mesh_, flips_);
     std::size_t n = 0;
     for (Index t : worst)
       for (int e = 0; e < 6 && store_.is_alive(t) && flips_.quality(t) < quality; ++e) {
         const int i = e < 3 ? 0 : e < 5 ? 1 : 2, j = e < 3 ? e + 1 : e < 5 ? e - 1 : 3;
-        if (collapser_.collapse(t, i, j, better) || splitter_.split(t, i, j, better))
-          ++n;
+        if (collapser.find(t, i, j, better))
+          collapser.commit(mesh_, flips_, come_);
+        else if (splitter.find(t, i, j, better))
+          splitter.commit(mesh_, flips_, come_);
+        else
+          continue;
+        ++n;
       }
     return n;
   }
@@ -302,10 +350,12 @@ private:
   Mesh& mesh_;
   Store& store_;
   Flips flips_;
-  Edge_splitter<Mesh, Flips> splitter_;
-  Edge_collapser<Mesh, Flips> collapser_;
+  Speculation<Splitter> splitters_;
+  Speculation<Collapser> collapsers_;
+  Store::Index_list come_;
   double last_size_ = 0, last_threshold_ = 0;
   Vertex_clock::Time last_flips_ = 0;
+  Time last_woken_ = 0;
 };
 
 } // namespace internal

@@ -37,17 +37,18 @@ public:
   const Patches& patches_of_rim(std::int32_t rim) const { return rims_[std::size_t(rim)]; }
 
   // The location of an edge by its ring; its two ends need not share it.
-  Surface_location of_edge(const Store& store, const Store::Ring& ring) {
-    patches_.clear();
+  Surface_location of_edge(const Store& store, const Store::Ring& ring) const {
+    Patches patches;
     for (Index t : ring.tetrahedra)
       for (int i = 0; i < 4; ++i)
         if (store[t].v[i] != ring.a && store[t].v[i] != ring.b && store[t].label[i] != 0)
-          add(store[t].label[i]);
-    if (patches_.empty())
+          add(store[t].label[i], patches);
+    if (patches.empty())
       return {};
-    if (patches_.size() == 1)
-      return {2, patches_[0]};
-    return {1, number_of(patches_)};
+    if (patches.size() == 1)
+      return {2, patches[0]};
+    const auto rim = number_.find(patches); // no operation makes a new one
+    return rim == number_.end() ? Surface_location{0, 0} : Surface_location{1, rim->second};
   }
 
   // The locations of all vertices; `is_corner(v)` is asked of vertices on rims.
@@ -65,17 +66,18 @@ public:
           locations[a] = {2, store[t].label[i]};
         }
       }
+    Patches patches;
     std::sort(edges.begin(), edges.end());
     edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
     std::vector<std::uint8_t> rim_edges(store.number_of_vertices(), 0);
     for (std::size_t k = 0; k < edges.size();) {
-      patches_.clear();
+      patches.clear();
       const auto edge = edges[k].first;
       for (; k < edges.size() && edges[k].first == edge; ++k)
-        patches_.push_back(edges[k].second);
-      if (patches_.size() < 2)
+        patches.push_back(edges[k].second);
+      if (patches.size() < 2)
         continue;
-      const std::int32_t rim = number_of(patches_);
+      const std::int32_t rim = number_of(patches);
       for (Index v : {edge.first, edge.second}) {
         const bool fits = rim_edges[v] == 0 || (rim_edges[v] == 1 && locations[v] == Surface_location{1, rim});
         locations[v] = fits ? Surface_location{1, rim} : Surface_location{0, 0};
@@ -89,10 +91,10 @@ public:
   }
 
 private:
-  void add(std::int32_t patch) {
-    const auto at = std::lower_bound(patches_.begin(), patches_.end(), patch);
-    if (at == patches_.end() || *at != patch)
-      patches_.insert(at, patch);
+  static void add(std::int32_t patch, Patches& patches) {
+    const auto at = std::lower_bound(patches.begin(), patches.end(), patch);
+    if (at == patches.end() || *at != patch)
+      patches.insert(at, patch);
   }
   std::int32_t number_of(const Patches& patches) {
     const auto found = number_.insert({patches, std::int32_t(rims_.size())});
@@ -103,7 +105,6 @@ private:
 
   std::map<Patches, std::int32_t> number_;
   std::vector<Patches> rims_;
-  Patches patches_;
 };
 
 } // namespace internal

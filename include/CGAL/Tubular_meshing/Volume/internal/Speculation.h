@@ -1,0 +1,70 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_SPECULATION_H
+#define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_SPECULATION_H
+
+#include <CGAL/Tubular_meshing/internal/parallel.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Tubular_meshing {
+namespace internal {
+
+/* Does many local operations on a mesh, one after the other, and yet on several threads: what costs time is to find out
+ * whether an operation is possible and what it would lead to, and that only reads. So candidates are looked at in
+ * batches, all of a batch at the same time; then those that are possible are done in their order. If something that one
+ * of them depends on has been changed by another one of its batch, which is rare, it is looked at once more.
+ *
+ * The result does not depend on the number of threads, as batches do not.
+ */
+template <class Worker> class Speculation {
+public:
+  // `make()` makes a worker: what looks at a candidate and remembers what it has found.
+  template <class Make> Speculation(const Make& make, int threads)
+      : threads_(threads) {
+    workers_.reserve(batch);
+    for (std::size_t k = 0; k < batch; ++k)
+      workers_.push_back(make());
+  }
+
+  /* For each k < n, which may grow meanwhile:
+   *   find(worker, k): whether k is possible; for several k at the same time
+   *   now(): the time, which goes on with each change of the mesh
+   *   is_fresh(worker, k, since): whether all that the worker has seen is as it was at that time
+   *   commit(worker, k): does it. */
+  template <class Number, class Now, class Find, class Is_fresh, class Commit>
+  void run(const Number& n, const Now& now, const Find& find, const Is_fresh& is_fresh, const Commit& commit) {
+    for (std::size_t first = 0, last; first < n(); first = last) {
+      last = (std::min)(first + batch, n());
+      const auto since = now();
+      for_each_range(
+          last - first, threads_,
+          [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i)
+              possible_[i] = find(workers_[i], first + i);
+          },
+          grain);
+      for (std::size_t i = 0; i < last - first; ++i)
+        if (possible_[i] && (is_fresh(workers_[i], first + i, since) || find(workers_[i], first + i)))
+          commit(workers_[i], first + i);
+    }
+  }
+
+private:
+  static constexpr std::size_t batch = 512; // many times the cores, and few compared with a mesh
+  static constexpr std::size_t grain = 16;
+
+  std::vector<Worker> workers_;
+  char possible_[batch];
+  int threads_;
+};
+
+} // namespace internal
+} // namespace Tubular_meshing
+} // namespace CGAL
+
+#endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_SPECULATION_H
