@@ -25,6 +25,7 @@
 #include <CGAL/Tubular_meshing/parameters.h>
 
 #include <string>
+#include <vector>
 
 namespace CGAL {
 namespace Tubular_meshing {
@@ -224,7 +225,9 @@ Mixed_mesh<Point_3> make_anisotropic_mesh(const Tubular_model<Point_3>& model,
   observer("metric field");
   const Centerline_metric_field<Point_3> metric = framed.metric_field(np);
   observer("anisotropic remeshing");
-  anisotropic_tetrahedral_remeshing(mesh, framed.surface(), framed.patch(), metric, np);
+  typedef Named_parameters<std::vector<int>, internal_np::boundary_layer_patches_t, NamedParameters> With_layer;
+  anisotropic_tetrahedral_remeshing(mesh, framed.surface(), framed.patch(), metric,
+                                    With_layer(std::vector<int>{labels::wall}, np));
   observer("check");
   internal::check_differences(mesh, model);
   framed.bring_back(mesh);

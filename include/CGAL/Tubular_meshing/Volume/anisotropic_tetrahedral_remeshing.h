@@ -14,9 +14,11 @@
 #include <CGAL/Tubular_meshing/exceptions.h>
 #include <CGAL/Tubular_meshing/parameters.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Tubular_meshing {
@@ -40,13 +42,14 @@ void remesh_to_metric(Mixed_mesh<Point>& mesh, const MetricField& metric, const 
   typedef Metric_at_vector<Point, MetricField> Field;
   const bool keep_boundary = choose(np, internal_np::keep_boundary, false);
   const int threads = choose(np, internal_np::number_of_threads, 0);
+  const auto layer_patches = choose(np, internal_np::boundary_layer_patches, std::vector<int>());
   if (threads < 0)
     throw Parameter_error("number_of_threads is negative; pass the number of threads, or 0 for all cores.");
   check_mesh_to_remesh(mesh);
   std::unique_ptr<Tetrahedron_store> store(new Tetrahedron_store(mesh));
   const Patch_projection projection(make_projection(*store));
   const Field field{metric};
-  Metric_mesh<Field> metric_mesh(*store, field, projection, keep_boundary, threads);
+  Metric_mesh<Field> metric_mesh(*store, field, projection, keep_boundary, layer_patches, threads);
   Metric_remesher<Field>(metric_mesh).run(observe);
   metric_mesh.renumber();
   const std::vector<Metric_tensor_3> metrics = metric_mesh.take_metrics();
@@ -110,6 +113,9 @@ void remesh_to_metric(Mixed_mesh<Point>& mesh, const MetricField& metric, const 
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{keep_boundary} \cgalParamDescription{whether the facets of the boundary and of interfaces stay as
  *     they are, one by one} \cgalParamDefault{`false`} \cgalParamNEnd
+ *   \cgalParamNBegin{boundary_layer_patches} \cgalParamDescription{a `std::vector<int>`: the patches along which the
+ *     metric describes a boundary layer. The first layer there gets as high as the metric's size across it; the regular
+ *     tetrahedron of unit edges is only 0.8 as high} \cgalParamDefault{none} \cgalParamNEnd
  *   \cgalParamNBegin{number_of_threads} \cgalParamDescription{0 takes all cores} \cgalParamDefault{0} \cgalParamNEnd
  * \cgalNamedParamsEnd
  *

@@ -76,6 +76,7 @@ CGAL_TUBULAR_MESHING_PARAMETER(growth)
 CGAL_TUBULAR_MESHING_PARAMETER(smoothing_ratio)
 CGAL_TUBULAR_MESHING_PARAMETER(curvature_points)
 CGAL_TUBULAR_MESHING_PARAMETER(max_anisotropy)
+CGAL_TUBULAR_MESHING_PARAMETER(boundary_layer_patches)
 
 // layers of cells, outward and inward
 CGAL_TUBULAR_MESHING_PARAMETER(wall_thickness)

@@ -7,8 +7,9 @@
 #include <CGAL/Tubular_meshing/internal/parallel.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
-#include <vector>
+#include <deque>
 
 namespace CGAL {
 namespace Tubular_meshing {
@@ -23,12 +24,12 @@ namespace internal {
  */
 template <class Worker> class Speculation {
 public:
-  // `make()` makes a worker: what looks at a candidate and remembers what it has found.
-  template <class Make> Speculation(const Make& make, int threads)
+  // `arguments`: of workers, which look at a candidate each and remember what they have found.
+  template <class... Arguments>
+  explicit Speculation(int threads, const Arguments&... arguments)
       : threads_(threads) {
-    workers_.reserve(batch);
     for (std::size_t k = 0; k < batch; ++k)
-      workers_.push_back(make());
+      workers_.emplace_back(arguments...);
   }
 
   /* For each k < n, which may grow meanwhile:
@@ -58,8 +59,8 @@ private:
   static constexpr std::size_t batch = 512; // many times the cores, and few compared with a mesh
   static constexpr std::size_t grain = 16;
 
-  std::vector<Worker> workers_;
-  char possible_[batch];
+  std::deque<Worker> workers_; // which need not be movable
+  std::array<char, batch> possible_;
   int threads_;
 };
 

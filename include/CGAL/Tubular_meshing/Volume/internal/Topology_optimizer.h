@@ -47,7 +47,7 @@ public:
       , guard_(guard)
       , measure_(measure)
       , threads_(threads)
-      , searches_([this] { return Search(store_, guard_, measure_, quality_); }, threads) {
+      , searches_(threads, store_, guard_, measure_, quality_) {
     update_all();
   }
   Topology_optimizer(const Topology_optimizer&) = delete;

@@ -48,8 +48,8 @@ public:
   template <class IsNew> bool is_fresh(const IsNew& is_new) const {
     const auto is_old = [&](Index t) { return mesh_.store.is_alive(t) && !is_new(t); };
     return cavity_.all_of_gone(is_old) &&
-           (mesh_.location(from_).dimension == 3 || std::all_of(link_condition_.other_star().begin(),
-                                                                link_condition_.other_star().end(), is_old));
+           (mesh_.location(from_).dimension == 3 ||
+            std::all_of(link_condition_.other_star().begin(), link_condition_.other_star().end(), is_old));
   }
 
   // Does what was found; the new tetrahedra are left in `come`.

@@ -41,18 +41,20 @@ inline bool is_positive(const Vector_3d& a, const Vector_3d& b, const Vector_3d&
 
 /* A mesh with the metric at its vertices, and where each of them lies: what all operations of the remesher work on.
  *
- * `Field` gives a Metric_tensor_3 at a Vector_3d. With `keep_boundary` all vertices on labelled facets are fixed and so
- * are the facets.
+ * `Field` gives a Metric_tensor_3 at a Vector_3d. On `layer_patches` the height of elements counts as such. With
+ * `keep_boundary` all vertices on labelled facets are fixed and so are the facets.
  */
 template <class Field> class Metric_mesh {
 public:
   typedef Tetrahedron_store Store;
   typedef Store::Index Index;
 
-  Metric_mesh(Store& store, const Field& field, const Patch_projection& projection, bool keep_boundary, int threads)
+  Metric_mesh(Store& store, const Field& field, const Patch_projection& projection, bool keep_boundary,
+              std::vector<int> layer_patches, int threads)
       : store(store)
       , projection(projection)
       , keep_boundary(keep_boundary)
+      , layer_patches(std::move(layer_patches))
       , threads(threads)
       , field_(field)
       , limits_(extent_of(store)) {
@@ -76,6 +78,7 @@ public:
   const Patch_projection& projection;
   Surface_locations locations;
   const bool keep_boundary;
+  const std::vector<int> layer_patches; // with a layer whose height counts
   const int threads;
   Vertex_clock clock;
 

@@ -18,10 +18,11 @@ namespace Tubular_meshing {
 namespace internal {
 
 /* What is to be small around a vertex, as a function of its position: of each tetrahedron its Q, eq. (16), and how far
- * its edges are from unit length, s + 1/s with s their mean square. Q goes to infinity for a flat tetrahedron:
- * descending the sum never inverts one. Derivatives hold the metrics fixed. */
+ * its edges are from unit length, s + 1/s with s their mean square; in a boundary layer the height as well. Q goes to
+ * infinity for a flat tetrahedron: descending the sum never inverts one. Derivatives hold the metrics fixed. */
 struct Metric_energy {
   static constexpr double size_weight = 1;
+  static constexpr double height_weight = 8; // some six of the two dozen tetrahedra have to do with it
 
   double value = 0;
   Vector_3d gradient;
@@ -60,6 +61,23 @@ struct Metric_energy {
     hessian.add_product(0.75 / (root * d) + 2 * size_weight * size2 / (s * s * s), ds, ds);
     hessian.add_product(-3 * root / (d * d), ds, dd);
     hessian.add_product(2 * q / (d * d), dd, dd);
+    return true;
+  }
+
+  /* The height h of the vertex above a facet of which the layer is to be as high as the metric's size across it: h +
+   * 1/h, in that size. A regular tetrahedron is somewhat lower, and where facets meet at an angle that the metric does
+   * not know of, tetrahedra are much higher. `n`: the facet's normal, `to_facet`: from the vertex to the facet. */
+  bool add_height(const Vector_3d& n, const Vector_3d& to_facet, const Metric_tensor_3& at_facet,
+                  bool with_derivatives) {
+    const double scale = at_facet.length(n) / std::sqrt(size2), h = scale * dot(n, to_facet);
+    if (!(h > 0))
+      return false;
+    value += height_weight * (h + 1 / h);
+    if (!with_derivatives)
+      return true;
+    const Vector_3d dh = -scale * n;
+    gradient += height_weight * (1 - 1 / (h * h)) * dh;
+    hessian.add_product(2 * height_weight / (h * h * h), dh, dh);
     return true;
   }
 };
@@ -225,10 +243,25 @@ private:
       const Metric_tensor_3 mean =
           0.25 * (x.metric + mesh_.metric(tet[c[0]]) + mesh_.metric(tet[c[1]]) + mesh_.metric(tet[c[2]]));
       if (!e.add(store_.point(tet[c[0]]) - x.position, store_.point(tet[c[1]]) - x.position,
-                 store_.point(tet[c[2]]) - x.position, mean, with_derivatives))
+                 store_.point(tet[c[2]]) - x.position, mean, with_derivatives) ||
+          (has_layer(s) && !add_height(s, x.position, with_derivatives, e)))
         return false;
     }
     return true;
+  }
+
+  bool has_layer(Index facet) const {
+    const std::int32_t label = store_[Store::tetrahedron_of(facet)].label[Store::opposite_of(facet)];
+    return label != 0 &&
+           std::find(mesh_.layer_patches.begin(), mesh_.layer_patches.end(), label) != mesh_.layer_patches.end();
+  }
+  bool add_height(Index facet, const Vector_3d& x, bool with_derivatives, Metric_energy& e) const {
+    const auto& tet = store_[Store::tetrahedron_of(facet)].v;
+    const auto& c = Store::facet_corners(Store::opposite_of(facet));
+    const Vector_3d &p = store_.point(tet[c[0]]), &q = store_.point(tet[c[1]]), &r = store_.point(tet[c[2]]);
+    const Metric_tensor_3 mean =
+        (1. / 3) * (mesh_.metric(tet[c[0]]) + mesh_.metric(tet[c[1]]) + mesh_.metric(tet[c[2]]));
+    return e.add_height(normalized(cross(q - p, r - p)), p - x, mean, with_derivatives);
   }
 
   bool is_valid(Index v, const Vector_3d& p) const {

@@ -60,8 +60,8 @@ public:
       , store_(mesh.store)
       , flips_(store_, Remeshing_flip_guard{{store_, mesh.projection}, mesh.keep_boundary}, Measure{&mesh},
                mesh.threads)
-      , splitters_([this] { return Splitter(mesh_, flips_); }, mesh.threads)
-      , collapsers_([this] { return Collapser(mesh_, flips_); }, mesh.threads) {}
+      , splitters_(mesh.threads, mesh_, flips_)
+      , collapsers_(mesh.threads, mesh_, flips_) {}
 
   // `observe(*this, what, n)` is told after each pass what was done, and how often.
   template <class Observer> void run(const Observer& observe) {
@@ -106,13 +106,11 @@ private:
           share[k] = float(hidden_middle(edges[k]));
       });
       todo.clear();
-      int i, j;
       n += apply(
           splitters_, edges.size(), [&](std::size_t k) { return share[k] > 0; },
           [&](Splitter& s, std::size_t k) {
             int i, j;
-            return edges[k].find(store_, i, j) &&
-                   s.find(edges[k].t, i, j, share[k], bounds_of_split(1, 1));
+            return edges[k].find(store_, i, j) && s.find(edges[k].t, i, j, share[k], bounds_of_split(1, 1));
           },
           [&](const Store::Index_list& come) { todo.insert(todo.end(), come.begin(), come.end()); });
     }
@@ -217,7 +215,8 @@ private:
       if (edges.empty())
         break;
       longest = step * (std::min)(longest, double(edges.front().length));
-      const auto later = std::find_if(edges.begin(), edges.end(), [=](const Listed_edge& e) { return e.length < longest; });
+      const auto later =
+          std::find_if(edges.begin(), edges.end(), [=](const Listed_edge& e) { return e.length < longest; });
       for (auto e = later; e != edges.end(); ++e)
         next.push_back(e->t);
       n += apply(
@@ -300,9 +299,7 @@ private:
     std::reverse(edges.begin(), edges.end());
     n += apply(
         collapsers_, edges.size(),
-        [&](std::size_t k) {
-          return is_free(edges[k]) && volume[edges[k].a] < dense && volume[edges[k].b] < dense;
-        },
+        [&](std::size_t k) { return is_free(edges[k]) && volume[edges[k].a] < dense && volume[edges[k].b] < dense; },
         [&](Collapser& c, std::size_t k) {
           int i, j;
           return edges[k].find(store_, i, j) && c.find(edges[k].t, i, j, when_collapsing);
@@ -311,9 +308,7 @@ private:
     edges = list_edges(mesh_, list_tetrahedra(store_), [](double l) { return l > 1.2; });
     n += apply(
         splitters_, edges.size(),
-        [&](std::size_t k) {
-          return is_free(edges[k]) && volume[edges[k].a] > sparse && volume[edges[k].b] > sparse;
-        },
+        [&](std::size_t k) { return is_free(edges[k]) && volume[edges[k].a] > sparse && volume[edges[k].b] > sparse; },
         [&](Splitter& s, std::size_t k) {
           int i, j;
           return edges[k].find(store_, i, j) && s.find(edges[k].t, i, j, when_splitting);

@@ -56,8 +56,7 @@ public:
   void set_moved(Index v) { moved_[v] = now_; }
 
   template <class Vertices> bool any_stirred_since(const Vertices& vertices, Time t) const {
-    return std::any_of(vertices.begin(), vertices.end(),
-                       [&](Index v) { return moved_[v] > t || renewed_[v] > t; });
+    return std::any_of(vertices.begin(), vertices.end(), [&](Index v) { return moved_[v] > t || renewed_[v] > t; });
   }
 
   // Whether something has moved among v and its neighbors since it was visited; `star`: facet codes around v.
