@@ -59,11 +59,7 @@ public:
       , field_(field)
       , limits_(extent_of(store)) {
     metric_.resize(store.number_of_vertices());
-    for_each_range(metric_.size(), threads, [&](std::size_t first, std::size_t last) {
-      for (std::size_t v = first; v < last; ++v)
-        if (store.is_used(Index(v)))
-          metric_[v] = at(store.point(Index(v))).metric;
-    });
+    update_metrics();
     on_surface_.assign(metric_.size(), 0);
     clock.resize(metric_.size());
     Metric_limits::check_number_of_tetrahedra(number_of_unit_tetrahedra());
@@ -88,7 +84,29 @@ public:
   Metric_point at(const Vector_3d& p) const {
     const Metric_point result = {p, field_(p)};
     limits_.check(result.metric, p);
-    return result;
+    return ratio_ < no_limit ? Metric_point{p, limited(result.metric)} : result;
+  }
+
+  /* From now on the metric is the field's with its small sizes enlarged to where no size is more than `ratio` times
+   * another one at the same place. */
+  void limit_ratio(double ratio) {
+    ratio_ = ratio;
+    update_metrics();
+    clock.wake_all();
+  }
+  static constexpr double no_limit = 1e300;
+
+  // Of the tetrahedra that the metric asks for, the share that is to have sizes in a ratio above this.
+  double share_above_ratio(double ratio) const {
+    double all = 0, above = 0;
+    for (Index t = 0; t < store.number_of_slots(); ++t)
+      if (store.is_alive(t)) {
+        const double n = shape(store[t].v).volume;
+        all += n;
+        if (metric_[store[t].v[0]].anisotropy() > ratio)
+          above += n;
+      }
+    return all > 0 ? above / all : 0;
   }
 
   // Whether a vertex with a location on the surface is known to lie there.
@@ -176,6 +194,18 @@ public:
   }
 
 private:
+  void update_metrics() {
+    for_each_range(metric_.size(), threads, [&](std::size_t first, std::size_t last) {
+      for (std::size_t v = first; v < last; ++v)
+        if (store.is_used(Index(v)))
+          metric_[v] = at(store.point(Index(v))).metric;
+    });
+  }
+  Metric_tensor_3 limited(const Metric_tensor_3& m) const {
+    const double largest = m.sizes()[2];
+    return m.clamped(largest / ratio_, largest);
+  }
+
   static double extent_of(const Store& store) {
     Vector_3d low = store.point(store[0].v[0]), high = low;
     for (Index v = 0; v < store.number_of_vertices(); ++v)
@@ -187,7 +217,8 @@ private:
     return norm(high - low);
   }
   const Field& field_;
-  Metric_limits limits_;
+  const Metric_limits limits_;
+  double ratio_ = no_limit;
   std::vector<Metric_tensor_3> metric_;
   std::vector<Surface_location> location_;
   std::vector<char> on_surface_; // written by several threads, for vertices of their own

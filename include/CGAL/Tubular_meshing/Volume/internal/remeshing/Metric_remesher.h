@@ -66,20 +66,36 @@ public:
   // `observe(*this, what, n)` is told after each pass what was done, and how often.
   template <class Observer> void run(const Observer& observe) {
     observe(*this, "find", find_hidden());
+    const double at_once = 32, hardly_any = 0.1;
+    for (double ratio = at_once; mesh_.share_above_ratio(ratio) > hardly_any; ratio *= at_once) {
+      mesh_.limit_ratio(ratio);
+      flips_.update_all();
+      adapt_by_steps(observe);
+      improve(3, observe);
+      mesh_.limit_ratio(Mesh::no_limit);
+      flips_.update_all();
+    }
+    adapt_by_steps(observe);
+    improve(6, observe);
+    for (int round = 0; round < 3; ++round) {
+      relocate(2, 1);
+      observe(*this, "repair", repair_below(0.25));
+      observe(*this, "finish", flip(0.8));
+    }
+  }
+
+  template <class Observer> void adapt_by_steps(const Observer& observe) {
     for (double size : {4., 2., 1.})
       if (size == 1 || has_edges_above(sqrt_2 * size))
         adapt(size, observe);
-    const int rounds = 6;
+  }
+
+  template <class Observer> void improve(int rounds, const Observer& observe) {
     for (int round = 0; round < rounds; ++round) {
       relocate(2, 1);
       observe(*this, "flip", flip(0.75));
       observe(*this, "size", split_above(1) + collapse_below(1));
       observe(*this, "balance", balance());
-    }
-    for (int round = 0; round < 3; ++round) {
-      relocate(2, 1);
-      observe(*this, "repair", repair_below(0.25));
-      observe(*this, "finish", flip(0.8));
     }
   }
 
