@@ -9,6 +9,8 @@
 #include <CGAL/Tubular_meshing/Quality/quality_report.h>
 #include <CGAL/Tubular_meshing/Quality/validity_report.h>
 #include <CGAL/Tubular_meshing/Volume/anisotropic_tetrahedral_remeshing.h>
+#include <CGAL/Tubular_meshing/Volume/internal/Speculation.h>
+#include <CGAL/number_utils.h>
 
 #include <gtest/gtest.h>
 
@@ -19,6 +21,7 @@
 #include <functional>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <random>
 #include <set>
 #include <stdexcept>
@@ -202,13 +205,15 @@ TEST(Metric_quality, OfRegularElementsIsOne) {
 TEST(Metric_energy, DerivativesAreThoseOfItsValue) {
   const Metric mean = sizes(0.3, 1, 2, normalized(Vector_3d(1, 1, 0)), normalized(Vector_3d(-1, 1, 0)));
   const Vector_3d a(1, 0.1, 0), b(0.2, 1, 0.1), c(0.1, 0.2, 1.2), x(0.05, -0.1, 0.02);
+  const Vector_3d normal = normalized(Vector_3d(0.5, 0.6, 1)), on_facet(0.3, 0.4, 0.5);
   const auto value = [&](const Vector_3d& p) {
     tubular::internal::Metric_energy e;
-    EXPECT_TRUE(e.add(a - p, b - p, c - p, mean, false));
+    EXPECT_TRUE(e.add(a - p, b - p, c - p, mean, false) && e.add_height(normal, on_facet - p, mean, false));
     return e.value;
   };
   tubular::internal::Metric_energy e;
-  ASSERT_TRUE(e.add(a - x, b - x, c - x, mean, true));
+  ASSERT_TRUE(e.add(a - x, b - x, c - x, mean, true) && e.add_height(normal, on_facet - x, mean, true));
+  EXPECT_FALSE(e.add_height(normal, x - on_facet, mean, true)); // on the wrong side
   const double h = 1e-4;
   const Vector_3d axes[3] = {{h, 0, 0}, {0, h, 0}, {0, 0, h}};
   const double gradient[3] = {e.gradient.x, e.gradient.y, e.gradient.z};
@@ -256,6 +261,56 @@ TEST(Tetrahedron_store, RenumbersWithoutTheUnused) {
   store.write_to(back);
   expect_valid(back, 1);
   EXPECT_EQ(back.triangles.size(), m.triangles.size());
+}
+
+// A fan of many tetrahedra around an edge.
+TEST(Tetrahedron_store, FindsTheStarOfAVertexOfAnyDegree) {
+  for (std::uint32_t n : {5u, 63u, 64u, 65u, 300u}) {
+    Mesh m;
+    m.points = {Point(0, 0, 0), Point(0, 0, 1)};
+    for (std::uint32_t k = 0; k < n; ++k) {
+      m.points.push_back(Point(std::cos(2 * CGAL_PI * k / n), std::sin(2 * CGAL_PI * k / n), 0));
+      m.tetrahedra.push_back({0, 2 + k, 2 + (k + 1) % n, 1}, 1);
+    }
+    std::vector<Tetrahedron_store::Index> star;
+    Tetrahedron_store(m).star(1, star);
+    std::sort(star.begin(), star.end());
+    EXPECT_EQ(star.size(), n);
+    EXPECT_EQ(std::unique(star.begin(), star.end()), star.end());
+  }
+}
+
+/* Pairs of neighbours are formed where both are single: each pair that is possible rules out others of its batch, which
+ * have to be looked at once more. */
+TEST(Speculation, DoesWhatOneAfterTheOtherWould) {
+  const auto make_pairs = [](int threads) {
+    std::vector<std::size_t> order(5000);
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    std::shuffle(order.begin(), order.end(), std::mt19937(7));
+    std::vector<int> paired_at(order.size() + 1, 0); // 0 for the single
+    int now = 0;
+    tubular::internal::Speculation<std::size_t> workers(threads, std::size_t(0));
+    workers.run(
+        [&] { return order.size(); }, [&] { return now; },
+        [&](std::size_t& at, std::size_t k) {
+          at = order[k];
+          return paired_at[at] == 0 && paired_at[at + 1] == 0;
+        },
+        [&](std::size_t at, std::size_t, int since) { return paired_at[at] <= since && paired_at[at + 1] <= since; },
+        [&](std::size_t at, std::size_t k) {
+          EXPECT_EQ(at, order[k]);
+          EXPECT_EQ(paired_at[at] + paired_at[at + 1], 0);
+          paired_at[at] = paired_at[at + 1] = ++now;
+        });
+    std::vector<int> serial(order.size() + 1, 0);
+    now = 0;
+    for (std::size_t at : order)
+      if (serial[at] == 0 && serial[at + 1] == 0)
+        serial[at] = serial[at + 1] = ++now;
+    EXPECT_EQ(paired_at, serial);
+  };
+  make_pairs(1);
+  make_pairs(2);
 }
 
 // Whether the vertex v may be pulled onto w, to which an edge joins it.
@@ -354,6 +409,23 @@ TEST(Anisotropic_remeshing, UniformOneToHundred) {
   expect_unit_mesh(m, ideal_number(input, field));
 }
 
+TEST(Anisotropic_remeshing, UniformRatiosOfHundredsAndThousands) {
+  for (double ratio : {100., 1e3}) {
+    const Field field = [=](const Point&) { return sizes(0.6 / ratio, 0.6, 0.6); };
+    const Mesh input = make_cube(4), m = remeshed(input, field);
+    expect_valid(m, 1);
+    expect_unit_mesh(m, ideal_number(input, field));
+  }
+}
+
+TEST(Anisotropic_remeshing, LayersWithRatiosOfThousands) {
+  const double h = 0.4, first = 4e-5, slope = 0.3;
+  const Field field = [=](const Point& p) { return sizes(h, h, first + slope * p.z()); };
+  const Mesh m = remeshed(make_cube(4), field);
+  expect_valid(m, 1);
+  expect_unit_mesh(m, std::log(1 + slope / first) / slope / (h * h) / (std::sqrt(2.) / 12));
+}
+
 // Uniform metrics that elements of a cube cannot follow, being longer than it: there is an end, and nothing is
 // inverted.
 TEST(Anisotropic_remeshing, RatiosOfThousandsComeToAnEnd) {
@@ -371,6 +443,33 @@ TEST(Anisotropic_remeshing, BoundaryLayer) {
   const Mesh input = make_cube(6), m = remeshed(input, field);
   expect_valid(m, 1);
   expect_unit_mesh(m, ideal_number(input, field));
+}
+
+// The tetrahedra on a side whose layer counts are as high as the size across it; regular ones are 0.8 as high.
+TEST(Anisotropic_remeshing, HeightOfTheFirstLayer) {
+  const Field field = [](const Point& p) { return sizes(0.12, 0.12, (std::min)(0.01 + 0.3 * p.z(), 0.12)); };
+  Mesh m = make_cube(6);
+  tubular::anisotropic_tetrahedral_remeshing(
+      m, field, tubular::parameters::boundary_layer_patches(std::vector<int>{5}).number_of_threads(1));
+  expect_valid(m, 1);
+  std::size_t number = 0, fits = 0;
+  for (const auto& t : m.tetrahedra.vertices) {
+    int on_side = 0;
+    double height = 0;
+    for (auto v : t) {
+      on_side += m.points[v].z() == 0;
+      height += m.points[v].z();
+    }
+    if (on_side == 3) {
+      ++number;
+      fits += height > 0.007 && height < 0.013;
+    }
+  }
+  EXPECT_GT(number, 100u);
+  EXPECT_GE(double(fits), 0.95 * double(number));
+  const auto q = tubular::quality_report(m);
+  EXPECT_LE(q.Q_tau.mean(), 1.4);
+  EXPECT_GE(q.efficiency, 0.86);
 }
 
 TEST(Anisotropic_remeshing, RotatingMetric) {

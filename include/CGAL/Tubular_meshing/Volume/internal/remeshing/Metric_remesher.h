@@ -210,9 +210,11 @@ private:
   }
 
   /* Bad shapes may be split and collapsed as long as it does not make them much worse. Where an edge is many times too
-   * long, that it goes comes first; but a bound there must be, as halves of bad shapes would be worse without end. */
+   * long, that it goes comes first, even if short ones come of it; but a bound there must be, as halves of bad shapes
+   * would be worse without end. */
   static Operation_bounds bounds_of_split(double size, double length) {
-    return {0.2, 0.8, 0.65 * size, 1e300, 0.002, 0.8 * std::sqrt((std::min)(1., sqrt_2 * size / length))};
+    const double excess = (std::max)(1., length / (sqrt_2 * size));
+    return {0.2, 0.8, 0.65 * size * (std::min)(1., 2 / excess), 1e300, 0.002, 0.8 / std::sqrt(excess)};
   }
   static Operation_bounds bounds_of_collapse(double size) { return {0.2, 0.8, 0, sqrt_2 * size, 1, 1}; }
 
