@@ -8,7 +8,9 @@
 #include <CGAL/Tubular_meshing/internal/parallel.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <tuple>
 #include <vector>
 
 namespace CGAL {
@@ -32,30 +34,13 @@ struct Listed_edge {
 };
 typedef std::vector<Listed_edge> Edge_list;
 
-// Each as often as there are tetrahedra around it, in the order of these.
-template <class Mesh, class IsOfInterest>
-Edge_list edges_of_interest(const Mesh& mesh, const std::vector<Tetrahedron_store::Index>& tetrahedra,
-                            const IsOfInterest& is_of_interest) {
-  const std::size_t piece = 4096, pieces = (tetrahedra.size() + piece - 1) / piece;
-  std::vector<Edge_list> lists(pieces);
-  for_each_task(pieces, mesh.threads, [&](std::size_t p) {
-    for (std::size_t k = p * piece; k < (std::min)((p + 1) * piece, tetrahedra.size()); ++k) {
-      const Listed_edge::Index t = tetrahedra[k];
-      if (!mesh.store.is_alive(t))
-        continue;
-      const auto& v = mesh.store[t].v;
-      for (int i = 0; i < 4; ++i)
-        for (int j = i + 1; j < 4; ++j) {
-          const double l = mesh.length(v[i], v[j]);
-          if (is_of_interest(l))
-            lists[p].push_back({float(l), t, (std::min)(v[i], v[j]), (std::max)(v[i], v[j])});
-        }
-    }
-  });
-  Edge_list edges;
-  for (const Edge_list& list : lists)
-    edges.insert(edges.end(), list.begin(), list.end());
-  return edges;
+// By their ends, each once.
+inline void sort_and_unite(Edge_list& edges) {
+  const auto ends = [](const Listed_edge& e) { return (std::uint64_t(e.a) << 32) | e.b; };
+  std::sort(edges.begin(), edges.end(), [&](const Listed_edge& x, const Listed_edge& y) { return ends(x) < ends(y); });
+  edges.erase(std::unique(edges.begin(), edges.end(),
+                          [&](const Listed_edge& x, const Listed_edge& y) { return ends(x) == ends(y); }),
+              edges.end());
 }
 
 /* The edges of the tetrahedra listed (some may be gone) that have a length of interest, each once, the longest first.
@@ -63,14 +48,36 @@ Edge_list edges_of_interest(const Mesh& mesh, const std::vector<Tetrahedron_stor
 template <class Mesh, class IsOfInterest>
 Edge_list list_edges(const Mesh& mesh, const std::vector<Tetrahedron_store::Index>& tetrahedra,
                      const IsOfInterest& is_of_interest) {
-  Edge_list edges = edges_of_interest(mesh, tetrahedra, is_of_interest);
-  const auto ends = [](const Listed_edge& e) { return (std::uint64_t(e.a) << 32) | e.b; };
-  std::sort(edges.begin(), edges.end(), [&](const Listed_edge& x, const Listed_edge& y) { return ends(x) < ends(y); });
-  edges.erase(std::unique(edges.begin(), edges.end(),
-                          [&](const Listed_edge& x, const Listed_edge& y) { return ends(x) == ends(y); }),
-              edges.end());
-  std::sort(edges.begin(), edges.end(), [&](const Listed_edge& x, const Listed_edge& y) {
-    return x.length > y.length || (x.length == y.length && ends(x) < ends(y));
+  // by pieces: what is near in the list is mostly near in space, so that few edges are left that are in two of them
+  const std::size_t piece = 4096, pieces = (tetrahedra.size() + piece - 1) / piece;
+  std::vector<Edge_list> lists(pieces);
+  for_each_task(pieces, mesh.threads, [&](std::size_t p) {
+    Edge_list edges;
+    for (std::size_t k = p * piece; k < (std::min)((p + 1) * piece, tetrahedra.size()); ++k) {
+      const Listed_edge::Index t = tetrahedra[k];
+      if (!mesh.store.is_alive(t))
+        continue;
+      const auto& v = mesh.store[t].v;
+      for (int i = 0; i < 4; ++i)
+        for (int j = i + 1; j < 4; ++j)
+          edges.push_back({0, t, (std::min)(v[i], v[j]), (std::max)(v[i], v[j])});
+    }
+    sort_and_unite(edges);
+    for (Listed_edge& e : edges)
+      e.length = float(mesh.length(e.a, e.b));
+    edges.erase(std::remove_if(edges.begin(), edges.end(),
+                               [&](const Listed_edge& e) { return !is_of_interest(double(e.length)); }),
+                edges.end());
+    lists[p].assign(edges.begin(), edges.end()); // no larger than need be
+  });
+  Edge_list edges;
+  for (Edge_list& list : lists) {
+    edges.insert(edges.end(), list.begin(), list.end());
+    Edge_list().swap(list);
+  }
+  sort_and_unite(edges);
+  std::sort(edges.begin(), edges.end(), [](const Listed_edge& x, const Listed_edge& y) {
+    return std::make_tuple(-x.length, x.a, x.b) < std::make_tuple(-y.length, y.a, y.b);
   });
   return edges;
 }
