@@ -161,7 +161,7 @@ TEST_F(Tool, Lays_the_first_layer_along_the_wall) {
       succeed({make("y.off", s.surface), "-t", "anisotropic", "-o", out("mesh.vtu"), "--report", out("r.json")});
   EXPECT_NE(outcome.out.find("first layer"), std::string::npos);
   const Json q = json_in(out("r.json"))["quality"];
-  EXPECT_GE(q["first_height"]["share_within_30_percent"].get<double>(), 0.9);
+  EXPECT_GE(q["first_height"]["share_within_30_percent"].get<double>(), 0.95);
   EXPECT_GT(q["alignment"]["count"].get<int>(), 1000);
   EXPECT_GE(q["alignment"]["share_below_15_degrees"].get<double>(), 0.9);
 }

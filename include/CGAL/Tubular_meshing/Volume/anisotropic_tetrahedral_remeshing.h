@@ -94,12 +94,12 @@ void remesh_to_metric(Mixed_mesh<Point>& mesh, const MetricField& metric, const 
  *
  * What the metric should be like: sizes that change by less than, say, a factor 1.5 from one element to the next (see
  * Metric_tensor_3::limit_growth()), and on a curved boundary sizes along the surface well below its radius of
- * curvature; otherwise no mesh fits it well. Ratios of sizes up to 100 are tested; from about 1000 on it comes to
- * an end, but may leave bad elements, which quality_report() shows. A feature of the field much smaller than the edges
- * of the given mesh may be missed.
+ * curvature; otherwise no mesh fits it well. Where sizes are in large ratios, these come about in steps; ratios up to
+ * 1000 are tested. At sharp edges of the domain that a metric of a large ratio meets obliquely, bad elements are left,
+ * which quality_report() shows. A feature of the field much smaller than the edges of the given mesh may be missed.
  *
- * O(n log n) in the number n of tetrahedra, of the input or of the result, whichever is larger. The result does not
- * depend on the number of threads. About 300 bytes a tetrahedron.
+ * O(n log n) in the number n of tetrahedra, of the input or of the result, whichever is larger. All passes run on
+ * several threads, where oneTBB is there; the result does not depend on their number. About 350 bytes a tetrahedron.
  *
  * \tparam Point a model of `Point_3`, constructible from three `double`
  * \tparam MetricField a model of `MetricField_3`: a function object that gives a Metric_tensor_3 at a `Point`. It is
