@@ -3,7 +3,7 @@
 
 // Remeshing of a cube to an anisotropic metric that turns from place to place, from ten thousand to two million
 // tetrahedra; and the same job through mmg3d_O3, where it is on the PATH. Counters: tetrahedra in the result and a
-// second, their mean and largest Q, and the efficiency index.
+// second, their mean and largest Q, the efficiency index, and the peak of memory so far, of the program or of mmg3d_O3.
 
 #include <CGAL/Tubular_meshing/IO/read_mesh.h>
 #include <CGAL/Tubular_meshing/IO/write_mesh.h>
@@ -14,6 +14,8 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <benchmark/benchmark.h>
+
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <array>
@@ -82,7 +84,14 @@ Turning_metric metric_for(double tetrahedra) {
   return {std::cbrt(1.1 * 6 * std::sqrt(2.) / (24 * tetrahedra))}; // 1.1 √2/12 of the metric's volume for each
 }
 
-void report(benchmark::State& state, const Mesh& mesh, double seconds) {
+double peak_megabytes(int who) {
+  rusage usage;
+  getrusage(who, &usage);
+  return double(usage.ru_maxrss) / 1024;
+}
+
+void report(benchmark::State& state, const Mesh& mesh, double seconds, double megabytes) {
+  state.counters["peak_MB"] = megabytes;
   const auto q = tubular::quality_report(mesh);
   state.counters["tetrahedra"] = double(mesh.tetrahedra.size());
   state.counters["per_second"] = double(mesh.tetrahedra.size()) / seconds;
@@ -107,7 +116,7 @@ void remesh(benchmark::State& state) {
                                                tubular::parameters::number_of_threads(int(state.range(1))));
     seconds += seconds_since(start);
   }
-  report(state, mesh, seconds / double(state.iterations()));
+  report(state, mesh, seconds / double(state.iterations()), peak_megabytes(RUSAGE_SELF));
 }
 
 // Medit's tensors, xx xy yy xz yz zz, at the points.
@@ -152,7 +161,7 @@ void remesh_with_mmg(benchmark::State& state) {
     for (double component : metric(p).components())
       array.values.push_back(component);
   mesh.point_arrays.assign(1, array);
-  report(state, mesh, seconds / double(state.iterations()));
+  report(state, mesh, seconds / double(state.iterations()), peak_megabytes(RUSAGE_CHILDREN));
   for (const char* extension : {".mesh", ".sol", ".o.mesh", ".o.sol"})
     std::remove((name + extension).c_str());
 }

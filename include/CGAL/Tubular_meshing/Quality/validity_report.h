@@ -86,6 +86,8 @@ public:
     points_.reserve(mesh.points.size());
     for (const Point& p : mesh.points)
       points_.emplace_back(p);
+    faces_.reserve(4 * mesh.tetrahedra.size() + 5 * (mesh.pyramids.size() + mesh.prisms.size()) +
+                   6 * mesh.hexahedra.size() + mesh.triangles.size() + mesh.quads.size());
     add_cells(mesh.tetrahedra);
     add_cells(mesh.pyramids);
     add_cells(mesh.prisms);

@@ -10,19 +10,38 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
+
+#include <map>
+#include <mutex>
 #endif
 
 namespace CGAL {
 namespace Tubular_meshing {
 namespace internal {
 
+#ifdef CGAL_LINKED_WITH_TBB
+/* Runs a parallel loop on at most `threads` threads (0: as many as there are cores). Arenas are kept: some loops are as
+ * short as their making, and those given up live on for as long as a thread has not left them. */
+template <class Loop> void run_on(int threads, const Loop& loop) {
+  if (threads <= 0 || threads >= tbb::this_task_arena::max_concurrency())
+    return loop();
+  static std::mutex mutex;
+  static std::map<int, tbb::task_arena> arenas;
+  tbb::task_arena* arena;
+  {
+    const std::lock_guard<std::mutex> lock(mutex);
+    arena = &arenas.emplace(threads, threads).first->second;
+  }
+  arena->execute(loop);
+}
+#endif
+
 /* Calls body(first, last) on pieces of [0, n), on `threads` threads where oneTBB is there (0: as many as there are
  * cores). The pieces, of about `grain`, may be done in any order: the body must not depend on it. */
 template <class Body> void for_each_range(std::size_t n, int threads, const Body& body, std::size_t grain = 128) {
 #ifdef CGAL_LINKED_WITH_TBB
   if (threads != 1 && n > 2 * grain) {
-    tbb::task_arena arena(threads > 0 ? threads : int(tbb::task_arena::automatic));
-    arena.execute([&] {
+    run_on(threads, [&] {
       tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, grain),
                         [&](const tbb::blocked_range<std::size_t>& r) { body(r.begin(), r.end()); });
     });
@@ -40,8 +59,7 @@ template <class Body> void for_each_range(std::size_t n, int threads, const Body
 template <class Body> void for_each_task(std::size_t n, int threads, const Body& body) {
 #ifdef CGAL_LINKED_WITH_TBB
   if (threads != 1 && n > 1) {
-    tbb::task_arena arena(threads > 0 ? threads : int(tbb::task_arena::automatic));
-    arena.execute([&] {
+    run_on(threads, [&] {
       tbb::parallel_for(
           tbb::blocked_range<std::size_t>(0, n, 1),
           [&](const tbb::blocked_range<std::size_t>& r) {
