@@ -56,7 +56,7 @@ public:
         std::vector<size_type> folded;
         if constexpr (Mesher::makes_quads)
           folded = mesher_.improve(result_);
-        else
+        else if constexpr (Mesher::is_isotropic)
           improve();
         failed = crossing_pieces();
         if (failed.empty() && round < rounds_for_shape) // quads that are turned over, but meet nothing, may stay
