@@ -11,6 +11,7 @@
 #include <CGAL/Tubular_meshing/IO/read_centerlines.h>
 #include <CGAL/Tubular_meshing/IO/read_surface.h>
 #include <CGAL/Tubular_meshing/Operators/repair_surface.h>
+#include <CGAL/Tubular_meshing/Quality/metric_surface_report.h>
 #include <CGAL/Tubular_meshing/Surface/metric_on_surface.h>
 #include <CGAL/Tubular_meshing/Surface/surface_to_mixed_mesh.h>
 #include <CGAL/Tubular_meshing/exceptions.h>
@@ -451,6 +452,23 @@ TEST(Anisotropic_surface, Refuses_bad_parameters) {
                tubular::Parameter_error);
   EXPECT_THROW(tubular::make_anisotropic_surface_mesh(model, tubular::parameters::first_height(-1.)),
                tubular::Parameter_error);
+}
+
+TEST(Anisotropic_surface, Is_measured_in_its_metric) {
+  const Remeshed r = remesh(straight_tube(), tube_metric(thin_at_wall, 0.2, 0.8, straight));
+  const tubular::Metric_surface_report report = tubular::metric_surface_report(r);
+  for (bool wall : {false, true}) {
+    const Judgement j = judge(r, wall);
+    const tubular::Metric_fit& fit = wall ? report.wall : report.caps;
+    EXPECT_EQ(fit.shape.count(), j.triangles);
+    EXPECT_EQ(fit.edge_length.count(), j.edges);
+    EXPECT_NEAR(fit.shape.mean(), j.mean, 1e-9);
+    EXPECT_NEAR(fit.shape.min(), j.worst, 1e-9);
+    EXPECT_NEAR(fit.share_of_unit_edges(), j.share_of_unit_edges(), 1e-3);
+    EXPECT_NEAR(fit.wanted_triangles, j.wanted, 1e-6 * j.wanted);
+  }
+  EXPECT_EQ(
+      tubular::metric_surface_report(remesh(straight_tube(), [](const Point&) { return 0.3; })).wall.shape.count(), 0u);
 }
 
 TEST(Anisotropic_surface, Takes_its_metric_to_a_mesh) {
