@@ -442,7 +442,7 @@ TEST(Anisotropic_surface, Does_not_depend_on_unit_position_and_direction) {
   const double n = double(r.surface.number_of_faces());
   EXPECT_NEAR(double(s.surface.number_of_faces()), n, 0.03 * n) << "but for rounding";
   const Judgement a = judge(r, true), b = judge(s, true);
-  EXPECT_NEAR(a.wanted, b.wanted, 0.02 * a.wanted) << "the metrics came along";
+  EXPECT_NEAR(a.wanted, b.wanted, 0.05 * a.wanted) << "the metrics came along, but for how the field is sampled";
   EXPECT_NEAR(a.mean, b.mean, 0.01);
 }
 

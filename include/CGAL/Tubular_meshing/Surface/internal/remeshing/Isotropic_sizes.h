@@ -10,6 +10,7 @@
 #include <CGAL/Tubular_meshing/Surface/Plane_metric.h>
 #include <CGAL/Tubular_meshing/Surface/internal/remeshing/Curve_divider.h>
 #include <CGAL/Tubular_meshing/Surface/internal/remeshing/Remeshed_piece.h>
+#include <CGAL/Tubular_meshing/Surface/internal/remeshing/triangle_shapes.h>
 #include <CGAL/Tubular_meshing/internal/Vector_3d.h>
 
 #include <CGAL/Surface_mesh.h>
@@ -28,7 +29,6 @@ namespace internal {
 template <class Point_3, class Size> class Isotropic_sizes {
 public:
   typedef Patch_parameterization<Point_3> Map;
-  static constexpr bool are_isotropic = true;
 
   Isotropic_sizes(const CGAL::Surface_mesh<Point_3>&, const Surface_cut<Point_3>&, const std::vector<Map>& maps,
                   const Size& size)
@@ -46,8 +46,9 @@ public:
     return Metric_tensor_2::isotropic(fineness * size_(p));
   }
 
-  // Triangles are as good as they look.
+  // Triangles are as good as they look, in the plane and afterwards.
   template <class Chart> static auto embedding(const Chart& chart) { return embedding_of(chart); }
+  static Shape_in_space shape() { return {}; }
 
 private:
   const std::vector<Map>& maps_;

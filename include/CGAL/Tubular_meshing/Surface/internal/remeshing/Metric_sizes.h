@@ -12,6 +12,7 @@
 #include <CGAL/Tubular_meshing/Surface/internal/plane/Metric_plane.h>
 #include <CGAL/Tubular_meshing/Surface/internal/remeshing/Curve_divider.h>
 #include <CGAL/Tubular_meshing/Surface/internal/remeshing/Tangent_planes.h>
+#include <CGAL/Tubular_meshing/Surface/internal/remeshing/triangle_shapes.h>
 #include <CGAL/Tubular_meshing/Surface/metric_on_surface.h>
 #include <CGAL/Tubular_meshing/exceptions.h>
 #include <CGAL/Tubular_meshing/internal/Vector_3d.h>
@@ -37,7 +38,6 @@ public:
   typedef CGAL::Surface_mesh<Point_3> Surface;
   typedef Patch_parameterization<Point_3> Map;
   typedef std::size_t size_type;
-  static constexpr bool are_isotropic = false;
 
   // O(n) in the old triangles.
   Metric_sizes(const Surface& surface, const Surface_cut<Point_3>& cut, const std::vector<Map>& maps,
@@ -79,6 +79,7 @@ public:
 
   // Triangles are good in the metric, and look stretched.
   template <class Chart> static No_embedding embedding(const Chart&) { return {}; }
+  Shape_in_metric<Point_3, MetricField> shape() const { return Shape_in_metric<Point_3, MetricField>(metric_); }
 
 private:
   // A curve with the surface beside it: of its vertices directions and normals, of its edges directions, unit vectors.

@@ -37,7 +37,6 @@ public:
   typedef std::vector<Curve_position<Point_3>> Curve_points;
   typedef std::size_t size_type;
   static constexpr bool makes_quads = false;
-  static constexpr bool is_isotropic = Sizes::are_isotropic;
 
   Piece_mesher(const Surface& surface, const Surface_cut<Point_3>& cut, const std::vector<Map>& maps,
                const Sizes& sizes, bool even, int threads)
@@ -83,6 +82,9 @@ public:
   /* A piece whose loops touch each other in the plane, since they are divided too coarsely, has no triangles. */
   const std::vector<Piece>& pieces() const { return pieces_; }
   const std::vector<Curve_points>& curve_points() const { return curve_points_; }
+
+  // What triangles are judged by.
+  auto shape() const { return sizes_.shape(); }
 
   bool is_cap(size_type piece) const { return piece >= maps_.size(); }
   // The label of the opening that a piece is the cap of; 0 for a patch.
