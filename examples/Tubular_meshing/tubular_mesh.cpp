@@ -14,6 +14,8 @@
 #include <CGAL/Tubular_meshing/IO/write_surface.h>
 #include <CGAL/Tubular_meshing/Surface/surface_to_mixed_mesh.h>
 
+#include <boost/property_map/function_property_map.hpp>
+
 #include <cstddef>
 #include <cstdio>
 #include <filesystem>
@@ -116,9 +118,12 @@ void check(const Options& o) {
 typedef tubular::Remeshed_surface<Point_3> Remeshed_surface;
 
 void write_surface(tubular::IO::Output_file& file, const Remeshed_surface& surface) {
-  tubular::IO::write_surface(
-      file, surface.surface,
-      tubular::parameters::face_patch_map(surface.patch).surface_patch_map(surface.patch_of_face));
+  const auto labels = tubular::parameters::face_patch_map(surface.patch).surface_patch_map(surface.patch_of_face);
+  if (surface.metrics.empty())
+    return tubular::IO::write_surface(file, surface.surface, labels);
+  typedef Surface::Vertex_index Vertex;
+  const auto metric = boost::make_function_property_map<Vertex>([&](Vertex v) { return surface.metrics[v]; });
+  tubular::IO::write_surface(file, surface.surface, labels.vertex_metric_map(metric));
 }
 
 // Writes everything that was asked for; nothing gets its name before all of it is whole.
@@ -149,7 +154,7 @@ void write(const Options& o, const tubular::Tubular_model<Point_3>& model, const
 // The surface as a mesh that has no cells yet, for the report.
 tubular::Mixed_mesh<Point_3> without_cells(const Remeshed_surface& surface, std::size_t number_of_openings) {
   tubular::Mixed_mesh<Point_3> mesh;
-  tubular::surface_to_mixed_mesh(surface.surface, surface.patch, mesh);
+  tubular::surface_to_mixed_mesh(surface, mesh);
   mesh.patch_names = tubular::lumen_patch_names(int(number_of_openings));
   return mesh;
 }
@@ -180,6 +185,8 @@ void run(const Options& o) {
     run_report::add_quads(report, surface.quads);
   if (o.makes_surface_only())
     run_report::describe_surface(report, surface);
+  if (o.is_anisotropic_surface())
+    run_report::add_metric_quality(report, surface);
   if (o.has_wall())
     run_report::add_layers(report, "wall", wall);
   if (o.boundary_layer_prisms > 0)

@@ -143,6 +143,7 @@ std::map<int, std::array<long, 2>> topology_of_patches(const Remeshed& r) {
 // --- curves ---
 
 typedef tubular::internal::Curve_divider<Point> Divider;
+typedef tubular::internal::Curve_position<Point> Position;
 
 std::vector<Point> circle(int n, double radius) {
   std::vector<Point> points;
@@ -159,7 +160,7 @@ TEST(Curve, Is_divided_into_edges_of_the_size) {
   const std::vector<Point> c = circle(1000, 1);
   for (double h : {0.05, 0.1, 0.3}) {
     const auto points = Divider(
-                            c, [&](const Point&) { return h; }, false)
+                            c, [&](const Position&) { return h; }, false)
                             .divide(c, 3, false);
     EXPECT_EQ(points.size(), std::size_t(std::lround(2 * pi / h)));
     for (std::size_t i = 0; i < points.size(); ++i)
@@ -170,7 +171,7 @@ TEST(Curve, Is_divided_into_edges_of_the_size) {
 TEST(Curve, May_be_coarser_than_its_mesh) {
   const std::vector<Point> c = circle(6, 1);
   const auto points = Divider(
-                          c, [](const Point&) { return 0.1; }, false)
+                          c, [](const Position&) { return 0.1; }, false)
                           .divide(c, 3, false);
   EXPECT_EQ(points.size(), 60u);
   for (const auto& p : points) {
@@ -183,14 +184,14 @@ TEST(Curve, Has_an_even_number_of_edges_if_wanted_and_never_too_few) {
   const std::vector<Point> c = circle(100, 1);
   for (double h : {0.1, 0.21, 0.33, 0.5}) {
     const std::size_t n = Divider(
-                              c, [&](const Point&) { return h; }, false)
+                              c, [&](const Position&) { return h; }, false)
                               .divide(c, 3, true)
                               .size();
     EXPECT_EQ(n % 2, 0u);
     EXPECT_NEAR(double(n), 2 * pi / h, 1.5);
   }
   EXPECT_EQ(Divider(
-                c, [](const Point&) { return 10.; }, false)
+                c, [](const Position&) { return 10.; }, false)
                 .divide(c, 6, false)
                 .size(),
             6u);
@@ -201,7 +202,7 @@ TEST(Curve, Keeps_its_corners_where_told_to) {
   for (const auto& p : {Point(0, 0, 0), Point(1, 0, 0), Point(1, 1, 0), Point(0, 1, 0)})
     square.push_back(p);
   const auto points = Divider(
-                          square, [](const Point&) { return 0.3; }, true)
+                          square, [](const Position&) { return 0.3; }, true)
                           .divide(square, 3, false);
   EXPECT_EQ(points.size(), 12u); // three on each side
   for (const Point& corner : square)
@@ -211,14 +212,29 @@ TEST(Curve, Keeps_its_corners_where_told_to) {
 TEST(Curve, Follows_a_size_that_varies) {
   const std::vector<Point> c = circle(2000, 1);
   const auto size = [](const Point& p) { return 0.03 * (1 + 0.5 * p.x()); };
-  const auto points = Divider(c, size, false).divide(c, 3, false);
+  const auto points = Divider(
+                          c, [&](const Position& at) { return size(at.point); }, false)
+                          .divide(c, 3, false);
   for (std::size_t i = 0; i < points.size(); ++i)
     EXPECT_NEAR(gap(points, i) / size(CGAL::midpoint(points[i].point, points[(i + 1) % points.size()].point)), 1, 0.03);
 }
 
+TEST(Curve, Follows_a_size_of_its_edges) { // as one is that depends on their directions
+  std::vector<Point> square;
+  for (const auto& p : {Point(0, 0, 0), Point(1, 0, 0), Point(1, 1, 0), Point(0, 1, 0)})
+    square.push_back(p);
+  const auto size = [](const Position& at) { return at.edge % 2 == 0 ? 0.2 : 0.1; };
+  const auto points = Divider(square, size, true).divide(square, 3, false);
+  std::size_t along_x = 0;
+  for (const auto& p : points)
+    along_x += p.edge % 2 == 0;
+  EXPECT_NEAR(double(along_x), 10 + 2, 2) << "a smaller size grows gradually";
+  EXPECT_NEAR(double(points.size() - along_x), 20, 2);
+}
+
 TEST(Curve, Lets_a_small_size_grow_gradually) {
   const std::vector<Point> c = circle(2000, 1);
-  const auto size = [](const Point& p) { return p.x() > 0.99 ? 0.01 : 0.2; };
+  const auto size = [](const Position& at) { return at.point.x() > 0.99 ? 0.01 : 0.2; };
   const auto points = Divider(c, size, false).divide(c, 3, false);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const double ratio = gap(points, i) / gap(points, (i + 1) % points.size());
@@ -469,7 +485,9 @@ TEST(Remeshed_surface, Is_refined_piece_by_piece) {
   const auto maps = tubular::parameterize_patches(model.surface, cut);
   ASSERT_GE(maps.size(), 3u);
   const auto size = [](const Point&) { return 0.4; };
-  tubular::internal::Piece_mesher<Point, decltype(size)> mesher(model.surface, cut, maps, size, false, 1);
+  typedef tubular::internal::Isotropic_sizes<Point, decltype(size)> Sizes;
+  const Sizes sizes(model.surface, cut, maps, size);
+  tubular::internal::Piece_mesher<Point, Sizes> mesher(model.surface, cut, maps, sizes, false, 1);
   mesher.mesh_all();
   const auto before = mesher.pieces();
   const auto curves_before = mesher.curve_points();

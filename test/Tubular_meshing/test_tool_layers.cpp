@@ -113,6 +113,30 @@ TEST_F(Tool, Makes_a_surface_of_quads) {
   EXPECT_GE(r["quality"]["eta_q"]["min"].get<double>(), 0.3);
 }
 
+TEST_F(Tool, Makes_an_anisotropic_surface) {
+  const std::string input = make("y.off", bifurcation().surface);
+  const std::vector<std::string> options = {input, "-t", "surface", "--surface-elements", "anisotropic"};
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), options.begin(), options.end());
+    return more;
+  };
+  succeed(with({"-o", out("s.vtp"), "--report", out("r.json")}));
+  const Json r = json_in(out("r.json"));
+  EXPECT_EQ(r["valid"], true);
+  const Json& wall = r["quality"]["in_the_metric"]["wall"];
+  EXPECT_GE(wall["shape"]["mean"].get<double>(), 0.9);
+  EXPECT_GE(wall["share_of_unit_edges"].get<double>(), 0.9);
+  EXPECT_NE(bytes_of(out("s.vtp")).find("metric"), std::string::npos);
+
+  succeed(with(
+      {"--first-height", "0.05", "--curvature-points", "12", "-o", out("coarse.msh"), "--report", out("coarse.json")}));
+  EXPECT_LT(json_in(out("coarse.json"))["facets"]["triangles"], r["facets"]["triangles"]);
+  const Mesh mesh = mesh_in(out("coarse.msh"));
+  ASSERT_EQ(mesh.point_arrays.size(), 1u);
+  EXPECT_EQ(mesh.point_arrays[0].name, "metric");
+  EXPECT_EQ(mesh.point_arrays[0].components, 6);
+}
+
 // A solver of structures wants hexahedra by sets: the input deck of the wall and the lumen.
 TEST_F(Tool, Writes_prisms_for_structural_solvers) {
   const std::string input = make("tube.off", tube().surface);

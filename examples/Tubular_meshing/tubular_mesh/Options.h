@@ -48,6 +48,7 @@ struct Options {
 
   bool makes_surface_only() const { return type == "surface"; }
   bool is_anisotropic() const { return type == "anisotropic"; }
+  bool is_anisotropic_surface() const { return makes_surface_only() && surface_elements == "anisotropic"; }
   bool is_mixed() const { return type == "mixed"; }
   // of the layers inside the lumen, in local radii
   double first_layer() const { return first_height > 0 ? first_height : boundary_layer / 20; }
@@ -202,9 +203,10 @@ inline void declare_options(CLI::App& app, Options& o, const std::string& versio
                  "kind of mesh: isotropic or anisotropic (tetrahedra), mixed (hexahedra, pyramids, tetrahedra) or "
                  "surface (no cells)")
       ->capture_default_str();
-  app.add_option("--surface-elements", o.surface_elements, "of a surface: triangles or quads")
+  app.add_option("--surface-elements", o.surface_elements,
+                 "of a surface: triangles; anisotropic triangles, as of --type anisotropic; or quads")
       ->capture_default_str()
-      ->check(CLI::IsMember({"triangles", "quads"}).description(""));
+      ->check(CLI::IsMember({"triangles", "anisotropic", "quads"}).description(""));
   app.add_option("-n,--points-per-circumference", o.points_per_circumference,
                  "mesh size h = 2 pi r / N, r the local radius")
       ->capture_default_str()

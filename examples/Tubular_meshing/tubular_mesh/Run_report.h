@@ -13,6 +13,7 @@
 #include <CGAL/Tubular_meshing/Operators/Repair_report.h>
 #include <CGAL/Tubular_meshing/Quality/boundary_layer_report.h>
 #include <CGAL/Tubular_meshing/Quality/branch_resolution.h>
+#include <CGAL/Tubular_meshing/Quality/metric_surface_report.h>
 #include <CGAL/Tubular_meshing/Quality/quality_report.h>
 #include <CGAL/Tubular_meshing/Quality/validity_report.h>
 #include <CGAL/Tubular_meshing/Surface/Remeshed_surface.h>
@@ -215,6 +216,18 @@ void add_metric_quality(Json& report, const tubular::Tubular_model<Point>& model
   report["quality"]["alignment"]["share_below_15_degrees"] = layer.alignment.share_below(15);
 }
 
+// Of the triangles of a surface in a metric.
+template <class Point> void add_metric_quality(Json& report, const tubular::Remeshed_surface<Point>& surface) {
+  const tubular::Metric_surface_report fit = tubular::metric_surface_report(surface);
+  const auto json = [](const tubular::Metric_fit& f) {
+    return Json({{"shape", statistics(f.shape)},
+                 {"edge_length", statistics(f.edge_length)},
+                 {"share_of_unit_edges", f.share_of_unit_edges()},
+                 {"wanted_triangles", f.wanted_triangles}});
+  };
+  report["quality"]["in_the_metric"] = {{"wall", json(fit.wall)}, {"caps", json(fit.caps)}};
+}
+
 inline void add_times(Json& report, const Stage_clock& clock) {
   for (const auto& stage : clock.stages())
     report["times"][stage.first] = stage.second;
@@ -268,6 +281,14 @@ inline void print_metric_quality(const Json& q) {
                 100 * q["alignment"]["share_below_15_degrees"].get<double>());
 }
 
+inline void print_surface_in_its_metric(const Json& q) {
+  for (const char* part : {"wall", "caps"})
+    if (q[part]["shape"]["count"] > 0)
+      std::printf("in the metric, %s: shape %.3f at least, %.3f on average; %.1f %% of the edges of unit length\n",
+                  part, q[part]["shape"]["min"].get<double>(), q[part]["shape"]["mean"].get<double>(),
+                  100 * q[part]["share_of_unit_edges"].get<double>());
+}
+
 inline void print(const Json& r, bool verbose) {
   print_counts(r);
   for (const auto& repair : r["repairs"])
@@ -284,6 +305,8 @@ inline void print(const Json& r, bool verbose) {
   }
   if (r["quality"].contains("Q_tau"))
     print_metric_quality(r["quality"]);
+  if (r["quality"].contains("in_the_metric"))
+    print_surface_in_its_metric(r["quality"]["in_the_metric"]);
   double fewest = 0, most = 0;
   for (const auto& b : r["branches"]) {
     const double p = b["points_per_circumference"];

@@ -7,11 +7,5 @@
 
 tubular::Mixed_mesh<Point_3> make_anisotropic_mesh(const Options& o, const tubular::Tubular_model<Point_3>& model,
                                                    Stage_clock& clock) {
-  return tubular::make_anisotropic_mesh(model, meshing_parameters(o, clock)
-                                                   .volume_mesher(volume_mesher(o))
-                                                   .boundary_layer_thickness(o.boundary_layer)
-                                                   .first_height(o.first_layer())
-                                                   .growth(o.growth)
-                                                   .smoothing_ratio(o.smoothing_ratio)
-                                                   .curvature_points(o.curvature_points));
+  return tubular::make_anisotropic_mesh(model, metric_parameters(o, clock).volume_mesher(volume_mesher(o)));
 }

@@ -78,6 +78,16 @@ inline auto meshing_parameters(const Options& o, Stage_clock& clock) {
       .observer([&clock](const char* stage) { clock.begin(stage); });
 }
 
+// Those of anisotropic meshes.
+inline auto metric_parameters(const Options& o, Stage_clock& clock) {
+  return meshing_parameters(o, clock)
+      .boundary_layer_thickness(o.boundary_layer)
+      .first_height(o.first_layer())
+      .growth(o.growth)
+      .smoothing_ratio(o.smoothing_ratio)
+      .curvature_points(o.curvature_points);
+}
+
 // Those of the lumen's cells between a surface that is kept.
 inline auto lumen_parameters(const Options& o, tubular::Layer_report<Point_3>& boundary_layer, Stage_clock& clock) {
   return meshing_parameters(o, clock)

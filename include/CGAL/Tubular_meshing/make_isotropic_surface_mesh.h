@@ -18,9 +18,9 @@ namespace CGAL {
 namespace Tubular_meshing {
 namespace internal {
 
-/* Cuts the model, maps its patches and meshes them, in the model's frame. */
-template <class Point_3, class SizingField, class NamedParameters>
-Remeshed_surface<Point_3> remesh_in_frame(Model_in_its_frame<Point_3>& framed, const SizingField& size,
+/* Cuts the model, maps its patches and meshes them by a size or a metric, in the model's frame. */
+template <class Point_3, class Size, class NamedParameters>
+Remeshed_surface<Point_3> remesh_in_frame(Model_in_its_frame<Point_3>& framed, const Size& size,
                                           const NamedParameters& np) {
   const auto observer = stage_observer(np);
   observer("cut");

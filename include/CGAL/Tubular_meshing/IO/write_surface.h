@@ -21,6 +21,7 @@
 #include <string>
 #include <type_traits>
 #include <unordered_map>
+#include <vector>
 
 namespace CGAL {
 namespace Tubular_meshing {
@@ -32,6 +33,13 @@ namespace internal {
 template <class Face> void append_label(const CGAL::internal_np::Param_not_found&, Face, std::vector<std::int32_t>&) {}
 template <class Label_map, class Face> void append_label(const Label_map& map, Face f, std::vector<std::int32_t>& to) {
   to.push_back(static_cast<std::int32_t>(get(map, f)));
+}
+
+// Appends the metric at a vertex, likewise.
+template <class Vertex> void append_metric(const CGAL::internal_np::Param_not_found&, Vertex, std::vector<double>&) {}
+template <class Metric_map, class Vertex> void append_metric(const Metric_map& map, Vertex v, std::vector<double>& to) {
+  const auto components = get(map, v).components();
+  to.insert(to.end(), components.begin(), components.end());
 }
 
 template <class TriangleMesh, class NamedParameters>
@@ -49,6 +57,7 @@ Labelled_faces labelled_faces(const TriangleMesh& mesh, const NamedParameters& n
     number.emplace(v, surface.points.size());
     const auto& p = get(point_map, v);
     surface.points.push_back({CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())});
+    append_metric(get_parameter(np, internal_np::vertex_metric_map), v, surface.metric);
   }
   for (auto f : faces(mesh)) {
     Index_face face;
@@ -88,6 +97,8 @@ inline void write_msh_surface(Output_file& file, const Labelled_faces& surface) 
     else
       mesh.triangles.push_back({c[0], c[1], c[2]}, label);
   }
+  if (!surface.metric.empty())
+    mesh.point_arrays.push_back({"metric", 6, surface.metric});
   mesh.patch_names = names_of_patches(surface.patch);
   Msh_writer<Mixed_mesh<Coordinates>>(file, mesh).write_4_1();
 }
@@ -142,7 +153,9 @@ void write_surface(Output_file& file, const TriangleMesh& mesh,
  * \param np named parameters: `vertex_point_map`; `face_patch_map`, a readable property map from face to the label of
  *        its patch, which is written as cell array `patch` (.vtp, .vtk), face property `patch` (.ply) or physical group
  *        (.msh). Default: none; `surface_patch_map`, the same for numbers of patches of a cut, which are written as
- *        `surface_patch` (.vtp, .vtk, .ply). Default: none
+ *        `surface_patch` (.vtp, .vtk, .ply). Default: none; `vertex_metric_map`, a readable property map from vertex
+ *        to Metric_tensor_3, which is written as point array `metric` (xx, xy, xz, yy, yz, zz; .vtp, .vtk, .msh).
+ *        Default: none
  *
  * \exception Output_error if the file cannot be written, or a face has more than four edges
  */

@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_SURFACE_REMESHED_SURFACE_H
 #define CGAL_TUBULAR_MESHING_SURFACE_REMESHED_SURFACE_H
 
+#include <CGAL/Tubular_meshing/Fields/Metric_tensor_3.h>
 #include <CGAL/Tubular_meshing/Surface/Patch_report.h>
 #include <CGAL/Tubular_meshing/Surface/Quad_report.h>
 #include <CGAL/Tubular_meshing/labels.h>
@@ -28,8 +29,9 @@ template <class Point_3_> struct Remeshed_surface {
   Face_map patch;         ///< `labels::wall`, or the label of an opening: property map `f:patch` of the surface
   Face_map patch_of_face; ///< the number of the patch of the cut, −1 on caps: property map `f:surface_patch`
   std::vector<std::vector<typename Surface::Vertex_index>> curves; ///< the vertices on each curve of the cut, in order
-  Patch_report report;                                             ///< on the patches that it was meshed by
-  Quad_report quads;                                               ///< on its quads, if it has some
+  std::vector<Metric_tensor_3> metrics; ///< of the vertices, if it was made by a metric; else empty
+  Patch_report report;                  ///< on the patches that it was meshed by
+  Quad_report quads;                    ///< on its quads, if it has some
 
   Remeshed_surface() {
     patch = surface.template add_property_map<typename Surface::Face_index, int>("f:patch", labels::wall).first;

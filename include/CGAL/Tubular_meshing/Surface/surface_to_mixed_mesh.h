@@ -4,7 +4,9 @@
 #ifndef CGAL_TUBULAR_MESHING_SURFACE_SURFACE_TO_MIXED_MESH_H
 #define CGAL_TUBULAR_MESHING_SURFACE_SURFACE_TO_MIXED_MESH_H
 
+#include <CGAL/Tubular_meshing/Fields/Metric_tensor_3.h>
 #include <CGAL/Tubular_meshing/Mixed_mesh.h>
+#include <CGAL/Tubular_meshing/Surface/Remeshed_surface.h>
 #include <CGAL/Tubular_meshing/exceptions.h>
 
 #include <CGAL/boost/graph/helpers.h>
@@ -14,6 +16,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <unordered_map>
+#include <utility>
 
 namespace CGAL {
 namespace Tubular_meshing {
@@ -56,6 +59,23 @@ void surface_to_mixed_mesh(const SurfaceMesh& surface, FacePatchMap patch, Mixed
     else
       mesh.triangles.push_back({c[0], c[1], c[2]}, get(patch, f));
   }
+}
+
+/*! \ingroup PkgTubularMeshingRef
+ *
+ * The same, with the point array `metric` (xx, xy, xz, yy, yz, zz) of a surface that was made by a metric.
+ *
+ * \throws Meshing_error as above
+ */
+template <class Point> void surface_to_mixed_mesh(const Remeshed_surface<Point>& remeshed, Mixed_mesh<Point>& mesh) {
+  surface_to_mixed_mesh(remeshed.surface, remeshed.patch, mesh);
+  if (remeshed.metrics.empty())
+    return;
+  Point_array array{"metric", 6, {}};
+  for (const Metric_tensor_3& m : remeshed.metrics)
+    for (double component : m.components())
+      array.values.push_back(component);
+  mesh.point_arrays.push_back(std::move(array));
 }
 
 } // namespace Tubular_meshing

@@ -20,7 +20,7 @@ inline bool is_rim_corner(const Vector_3d& before, const Vector_3d& at, const Ve
   return dot(u, v) < 0.866 * norm(u) * norm(v);
 }
 
-/* The corners of a closed polyline (its first point does not come again), but for those closer than `spacing(point)` to
+/* The corners of a closed polyline (its first point does not come again), but for those closer than `spacing(index)` to
  * the one before. O(n). */
 template <class Point, class Spacing>
 std::vector<std::size_t> rim_corners(const std::vector<Point>& rim, const Spacing& spacing) {
@@ -28,7 +28,7 @@ std::vector<std::size_t> rim_corners(const std::vector<Point>& rim, const Spacin
   std::vector<std::size_t> corners;
   const auto position = [&](std::size_t i) { return Vector_3d(rim[i % n]); };
   const auto far_enough = [&](std::size_t i, std::size_t j) {
-    return norm(position(i) - position(j)) > spacing(rim[i % n]);
+    return norm(position(i) - position(j)) > spacing(i % n);
   };
   for (std::size_t i = 0; i < n; ++i)
     if (is_rim_corner(position(i + n - 1), position(i), position(i + 1)) &&
@@ -37,13 +37,13 @@ std::vector<std::size_t> rim_corners(const std::vector<Point>& rim, const Spacin
   return corners;
 }
 
-/* Splits a closed polyline (its first point comes again at the end) at its corners. Left in one piece where there are
- * fewer than two. */
+/* Splits a closed polyline (its first point comes again at the end) at its corners, closer than `spacing(point)` to
+ * each other only once. Left in one piece where there are fewer than two. */
 template <class Point, class Spacing>
 std::vector<std::vector<Point>> split_at_corners(std::vector<Point> rim, const Spacing& spacing) {
   const Point first = rim.front();
   rim.pop_back();
-  const std::vector<std::size_t> corners = rim_corners(rim, spacing);
+  const std::vector<std::size_t> corners = rim_corners(rim, [&](std::size_t i) { return spacing(rim[i]); });
   if (corners.size() < 2) {
     rim.push_back(first);
     return {rim};

@@ -35,6 +35,7 @@ struct Labelled_faces {
   std::vector<Index_face> faces;
   std::vector<std::int32_t> patch;         // one a face, or none
   std::vector<std::int32_t> surface_patch; // likewise
+  std::vector<double> metric;              // six a point: xx, xy, xz, yy, yz, zz; or none
 };
 
 inline std::vector<Index_triangle> triangles_of(const Labelled_faces& surface) {
@@ -133,6 +134,11 @@ inline Polydata polydata_of(const Labelled_faces& surface) {
     for (std::size_t v : f)
       data.corners.push_back(static_cast<std::int64_t>(v));
     data.ends.push_back(static_cast<std::int64_t>(data.corners.size()));
+  }
+  if (!surface.metric.empty()) {
+    data.point_array_name = "metric";
+    data.point_array_components = 6;
+    data.point_array = surface.metric;
   }
   if (!surface.patch.empty())
     data.cell_arrays.push_back({"patch", surface.patch});

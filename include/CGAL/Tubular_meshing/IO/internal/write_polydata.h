@@ -23,6 +23,7 @@ struct Polydata {
   std::vector<std::int64_t> ends;
   bool are_lines = false;
   std::string point_array_name; // empty: none
+  std::size_t point_array_components = 1;
   std::vector<double> point_array;
   struct Cell_array {
     std::string name;
@@ -39,7 +40,7 @@ inline void write_vtp(Output_file& file, const Polydata& data) {
             "\"");
   out.begin("PointData");
   if (!data.point_array_name.empty())
-    out.array(data.point_array_name, 1, data.point_array);
+    out.array(data.point_array_name, data.point_array_components, data.point_array);
   out.end("PointData");
   out.begin("CellData");
   for (const Polydata::Cell_array& a : data.cell_arrays)
@@ -74,8 +75,12 @@ inline void write_legacy_vtk(Output_file& file, const Polydata& data) {
     out << '\n';
   }
   if (!data.point_array_name.empty()) {
-    out << "POINT_DATA " << data.points.size() << "\nSCALARS " << data.point_array_name
-        << " double\nLOOKUP_TABLE default\n";
+    out << "POINT_DATA " << data.points.size();
+    if (data.point_array_components == 1)
+      out << "\nSCALARS " << data.point_array_name << " double\nLOOKUP_TABLE default\n";
+    else
+      out << "\nFIELD FieldData 1\n"
+          << data.point_array_name << ' ' << data.point_array_components << ' ' << data.points.size() << " double\n";
     for (double x : data.point_array)
       out << x << '\n';
   }

@@ -10,7 +10,9 @@
 #include <CGAL/Tubular_meshing/Centerlines/internal/Canonical_frame.h>
 #include <CGAL/Tubular_meshing/Fields/Centerline_metric_field.h>
 #include <CGAL/Tubular_meshing/Fields/Centerline_sizing_field.h>
+#include <CGAL/Tubular_meshing/Fields/Metric_tensor_3.h>
 #include <CGAL/Tubular_meshing/Mixed_mesh.h>
+#include <CGAL/Tubular_meshing/Surface/Remeshed_surface.h>
 #include <CGAL/Tubular_meshing/Tubular_model.h>
 #include <CGAL/Tubular_meshing/labels.h>
 #include <CGAL/Tubular_meshing/parameters.h>
@@ -18,6 +20,7 @@
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <limits>
 #include <utility>
@@ -84,6 +87,14 @@ public:
   void bring_back(Surface& surface) const {
     for (auto v : surface.vertices())
       surface.point(v) = from_frame(surface.point(v));
+  }
+  void bring_back(Remeshed_surface<Point>& remeshed) const {
+    bring_back(remeshed.surface);
+    for (Metric_tensor_3& metric : remeshed.metrics) {
+      std::array<double, 6> m = metric.components();
+      bring_metric_back(m.data());
+      metric = Metric_tensor_3(m);
+    }
   }
 
 private:

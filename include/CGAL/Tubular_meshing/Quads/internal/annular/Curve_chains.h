@@ -104,8 +104,8 @@ private:
     const Curve_gaps<Point_3> gaps(cut_, polylines_);
     for (size_type c = 0; c < polylines_.size(); ++c) {
       const double h = lengths_[c] / in_sizes_[c];
-      const auto distance = [&](const Point_3& p) {
-        return (std::max)(least * h, of_gap * gaps.gap(c, p, h / of_gap));
+      const auto distance = [&](const Curve_position<Point_3>& at) {
+        return (std::max)(least * h, of_gap * gaps.gap(c, at.point, h / of_gap));
       };
       dividers_.emplace_back(polylines_[c], distance, false);
     }

@@ -11,6 +11,7 @@
 #include <CGAL/Tubular_meshing/Quads/internal/unstructured/Patch_quadrangulator.h>
 #include <CGAL/Tubular_meshing/Quads/internal/unstructured/Sheet.h>
 #include <CGAL/Tubular_meshing/Quality/internal/element_measures.h>
+#include <CGAL/Tubular_meshing/Surface/Metric_tensor_2.h>
 #include <CGAL/Tubular_meshing/Surface/Patch_parameterization.h>
 #include <CGAL/Tubular_meshing/Surface/Remeshed_surface.h>
 #include <CGAL/Tubular_meshing/Surface/internal/remeshing/Chart.h>
@@ -181,7 +182,8 @@ private:
   template <class Piece_size> void make_unstructured(size_type k, const Piece_size& size, Piece& piece) const {
     const auto polygons = patch_polygons(maps_[k], cut_, k, curve_points_, piece);
     const Patch_sheet<Point_3> sheet(maps_[k]);
-    const Patch_chart<Point_3, Piece_size> chart(maps_[k], size);
+    const auto metric = [&](const Patch_location& at) { return maps_[k].induced_metric(at, size(maps_[k].point(at))); };
+    const Patch_chart<Point_3, decltype(metric)> chart(maps_[k], metric);
     fill(sheet, chart, polygons, false, piece);
   }
 
@@ -206,11 +208,14 @@ private:
     std::vector<Point_3> points;
     for (auto v : cut_.curves[rim].vertices)
       points.push_back(surface_.point(v));
-    typedef Cap_chart<Point_3, Point_2, Piece_size> Chart;
-    const Chart chart(points, size);
+    const auto metric = [&](const Point_3& p, const Vector_3d&, const Vector_3d&) {
+      return Metric_tensor_2::isotropic(size(p));
+    };
+    typedef Cap_chart<Point_3, Point_2, decltype(metric)> Chart;
+    const Chart chart(points, metric);
     const auto polygons = cap_polygons(chart, rim, curve_points_[rim], piece);
     if (!quad_caps_ || !fill(Cap_sheet<Chart, Point_2>(chart), chart, polygons, true, piece))
-      triangulate_piece(chart, polygons, true, piece);
+      triangulate_piece(chart, embedding_of(chart), polygons, true, piece);
   }
 
   // False if there are no quads alone.

@@ -18,20 +18,20 @@ namespace CGAL {
 namespace Tubular_meshing {
 namespace internal {
 
-/* What the mesher of the plane asks of a part of the surface: the metric (11) that an isotropic size induces at a place
- * of the plane, and the point of the surface there. Not for several threads: it remembers the place last asked for. */
-template <class Point_3, class Size> class Patch_chart {
+/* What the mesher of the plane asks of a part of the surface: the metric (11) at a place of the plane, which
+ * `metric(location)` gives as a Plane_metric, and the point of the surface there. Not for several threads: it remembers
+ * the place last asked for. */
+template <class Point_3, class Metric> class Patch_chart {
 public:
   typedef Patch_parameterization<Point_3> Map;
   typedef typename Map::Point_2 Point_2;
 
-  Patch_chart(const Map& map, const Size& size)
+  Patch_chart(const Map& map, const Metric& metric)
       : map_(map)
-      , size_(size) {}
+      , metric_(metric) {}
 
   Metric_tensor_2 metric(const Point_2& uv) const {
-    const Patch_location& at = location(uv);
-    const Plane_metric m = map_.induced_metric(at, size_(map_.point(at)));
+    const Plane_metric m = metric_(location(uv));
     return {m.xx, m.xy, m.yy};
   }
   Point_3 point(const Point_2& uv) const { return map_.point(location(uv)); }
@@ -50,7 +50,7 @@ public:
         at.triangle = t;
         at.barycentric = {{0, 0, 0}};
         at.barycentric[i] = 1;
-        d = std::sqrt((std::max)(map_.induced_metric(at, size_(map_.point(at))).determinant(), 0.));
+        d = std::sqrt((std::max)(metric_(at).determinant(), 0.));
       }
     std::vector<Point_2> places;
     for (int v : Peak_finder(density, map_.patch().triangles, map_.patch().loops).find(prominence))
@@ -68,16 +68,17 @@ private:
   }
 
   const Map& map_;
-  const Size& size_;
+  const Metric& metric_;
   mutable Point_2 last_ = Point_2(HUGE_VAL, HUGE_VAL);
   mutable Patch_location at_;
 };
 
-/* The same for a cap, which is planar. */
-template <class Point_3, class Point_2, class Size> class Cap_chart {
+/* The same for a cap, which is planar: `metric(point, first, second)` is a Metric_tensor_2 of the plane along these two
+ * directions. */
+template <class Point_3, class Point_2, class Metric> class Cap_chart {
 public:
-  Cap_chart(const std::vector<Point_3>& rim, const Size& size)
-      : size_(size)
+  Cap_chart(const std::vector<Point_3>& rim, const Metric& metric)
+      : metric_(metric)
       , origin_(rim.front()) {
     Vector_3d normal, reach;
     for (std::size_t i = 0; i < rim.size(); ++i) {
@@ -99,11 +100,11 @@ public:
     const Vector_3d p = origin_ + uv.x() * first_ + uv.y() * second_;
     return Point_3(p.x, p.y, p.z);
   }
-  Metric_tensor_2 metric(const Point_2& uv) const { return Metric_tensor_2::isotropic(size_(point(uv))); }
+  Metric_tensor_2 metric(const Point_2& uv) const { return metric_(point(uv), first_, second_); }
   std::vector<Point_2> hidden_places() const { return {}; }
 
 private:
-  const Size& size_;
+  const Metric& metric_;
   Vector_3d origin_, first_, second_;
 };
 

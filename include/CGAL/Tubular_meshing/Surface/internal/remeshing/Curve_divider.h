@@ -28,7 +28,8 @@ template <class Point_3> class Curve_divider {
 public:
   typedef std::vector<Curve_position<Point_3>> Points;
 
-  /* size(point) is the wanted length there; corners, as is_rim_corner() sees them, are kept if `keep_corners`. */
+  /* size(position) is the wanted length there, along the polyline; corners, as is_rim_corner() sees them, are kept if
+   * `keep_corners`. */
   template <class Size> Curve_divider(const std::vector<Point_3>& polyline, const Size& size, bool keep_corners) {
     set_stations(polyline, size);
     limit_growth(polyline);
@@ -80,20 +81,25 @@ private:
     const Vector_3d a(polyline[edge]), b(polyline[(edge + 1) % polyline.size()]);
     return a + t * (b - a);
   }
-  static Point_3 to_point(const Vector_3d& p) { return Point_3(p.x, p.y, p.z); }
+  static Curve_position<Point_3> at(const std::vector<Point_3>& polyline, std::size_t edge, double t) {
+    if (t == 0)
+      return {edge, t, polyline[edge]};
+    const Vector_3d p = on_edge(polyline, edge, t);
+    return {edge, t, Point_3(p.x, p.y, p.z)};
+  }
 
   // Stations at the vertices, and between them where the size is small compared to an edge.
   template <class Size> void set_stations(const std::vector<Point_3>& polyline, const Size& size) {
     const double steps_per_size = 2, most_steps = 1e5;
-    double h = size(polyline[0]);
+    double h = size(at(polyline, 0, 0));
     for (std::size_t i = 0; i < polyline.size(); ++i) {
-      const double next = size(polyline[(i + 1) % polyline.size()]);
+      const double next = size(at(polyline, (i + 1) % polyline.size(), 0));
       const double steps_wanted = steps_per_size * norm(on_edge(polyline, i, 1) - on_edge(polyline, i, 0));
       const std::size_t steps = 1 + std::size_t((std::min)(steps_wanted / (std::min)(h, next), most_steps));
       stations_.push_back({i, 0, h, 0});
       for (std::size_t k = 1; k < steps; ++k) {
         const double t = double(k) / double(steps);
-        stations_.push_back({i, t, size(to_point(on_edge(polyline, i, t))), 0});
+        stations_.push_back({i, t, size(at(polyline, i, t)), 0});
       }
       h = next;
     }
@@ -129,7 +135,7 @@ private:
   }
 
   template <class Size> void find_corners(const std::vector<Point_3>& polyline, const Size& size) {
-    const auto spacing = [&](const Point_3& p) { return 0.5 * size(p); };
+    const auto spacing = [&](std::size_t i) { return 0.5 * size(at(polyline, i, 0)); };
     std::size_t s = 0;
     for (std::size_t i : rim_corners(polyline, spacing)) {
       while (stations_[s].edge < i)
@@ -163,7 +169,7 @@ private:
     const double end = b.edge == a.edge ? b.t : 1;
     const double part = b.length > a.length ? (std::max)(length - a.length, 0.) / (b.length - a.length) : 0;
     const double t = a.t + (std::min)(part, 1.) * (end - a.t);
-    return {a.edge, t, t == 0 ? polyline[a.edge] : to_point(on_edge(polyline, a.edge, t))};
+    return at(polyline, a.edge, t);
   }
 
   std::vector<Station> stations_;

@@ -11,6 +11,7 @@
 #include <CGAL/Tubular_meshing/Surface/internal/remeshing/Curve_gaps.h>
 #include <CGAL/Tubular_meshing/Surface/internal/remeshing/Remeshed_piece.h>
 #include <CGAL/Tubular_meshing/exceptions.h>
+#include <CGAL/Tubular_meshing/internal/Vector_3d.h>
 #include <CGAL/Tubular_meshing/internal/parallel.h>
 
 #include <CGAL/Surface_mesh.h>
@@ -26,8 +27,8 @@ namespace Tubular_meshing {
 namespace internal {
 
 /* Meshes the pieces of a cut surface, each on its own: the patches and, after them, the caps. Each can be meshed again
- * with smaller sizes. */
-template <class Point_3, class Size> class Piece_mesher {
+ * with smaller sizes. `Sizes` tells what is wanted: Isotropic_sizes or Metric_sizes. */
+template <class Point_3, class Sizes> class Piece_mesher {
 public:
   typedef CGAL::Surface_mesh<Point_3> Surface;
   typedef Patch_parameterization<Point_3> Map;
@@ -37,11 +38,11 @@ public:
   typedef std::size_t size_type;
   static constexpr bool makes_quads = false;
 
-  Piece_mesher(const Surface& surface, const Surface_cut<Point_3>& cut, const std::vector<Map>& maps, const Size& size,
-               bool even, int threads)
+  Piece_mesher(const Surface& surface, const Surface_cut<Point_3>& cut, const std::vector<Map>& maps,
+               const Sizes& sizes, bool even, int threads)
       : cut_(cut)
       , maps_(maps)
-      , size_(size)
+      , sizes_(sizes)
       , even_(even)
       , threads_(threads)
       , polylines_(polylines_of(surface, cut))
@@ -81,6 +82,9 @@ public:
   /* A piece whose loops touch each other in the plane, since they are divided too coarsely, has no triangles. */
   const std::vector<Piece>& pieces() const { return pieces_; }
   const std::vector<Curve_points>& curve_points() const { return curve_points_; }
+
+  // What triangles are judged by.
+  auto shape() const { return sizes_.shape(); }
 
   bool is_cap(size_type piece) const { return piece >= maps_.size(); }
   // The label of the opening that a piece is the cap of; 0 for a patch.
@@ -135,9 +139,9 @@ private:
   void divide(size_type c) {
     const size_type fewest = 6; // a tube, not a prism
     const double f = (std::min)(fineness_[cut_.curves[c].left_patch], fineness_[piece_on_the_right(c)]);
-    const auto size = [&](const Point_3& p) {
-      const double h = f * size_(p), least = 0.1 * h;
-      return (std::max)(least, size_in_gap * gaps_.gap(c, p, h / size_in_gap));
+    const auto size = [&](const Curve_position<Point_3>& at) {
+      const double h = f * sizes_.along_curve(c, at), least = 0.1 * h;
+      return (std::max)(least, size_in_gap * gaps_.gap(c, at.point, h / size_in_gap));
     };
     const Curve_divider<Point_3> divider(polylines_[c], size, cut_.curves[c].is_rim());
     curve_points_[c] = divider.divide(polylines_[c], fewest, even_);
@@ -146,31 +150,35 @@ private:
   void mesh(size_type k) {
     Piece& piece = pieces_[k];
     piece = Piece();
-    const double f = fineness_[k];
-    const auto size = [&](const Point_3& p) { return f * size_(p); };
     try {
       if (is_cap(k))
-        mesh_cap(rim_of_cap(k), size, piece);
+        mesh_cap(rim_of_cap(k), fineness_[k], piece);
       else
-        mesh_patch(k, size, piece);
+        mesh_patch(k, fineness_[k], piece);
     } catch (const Input_error&) { // loops that touch in the plane
       piece.triangles.clear();
     }
   }
 
-  template <class Piece_size> void mesh_patch(size_type k, const Piece_size& size, Piece& piece) const {
+  void mesh_patch(size_type k, double fineness, Piece& piece) const {
+    const auto metric = [&](const Patch_location& at) { return sizes_.on_patch(k, at, fineness); };
+    const Patch_chart<Point_3, decltype(metric)> chart(maps_[k], metric);
     const auto polygons = patch_polygons(maps_[k], cut_, k, curve_points_, piece);
-    triangulate_piece(Patch_chart<Point_3, Piece_size>(maps_[k], size), polygons, false, piece);
+    triangulate_piece(chart, sizes_.embedding(chart), polygons, false, piece);
   }
 
-  template <class Piece_size> void mesh_cap(size_type rim, const Piece_size& size, Piece& piece) const {
-    const Cap_chart<Point_3, Point_2, Piece_size> chart(polylines_[rim], size);
-    triangulate_piece(chart, cap_polygons(chart, rim, curve_points_[rim], piece), true, piece);
+  void mesh_cap(size_type rim, double fineness, Piece& piece) const {
+    const auto metric = [&](const Point_3& p, const Vector_3d& first, const Vector_3d& second) {
+      return sizes_.in_plane(p, first, second, fineness);
+    };
+    const Cap_chart<Point_3, Point_2, decltype(metric)> chart(polylines_[rim], metric);
+    const auto polygons = cap_polygons(chart, rim, curve_points_[rim], piece);
+    triangulate_piece(chart, sizes_.embedding(chart), polygons, true, piece);
   }
 
   const Surface_cut<Point_3>& cut_;
   const std::vector<Map>& maps_;
-  const Size& size_;
+  const Sizes& sizes_;
   const bool even_;
   const int threads_;
   const std::vector<std::vector<Point_3>> polylines_; // the curves
@@ -178,7 +186,7 @@ private:
   std::vector<size_type> rims_; // the curves with caps
   std::vector<Curve_points> curve_points_;
   std::vector<Piece> pieces_;
-  std::vector<double> fineness_; // of pieces: what their size is multiplied by
+  std::vector<double> fineness_; // of pieces: what their sizes are multiplied by
 };
 
 } // namespace internal

@@ -69,13 +69,18 @@ patch_polygons(const Patch_parameterization<Point_3>& map, const Surface_cut<Poi
   return polygons;
 }
 
-/* Fills polygons of the plane with triangles. A rim runs with the wall on its left: seen along its normal, as the cap's
- * chart is, the cap is turned inwards, which `turn` sets right. */
-template <class Chart, class Point_2, class Point_3>
-void triangulate_piece(const Chart& chart, const std::vector<std::vector<Point_2>>& polygons, bool turn,
-                       Remeshed_piece<Point_3>& piece) {
+/* The surface over the plane, for triangles to be judged in space. */
+template <class Chart> auto embedding_of(const Chart& chart) {
+  return [&chart](const auto& uv) { return chart.point(uv); };
+}
+
+/* Fills polygons of the plane with triangles, which are judged under the embedding `image`, or in the metric if it is
+ * No_embedding. A rim runs with the wall on its left: seen along its normal, as the cap's chart is, the cap is turned
+ * inwards, which `turn` sets right. */
+template <class Chart, class Embedding, class Point_2, class Point_3>
+void triangulate_piece(const Chart& chart, const Embedding& image, const std::vector<std::vector<Point_2>>& polygons,
+                       bool turn, Remeshed_piece<Point_3>& piece) {
   const auto metric = [&](const Point_2& uv) { return chart.metric(uv); };
-  const auto image = [&](const Point_2& uv) { return chart.point(uv); };
   auto plane =
       triangulate_in_metric(polygons, metric, parameters::embedding(image).interior_points(chart.hidden_places()));
   std::size_t on_boundary = 0;

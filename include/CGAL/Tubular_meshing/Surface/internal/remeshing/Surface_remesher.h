@@ -190,7 +190,8 @@ private:
 
   void improve() {
     Surface& surface = result_.surface;
-    Triangle_improver<Point_3> improver(surface);
+    const auto shape = mesher_.shape();
+    Triangle_improver<Point_3, decltype(shape)> improver(surface, shape);
     const std::vector<Face> bad = improver.bad_triangles();
     if (bad.empty())
       return;
@@ -200,11 +201,13 @@ private:
         for (Vertex v : result_.curves[c])
           fixed[size_type(v)] = 1;
     const auto is_cap = [&](Vertex v) { return result_.patch_of_face[surface.face(surface.halfedge(v))] < 0; };
-    const auto same_piece = [&](Halfedge h) {
+    const auto may_flip = [&](Halfedge h) {
+      if (!shape.is_for_caps && result_.patch_of_face[surface.face(h)] < 0)
+        return false;
       return piece_of_face_[size_type(surface.face(h))] == piece_of_face_[size_type(surface.face(surface.opposite(h)))];
     };
     improver.improve(
-        bad, old_triangles_around(bad), [&](Vertex v) { return !fixed[size_type(v)] && !is_cap(v); }, same_piece);
+        bad, old_triangles_around(bad), [&](Vertex v) { return !fixed[size_type(v)] && !is_cap(v); }, may_flip);
   }
 
   // Those of the patches with bad triangles, and of their neighbours.

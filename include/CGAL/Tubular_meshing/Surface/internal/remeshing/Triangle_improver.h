@@ -4,7 +4,6 @@
 #ifndef CGAL_TUBULAR_MESHING_SURFACE_INTERNAL_TRIANGLE_IMPROVER_H
 #define CGAL_TUBULAR_MESHING_SURFACE_INTERNAL_TRIANGLE_IMPROVER_H
 
-#include <CGAL/Tubular_meshing/Quality/internal/element_measures.h>
 #include <CGAL/Tubular_meshing/internal/Nearest_tree.h>
 #include <CGAL/Tubular_meshing/internal/Vector_3d.h>
 
@@ -23,8 +22,9 @@ namespace internal {
 
 /* Improves the few triangles that the plane left bad: where curves have kinks or nearly touch, patch by patch nothing
  * better is possible, but across the curves there is. Vertices move, on the surface, off their curves too, and edges
- * inside of patches are flipped; each step raises the worst quality of the triangles that it changes. */
-template <class Point_3> class Triangle_improver {
+ * inside of patches are flipped; each step raises the worst quality of the triangles that it changes. `Shape` measures
+ * it, see triangle_shapes.h. */
+template <class Point_3, class Shape> class Triangle_improver {
 public:
   typedef CGAL::Surface_mesh<Point_3> Surface;
   typedef typename Surface::Vertex_index Vertex;
@@ -34,8 +34,9 @@ public:
 
   static constexpr double good_enough = 0.6; // gamma_T
 
-  explicit Triangle_improver(Surface& surface)
-      : surface_(surface) {}
+  Triangle_improver(Surface& surface, const Shape& shape)
+      : surface_(surface)
+      , shape_(shape) {}
 
   std::vector<Face> bad_triangles() const {
     std::vector<Face> bad;
@@ -81,7 +82,7 @@ private:
   }
   double quality(Face f) const {
     const auto v = vertices_around(f);
-    return triangle_gamma(at(v[0]), at(v[1]), at(v[2]));
+    return shape_.quality(at(v[0]), at(v[1]), at(v[2]));
   }
   static Vector_3d normal(const Vector_3d& a, const Vector_3d& b, const Vector_3d& c) {
     return normalized(cross(b - a, c - a));
@@ -93,8 +94,8 @@ private:
     if (surface_.halfedge(vc, vd) != Surface::null_halfedge())
       return false;
     const Vector_3d a = at(surface_.source(h)), b = at(surface_.target(h)), c = at(vc), d = at(vd);
-    const double before = (std::min)(triangle_gamma(a, b, c), triangle_gamma(b, a, d));
-    const double after = (std::min)(triangle_gamma(a, d, c), triangle_gamma(d, b, c));
+    const double before = (std::min)(shape_.quality(a, b, c), shape_.quality(b, a, d));
+    const double after = (std::min)(shape_.quality(a, d, c), shape_.quality(d, b, c));
     const Vector_3d n = normalized(normal(a, b, c) + normal(b, a, d));
     if (after < before + worth_it || dot(n, normal(a, d, c)) < most_turn || dot(n, normal(d, b, c)) < most_turn)
       return false;
@@ -109,7 +110,7 @@ private:
   double worst(const Vector_3d& p) const {
     double q = 1;
     for (const Ray& r : star_)
-      q = (std::min)(q, dot(r.normal, normal(p, r.a, r.b)) < most_turn ? 0 : triangle_gamma(p, r.a, r.b));
+      q = (std::min)(q, dot(r.normal, normal(p, r.a, r.b)) < most_turn ? 0 : shape_.quality(p, r.a, r.b));
     return q;
   }
 
@@ -142,20 +143,19 @@ private:
   // The middle of the star; the mean of the apexes of equilateral triangles on its edges; each of these for a bad one.
   std::vector<Vector_3d> targets(const Vector_3d& p) const {
     std::vector<Vector_3d> result(2);
-    const double n = double(star_.size()), half_root_three = 0.86602540378443865;
+    const double n = double(star_.size());
     for (const Ray& r : star_) {
-      const Vector_3d middle = 0.5 * (r.a + r.b);
-      const Vector_3d inward = cross(r.normal, r.b - r.a);
-      const Vector_3d apex = middle + half_root_three * inward;
+      const Vector_3d apex = shape_.apex(r.a, r.b, r.normal);
       result[0] += 1 / n * r.a;
       result[1] += 1 / n * apex;
-      if (triangle_gamma(p, r.a, r.b) < good_enough)
+      if (shape_.quality(p, r.a, r.b) < good_enough)
         result.push_back(apex);
     }
     return result;
   }
 
   Surface& surface_;
+  const Shape& shape_;
   std::vector<Ray> star_;
 };
 
