@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <vector>
 
 namespace CGAL {
 namespace Tubular_meshing {
@@ -23,6 +24,7 @@ namespace internal {
 struct Metric_energy {
   static constexpr double size_weight = 1;
   static constexpr double height_weight = 8; // some six of the two dozen tetrahedra have to do with it
+  static constexpr double height_bound = 2;
 
   double value = 0;
   Vector_3d gradient;
@@ -64,20 +66,24 @@ struct Metric_energy {
     return true;
   }
 
-  /* The height h of the vertex above a facet of which the layer is to be as high as the metric's size across it: h +
-   * 1/h, in that size. A regular tetrahedron is somewhat lower, and where facets meet at an angle that the metric does
-   * not know of, tetrahedra are much higher. `n`: the facet's normal, `to_facet`: from the vertex to the facet. */
+  /* The height h of the vertex above a facet of which the layer is to be as high as the metric's size across it:
+   * s = h + 1/h - 2, in that size. A regular tetrahedron is somewhat lower, and where facets meet at an angle that the
+   * metric does not know of, tetrahedra are much higher. Where they cannot but be so, that must not cost all of their
+   * shape: what counts is s / (1 + s/b), b at most. `n`: the facet's normal, `to_facet`: from the vertex to the facet.
+   */
   bool add_height(const Vector_3d& n, const Vector_3d& to_facet, const Metric_tensor_3& at_facet,
                   bool with_derivatives) {
     const double scale = at_facet.length(n) / std::sqrt(size2), h = scale * dot(n, to_facet);
     if (!(h > 0))
       return false;
-    value += height_weight * (h + 1 / h);
+    const double s = h + 1 / h - 2, share = 1 / (1 + s / height_bound);
+    value += height_weight * share * s;
     if (!with_derivatives)
       return true;
+    // by h; the negative part of the second derivative is left out
     const Vector_3d dh = -scale * n;
-    gradient += height_weight * (1 - 1 / (h * h)) * dh;
-    hessian.add_product(2 * height_weight / (h * h * h), dh, dh);
+    gradient += height_weight * share * share * (1 - 1 / (h * h)) * dh;
+    hessian.add_product(height_weight * share * share * 2 / (h * h * h), dh, dh);
     return true;
   }
 };
@@ -127,9 +133,11 @@ public:
   typedef Tetrahedron_store Store;
   typedef Store::Index Index;
 
-  Metric_relocation(Mesh& mesh, double size)
+  // `heights`: whether those of boundary layers count.
+  Metric_relocation(Mesh& mesh, double size, bool heights = true)
       : mesh_(mesh)
       , size2_(size * size)
+      , heights_(heights && !mesh.layer_patches.empty())
       , store_(mesh.store) {
     stars_.build(store_, [&](Index v) { return mesh_.location(v).dimension != 0; });
   }
@@ -143,6 +151,17 @@ public:
             return;
           relocate(v);
           mesh_.clock.set_visited(v);
+        },
+        [this] { mesh_.clock.tick(); });
+  }
+
+  // One visit to each of these.
+  void sweep(const std::vector<char>& is_wanted) {
+    stars_.for_each_movable(
+        mesh_.threads,
+        [&](Index v) {
+          if (is_wanted[v])
+            relocate(v);
         },
         [this] { mesh_.clock.tick(); });
   }
@@ -251,6 +270,8 @@ private:
   }
 
   bool has_layer(Index facet) const {
+    if (!heights_)
+      return false;
     const std::int32_t label = store_[Store::tetrahedron_of(facet)].label[Store::opposite_of(facet)];
     return label != 0 &&
            std::find(mesh_.layer_patches.begin(), mesh_.layer_patches.end(), label) != mesh_.layer_patches.end();
@@ -320,7 +341,8 @@ private:
   }
 
   Mesh& mesh_;
-  double size2_;
+  const double size2_;
+  const bool heights_;
   Store& store_;
   Colored_stars stars_;
 };

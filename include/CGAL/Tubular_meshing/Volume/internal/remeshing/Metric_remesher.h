@@ -82,6 +82,11 @@ public:
       observe(*this, "repair", repair_below(0.25));
       observe(*this, "finish", flip(0.8));
     }
+    for (int round = 0; round < 2; ++round) {
+      relax_below(0.3);
+      observe(*this, "repair", repair_below(0.3));
+      observe(*this, "finish", flip(0.8));
+    }
   }
 
   template <class Observer> void adapt_by_steps(const Observer& observe) {
@@ -173,6 +178,19 @@ private:
       relocation.pull_to_surface();
     for (int i = 0; i < sweeps; ++i)
       relocation.sweep();
+    flips_.update_all();
+  }
+
+  // Around bad shapes nothing else counts.
+  void relax_below(double quality) {
+    std::vector<char> is_near(store_.number_of_vertices(), 0);
+    for (Index t = 0; t < store_.number_of_slots(); ++t)
+      if (store_.is_alive(t) && flips_.quality(t) < quality)
+        for (Index v : store_[t].v)
+          is_near[v] = 1;
+    Metric_relocation<Mesh> relocation(mesh_, 1, false);
+    for (int i = 0; i < 3; ++i)
+      relocation.sweep(is_near);
     flips_.update_all();
   }
 
