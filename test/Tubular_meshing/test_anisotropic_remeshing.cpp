@@ -205,15 +205,13 @@ TEST(Metric_quality, OfRegularElementsIsOne) {
 TEST(Metric_energy, DerivativesAreThoseOfItsValue) {
   const Metric mean = sizes(0.3, 1, 2, normalized(Vector_3d(1, 1, 0)), normalized(Vector_3d(-1, 1, 0)));
   const Vector_3d a(1, 0.1, 0), b(0.2, 1, 0.1), c(0.1, 0.2, 1.2), x(0.05, -0.1, 0.02);
-  const Vector_3d normal = normalized(Vector_3d(0.5, 0.6, 1)), on_facet(0.3, 0.4, 0.5);
   const auto value = [&](const Vector_3d& p) {
     tubular::internal::Metric_energy e;
-    EXPECT_TRUE(e.add(a - p, b - p, c - p, mean, false) && e.add_height(normal, on_facet - p, mean, false));
+    EXPECT_TRUE(e.add(a - p, b - p, c - p, mean, false));
     return e.value;
   };
   tubular::internal::Metric_energy e;
-  ASSERT_TRUE(e.add(a - x, b - x, c - x, mean, true) && e.add_height(normal, on_facet - x, mean, true));
-  EXPECT_FALSE(e.add_height(normal, x - on_facet, mean, true)); // on the wrong side
+  ASSERT_TRUE(e.add(a - x, b - x, c - x, mean, true));
   const double h = 1e-4;
   const Vector_3d axes[3] = {{h, 0, 0}, {0, h, 0}, {0, 0, h}};
   const double gradient[3] = {e.gradient.x, e.gradient.y, e.gradient.z};
@@ -227,6 +225,33 @@ TEST(Metric_energy, DerivativesAreThoseOfItsValue) {
                         value(x - axes[0] - axes[1])) /
                        (4 * h * h);
   EXPECT_NEAR(mixed, e.hessian.xy, 1e-4 * (1 + std::abs(mixed)));
+}
+
+TEST(Metric_energy, OfHeightsIsLeastAtTheSizeAcross) {
+  const Vector_3d n = normalized(Vector_3d(1, 2, 2));
+  const Metric m = sizes(0.01, 1, 2, n, normalized(Vector_3d(2, 1, -2)), normalized(Vector_3d(2, -2, 1)));
+  const auto at = [&](double height, bool with_derivatives = false) {
+    tubular::internal::Metric_energy e;
+    EXPECT_TRUE(e.add_height(n, height * n + Vector_3d(0, 0.3, -0.3), m, with_derivatives));
+    return e;
+  };
+  const double scale = 100, d = 1e-4;
+  for (double h : {0.3, 0.8, 1., 1.5, 4.}) {
+    const auto e = at(h / scale, true);
+    const double up = at((h - d) / scale).value, down = at((h + d) / scale).value; // moving along n brings it nearer
+    EXPECT_NEAR((up - down) / (2 * d), dot(e.gradient, n) / scale, 1e-5 * (1 + std::abs(dot(e.gradient, n)) / scale));
+    EXPECT_NEAR(norm(cross(e.gradient, n)), 0, 1e-9 * scale);
+    EXPECT_GE(dot(e.hessian * n, n), 0);
+    EXPECT_LE(e.value,
+              tubular::internal::Metric_energy::height_weight * tubular::internal::Metric_energy::height_bound);
+    EXPECT_GE(e.value, at(1 / scale).value);
+  }
+  const auto best = at(1 / scale, true);
+  EXPECT_NEAR(best.value, 0, 1e-12);
+  EXPECT_NEAR((at((1 - d) / scale).value + at((1 + d) / scale).value - 2 * best.value) / (d * d),
+              dot(best.hessian * n, n) / (scale * scale), 1e-3);
+  tubular::internal::Metric_energy e;
+  EXPECT_FALSE(e.add_height(n, -0.01 * n, m, true)); // beyond the facet
 }
 
 TEST(Metric_frame, TurnsTheMetricIntoTheIdentity) {
