@@ -179,13 +179,7 @@ void remesh_again(benchmark::State& state) {
   state.counters["tetrahedra"] = double(mesh.tetrahedra.size());
 }
 
-BENCHMARK(remesh)
-    ->ArgNames({"tetrahedra", "threads"})
-    ->ArgsProduct({{10000, 30000, 100000, 300000, 1000000, 2000000}, {1, 0}})
-    ->Unit(benchmark::kMillisecond)
-    ->Iterations(1)
-    ->UseRealTime();
-BENCHMARK(remesh_again)->Arg(100000)->Unit(benchmark::kMillisecond)->Iterations(1)->UseRealTime();
+// first, as a process that is started has the peak of its parent to begin with
 BENCHMARK(remesh_with_mmg)
     ->Arg(10000)
     ->Arg(100000)
@@ -193,5 +187,12 @@ BENCHMARK(remesh_with_mmg)
     ->Unit(benchmark::kMillisecond)
     ->Iterations(1)
     ->UseRealTime();
+BENCHMARK(remesh)
+    ->ArgNames({"tetrahedra", "threads"})
+    ->ArgsProduct({{10000, 30000, 100000, 300000, 1000000, 2000000}, {1, 0}})
+    ->Unit(benchmark::kMillisecond)
+    ->Iterations(1)
+    ->UseRealTime();
+BENCHMARK(remesh_again)->Arg(100000)->Unit(benchmark::kMillisecond)->Iterations(1)->UseRealTime();
 
 } // namespace
