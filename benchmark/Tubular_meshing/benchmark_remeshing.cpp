@@ -13,6 +13,8 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
+#include "../../test/Tubular_meshing/grid_of_tetrahedra.h"
+
 #include <benchmark/benchmark.h>
 
 #include <sys/resource.h>
@@ -34,41 +36,13 @@ typedef CGAL::Exact_predicates_inexact_constructions_kernel::Point_3 Point;
 typedef CGAL::Tubular_meshing::Mixed_mesh<Point> Mesh;
 typedef CGAL::Tubular_meshing::Metric_tensor_3 Metric;
 namespace tubular = CGAL::Tubular_meshing;
-using tubular::internal::Tetrahedron_store;
 using tubular::internal::Vector_3d;
 
-// The unit cube as n³ cubes of six tetrahedra; the sides are labelled 1 to 6.
+// The unit cube; the sides are labelled 1 to 6.
 Mesh make_cube(int n) {
-  Mesh m;
-  const auto at = [n](int i, int j, int k) { return std::uint32_t((i * (n + 1) + j) * (n + 1) + k); };
-  for (int i = 0; i <= n; ++i)
-    for (int j = 0; j <= n; ++j)
-      for (int k = 0; k <= n; ++k)
-        m.points.push_back(Point(double(i) / n, double(j) / n, double(k) / n));
-  const int orders[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
-  for (int i = 0; i < n; ++i)
-    for (int j = 0; j < n; ++j)
-      for (int k = 0; k < n; ++k)
-        for (int o = 0; o < 6; ++o) {
-          std::array<int, 3> corner = {i, j, k};
-          std::array<std::uint32_t, 4> t = {at(i, j, k), 0, 0, 0};
-          for (int s = 0; s < 3; ++s) {
-            ++corner[orders[o][s]];
-            t[s + 1] = at(corner[0], corner[1], corner[2]);
-          }
-          if (o >= 3)
-            std::swap(t[2], t[3]);
-          m.tetrahedra.push_back(t, 1);
-        }
-  for (const auto& t : m.tetrahedra.vertices)
-    for (int f = 0; f < 4; ++f) {
-      const auto& c = Tetrahedron_store::facet_corners(f);
-      for (int axis = 0; axis < 3; ++axis)
-        for (int end = 0; end < 2; ++end)
-          if (std::all_of(c.begin(), c.end(), [&](int v) { return m.points[t[v]][axis] == end; }))
-            m.triangles.push_back({t[c[0]], t[c[1]], t[c[2]]}, 1 + 2 * axis + end);
-    }
-  return m;
+  return grid_of_tetrahedra(
+      {n, n, n}, [n](int i, int j, int k) { return Point(double(i) / n, double(j) / n, double(k) / n); },
+      [](int axis, int end) { return 1 + 2 * axis + end; });
 }
 
 // Sizes h, 8 h and 3 h, along circles around an axis outside of the cube.

@@ -12,6 +12,8 @@
 #include <CGAL/Tubular_meshing/Volume/internal/Speculation.h>
 #include <CGAL/number_utils.h>
 
+#include "grid_of_tetrahedra.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -42,42 +44,10 @@ typedef std::function<Metric(const Point&)> Field;
 
 const double pi = std::acos(-1.);
 
-/* A box of cells, six tetrahedra each, mapped from the unit cube; `label(axis, end)` are the patches of its sides. */
+// A grid mapped from the unit cube.
 template <class Map, class Label> Mesh make_grid(int nx, int ny, int nz, const Map& map, const Label& label) {
-  Mesh m;
-  const std::array<int, 3> n = {nx, ny, nz};
-  std::vector<std::array<int, 3>> place;
-  const auto at = [&](int i, int j, int k) { return std::uint32_t((i * (ny + 1) + j) * (nz + 1) + k); };
-  for (int i = 0; i <= nx; ++i)
-    for (int j = 0; j <= ny; ++j)
-      for (int k = 0; k <= nz; ++k) {
-        m.points.push_back(map(double(i) / nx, double(j) / ny, double(k) / nz));
-        place.push_back({i, j, k});
-      }
-  const int orders[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
-  for (int i = 0; i < nx; ++i)
-    for (int j = 0; j < ny; ++j)
-      for (int k = 0; k < nz; ++k)
-        for (int o = 0; o < 6; ++o) {
-          std::array<int, 3> corner = {i, j, k};
-          std::array<std::uint32_t, 4> t = {at(i, j, k), 0, 0, 0};
-          for (int s = 0; s < 3; ++s) {
-            ++corner[orders[o][s]];
-            t[s + 1] = at(corner[0], corner[1], corner[2]);
-          }
-          if (o >= 3)
-            std::swap(t[2], t[3]);
-          m.tetrahedra.push_back(t, 1);
-        }
-  for (const auto& t : m.tetrahedra.vertices)
-    for (int f = 0; f < 4; ++f) {
-      const auto& c = Tetrahedron_store::facet_corners(f);
-      for (int axis = 0; axis < 3; ++axis)
-        for (int end = 0; end < 2; ++end)
-          if (std::all_of(c.begin(), c.end(), [&](int v) { return place[t[v]][axis] == end * n[axis]; }))
-            m.triangles.push_back({t[c[0]], t[c[1]], t[c[2]]}, label(axis, end));
-    }
-  return m;
+  return grid_of_tetrahedra(
+      {nx, ny, nz}, [&](int i, int j, int k) { return map(double(i) / nx, double(j) / ny, double(k) / nz); }, label);
 }
 
 // The unit cube, its sides labelled 1 to 6.

@@ -11,6 +11,8 @@
 #include <CGAL/Tubular_meshing/exceptions.h>
 #include <CGAL/Tubular_meshing/labels.h>
 
+#include "grid_of_tetrahedra.h"
+
 #include <gtest/gtest.h>
 
 #include <array>
@@ -33,36 +35,13 @@ const double height = 0.05, around = 0.2, along = 0.6;
 /* n × n × n boxes of six tetrahedra, long in x and flat in z; the wall is at z = 0. If `lifted`, the last row of
  * points above the wall is nearly at twice its height; all points are turned about z by `angle`. */
 Mesh block(bool lifted = false, double angle = 0) {
-  Mesh m;
-  const auto at = [](int i, int j, int k) { return std::uint32_t((i * (n + 1) + j) * (n + 1) + k); };
-  for (int i = 0; i <= n; ++i)
-    for (int j = 0; j <= n; ++j)
-      for (int k = 0; k <= n; ++k) {
+  return grid_of_tetrahedra(
+      {n, n, n},
+      [&](int i, int j, int k) {
         const double x = along * i, y = around * j, z = height * (lifted && k == 1 && j == n ? 1.95 : k);
-        m.points.push_back(
-            Point(std::cos(angle) * x - std::sin(angle) * y, std::sin(angle) * x + std::cos(angle) * y, z));
-      }
-  const int orders[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
-  for (int i = 0; i < n; ++i)
-    for (int j = 0; j < n; ++j)
-      for (int k = 0; k < n; ++k)
-        for (int o = 0; o < 6; ++o) {
-          std::array<int, 3> corner = {i, j, k};
-          std::array<std::uint32_t, 4> t = {at(i, j, k), 0, 0, 0};
-          for (int s = 0; s < 3; ++s) {
-            ++corner[orders[o][s]];
-            t[s + 1] = at(corner[0], corner[1], corner[2]);
-          }
-          if (o >= 3)
-            std::swap(t[2], t[3]);
-          m.tetrahedra.push_back(t, 1);
-        }
-  for (int i = 0; i < n; ++i)
-    for (int j = 0; j < n; ++j) {
-      m.triangles.push_back({at(i, j, 0), at(i + 1, j, 0), at(i + 1, j + 1, 0)}, tubular::labels::wall);
-      m.triangles.push_back({at(i, j, 0), at(i + 1, j + 1, 0), at(i, j + 1, 0)}, tubular::labels::wall);
-    }
-  return m;
+        return Point(std::cos(angle) * x - std::sin(angle) * y, std::sin(angle) * x + std::cos(angle) * y, z);
+      },
+      [](int axis, int end) { return axis == 2 && end == 0 ? tubular::labels::wall : 0; });
 }
 
 void set_metric(Mesh& m, double h_x, double h_y, double h_z) {

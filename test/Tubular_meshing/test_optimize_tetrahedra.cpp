@@ -12,6 +12,8 @@
 #include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/Vertex_removal.h>
 #include <CGAL/Tubular_meshing/Volume/optimize_tetrahedra.h>
 
+#include "grid_of_tetrahedra.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -41,43 +43,18 @@ template <class Points> int common_side(const Points& points) {
   return 0;
 }
 
-/* The unit cube as n³ cubes of six tetrahedra, its inner vertices shaken; sides labelled 1 to 6. */
+// The unit cube, its inner vertices shaken; sides labelled 1 to 6.
 Mesh make_cube(int n, double shake) {
-  Mesh m;
   std::mt19937 random(7);
   std::uniform_real_distribution<double> uniform(-shake / n, shake / n);
-  const auto at = [n](int i, int j, int k) { return std::uint32_t((i * (n + 1) + j) * (n + 1) + k); };
-  for (int i = 0; i <= n; ++i)
-    for (int j = 0; j <= n; ++j)
-      for (int k = 0; k <= n; ++k) {
-        const auto moved = [&](int x) { return x == 0 || x == n ? double(x / n) : double(x) / n + uniform(random); };
+  const auto moved = [&](int x) { return x == 0 || x == n ? double(x / n) : double(x) / n + uniform(random); };
+  return grid_of_tetrahedra(
+      {n, n, n},
+      [&](int i, int j, int k) {
         const double x = moved(i), y = moved(j), z = moved(k);
-        m.points.push_back(Point(x, y, z));
-      }
-  std::map<std::array<std::uint32_t, 3>, int> faces;
-  const int orders[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
-  for (int i = 0; i < n; ++i)
-    for (int j = 0; j < n; ++j)
-      for (int k = 0; k < n; ++k)
-        for (int o = 0; o < 6; ++o) {
-          std::array<int, 3> at_corner = {i, j, k};
-          std::array<std::uint32_t, 4> t = {at(i, j, k), 0, 0, 0};
-          for (int s = 0; s < 3; ++s) {
-            ++at_corner[orders[o][s]];
-            t[s + 1] = at(at_corner[0], at_corner[1], at_corner[2]);
-          }
-          if (o >= 3)
-            std::swap(t[2], t[3]);
-          m.tetrahedra.push_back(t, 1);
-        }
-  for (const auto& t : m.tetrahedra.vertices)
-    for (int f = 0; f < 4; ++f) {
-      const auto& c = Tetrahedron_store::facet_corners(f);
-      const std::array<Point, 3> p = {m.points[t[c[0]]], m.points[t[c[1]]], m.points[t[c[2]]]};
-      if (common_side(p) != 0)
-        m.triangles.push_back({t[c[0]], t[c[1]], t[c[2]]}, common_side(p));
-    }
-  return m;
+        return Point(x, y, z);
+      },
+      [](int axis, int end) { return 1 + 2 * axis + end; });
 }
 
 struct Cube_surface {
