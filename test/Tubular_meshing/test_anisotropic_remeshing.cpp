@@ -278,13 +278,13 @@ TEST(Tetrahedron_store, FindsTheStarOfAVertexOfAnyDegree) {
 /* Pairs of neighbours are formed where both are single: each pair that is possible rules out others of its batch, which
  * have to be looked at once more. */
 TEST(Speculation, DoesWhatOneAfterTheOtherWould) {
-  const auto make_pairs = [](int threads) {
+  const auto make_pairs = [](int threads, std::size_t batch) {
     std::vector<std::size_t> order(5000);
     std::iota(order.begin(), order.end(), std::size_t(0));
     std::shuffle(order.begin(), order.end(), std::mt19937(7));
     std::vector<int> paired_at(order.size() + 1, 0); // 0 for the single
     int now = 0;
-    tubular::internal::Speculation<std::size_t> workers(threads, std::size_t(0));
+    tubular::internal::Speculation<std::size_t> workers(threads, batch, std::size_t(0));
     workers.run(
         [&] { return order.size(); }, [&] { return now; },
         [&](std::size_t& at, std::size_t k) {
@@ -304,8 +304,9 @@ TEST(Speculation, DoesWhatOneAfterTheOtherWould) {
         serial[at] = serial[at + 1] = ++now;
     EXPECT_EQ(paired_at, serial);
   };
-  make_pairs(1);
-  make_pairs(2);
+  for (std::size_t batch : {1u, 7u, 512u})
+    for (int threads : {1, 2})
+      make_pairs(threads, batch);
 }
 
 // Whether the vertex v may be pulled onto w, to which an edge joins it.

@@ -7,9 +7,9 @@
 #include <CGAL/Tubular_meshing/internal/parallel.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <deque>
+#include <vector>
 
 namespace CGAL {
 namespace Tubular_meshing {
@@ -24,10 +24,14 @@ namespace internal {
  */
 template <class Worker> class Speculation {
 public:
+  // Many times the cores, and few compared with a mesh. Batches of one are what is done without any speculation.
+  static constexpr std::size_t default_batch = 512;
+
   // `arguments`: of workers, which look at a candidate each and remember what they have found.
   template <class... Arguments>
-  explicit Speculation(int threads, const Arguments&... arguments)
-      : threads_(threads) {
+  Speculation(int threads, std::size_t batch, const Arguments&... arguments)
+      : possible_(batch)
+      , threads_(threads) {
     for (std::size_t k = 0; k < batch; ++k)
       workers_.emplace_back(arguments...);
   }
@@ -40,7 +44,7 @@ public:
   template <class Number, class Now, class Find, class Is_fresh, class Commit>
   void run(const Number& n, const Now& now, const Find& find, const Is_fresh& is_fresh, const Commit& commit) {
     for (std::size_t first = 0, last; first < n(); first = last) {
-      last = (std::min)(first + batch, n());
+      last = (std::min)(first + possible_.size(), n());
       const auto since = now();
       for_each_range(
           last - first, threads_,
@@ -56,11 +60,10 @@ public:
   }
 
 private:
-  static constexpr std::size_t batch = 512; // many times the cores, and few compared with a mesh
   static constexpr std::size_t grain = 16;
 
   std::deque<Worker> workers_; // which need not be movable
-  std::array<char, batch> possible_;
+  std::vector<char> possible_; // of the candidates of a batch
   int threads_;
 };
 

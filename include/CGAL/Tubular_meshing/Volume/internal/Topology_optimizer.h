@@ -42,12 +42,14 @@ public:
 
   Topology_optimizer(Store& store, const Surface_guard& guard)
       : Topology_optimizer(store, guard, Measure{store}, 1) {}
-  Topology_optimizer(Store& store, const Surface_guard& guard, const Measure& measure, int threads)
+  // Candidates are looked at in batches, see Speculation.
+  Topology_optimizer(Store& store, const Surface_guard& guard, const Measure& measure, int threads,
+                     std::size_t batch = 1)
       : store_(store)
       , guard_(guard)
       , measure_(measure)
       , threads_(threads)
-      , searches_(threads, store_, guard_, measure_, quality_) {
+      , searches_(threads, batch, store_, guard_, measure_, quality_) {
     update_all();
   }
   Topology_optimizer(const Topology_optimizer&) = delete;

@@ -59,9 +59,9 @@ public:
       : mesh_(mesh)
       , store_(mesh.store)
       , flips_(store_, Remeshing_flip_guard{{store_, mesh.projection}, mesh.keep_boundary}, Measure{&mesh},
-               mesh.threads)
-      , splitters_(mesh.threads, mesh_, flips_)
-      , collapsers_(mesh.threads, mesh_, flips_) {}
+               mesh.threads, Speculation<Splitter>::default_batch)
+      , splitters_(mesh.threads, Speculation<Splitter>::default_batch, mesh_, flips_)
+      , collapsers_(mesh.threads, Speculation<Collapser>::default_batch, mesh_, flips_) {}
 
   // `observe(*this, what, n)` is told after each pass what was done, and how often.
   template <class Observer> void run(const Observer& observe) {
