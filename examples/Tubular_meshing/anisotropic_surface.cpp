@@ -9,7 +9,7 @@
 #include <CGAL/Tubular_meshing/Fields/Metric_tensor_3.h>
 #include <CGAL/Tubular_meshing/IO/read_surface.h>
 #include <CGAL/Tubular_meshing/IO/write_mesh.h>
-#include <CGAL/Tubular_meshing/Quality/metric_surface_report.h>
+#include <CGAL/Tubular_meshing/Surface/metric_surface_report.h>
 #include <CGAL/Tubular_meshing/Surface/surface_to_mixed_mesh.h>
 #include <CGAL/Tubular_meshing/Tubular_model.h>
 #include <CGAL/Tubular_meshing/make_anisotropic_surface_mesh.h>

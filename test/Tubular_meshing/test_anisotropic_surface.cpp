@@ -3,6 +3,7 @@
 
 // Surfaces meshed anew by a metric: that triangles are good in it, as many as it asks for, and point where it does.
 
+#include "surface_measures.h"
 #include "test_surfaces.h"
 
 #include <CGAL/Tubular_meshing/Centerlines/Centerline_field.h>
@@ -11,11 +12,10 @@
 #include <CGAL/Tubular_meshing/IO/read_centerlines.h>
 #include <CGAL/Tubular_meshing/IO/read_surface.h>
 #include <CGAL/Tubular_meshing/Operators/repair_surface.h>
-#include <CGAL/Tubular_meshing/Quality/metric_surface_report.h>
 #include <CGAL/Tubular_meshing/Surface/metric_on_surface.h>
+#include <CGAL/Tubular_meshing/Surface/metric_surface_report.h>
 #include <CGAL/Tubular_meshing/Surface/surface_to_mixed_mesh.h>
 #include <CGAL/Tubular_meshing/exceptions.h>
-#include <CGAL/Tubular_meshing/internal/Nearest_tree.h>
 #include <CGAL/Tubular_meshing/make_anisotropic_surface_mesh.h>
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
@@ -136,33 +136,6 @@ Judgement judge(const Remeshed& r, bool wall) {
   }
   result.mean /= double(result.triangles);
   return result;
-}
-
-typedef tubular::internal::Nearest_tree<tubular::internal::Double_kernel::Triangle_3> Triangle_tree;
-
-// The largest distance from a vertex of one surface to the other surface.
-double distance(const Mesh& from, const Mesh& to) {
-  std::vector<tubular::internal::Double_kernel::Triangle_3> triangles;
-  for (auto f : to.faces()) {
-    const auto v = vertices_of(to, f);
-    triangles.emplace_back(tubular::internal::to_double_point(to.point(v[0])),
-                           tubular::internal::to_double_point(to.point(v[1])),
-                           tubular::internal::to_double_point(to.point(v[2])));
-  }
-  const Triangle_tree tree(std::move(triangles));
-  double largest = 0;
-  for (auto v : from.vertices())
-    largest = std::max(largest, tree.nearest(tubular::internal::to_double_point(from.point(v))).squared_distance);
-  return std::sqrt(largest);
-}
-
-double extent(const Mesh& mesh) {
-  const CGAL::Bbox_3 b = PMP::bbox(mesh);
-  return std::sqrt(CGAL::square(b.x_span()) + CGAL::square(b.y_span()) + CGAL::square(b.z_span()));
-}
-
-long euler(const Mesh& mesh) {
-  return long(mesh.number_of_vertices()) - long(mesh.number_of_edges()) + long(mesh.number_of_faces());
 }
 
 // What every surface mesh must be, whatever it is of.

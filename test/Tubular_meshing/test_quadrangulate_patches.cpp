@@ -3,6 +3,7 @@
 
 // Surfaces of quads: that they are surfaces, of quads alone, on the old surface, and good; and the steps towards them.
 
+#include "surface_measures.h"
 #include "test_surfaces.h"
 
 #include <CGAL/Tubular_meshing/Generators/bronchial_tree.h>
@@ -12,7 +13,6 @@
 #include <CGAL/Tubular_meshing/IO/write_surface.h>
 #include <CGAL/Tubular_meshing/Operators/repair_surface.h>
 #include <CGAL/Tubular_meshing/Quality/shape_measures.h>
-#include <CGAL/Tubular_meshing/internal/Nearest_tree.h>
 #include <CGAL/Tubular_meshing/make_quad_surface_mesh.h>
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
@@ -62,29 +62,6 @@ std::vector<Point> corners(const Mesh& mesh, Mesh::Face_index f) {
   for (auto v : mesh.vertices_around_face(mesh.halfedge(f)))
     result.push_back(mesh.point(v));
   return result;
-}
-
-double largest_distance(const Mesh& from, const Mesh& to) {
-  std::vector<internal::Double_kernel::Triangle_3> triangles;
-  for (auto f : to.faces()) {
-    const auto c = corners(to, f);
-    triangles.emplace_back(internal::to_double_point(c[0]), internal::to_double_point(c[1]),
-                           internal::to_double_point(c[2]));
-  }
-  const internal::Nearest_tree<internal::Double_kernel::Triangle_3> tree(std::move(triangles));
-  double largest = 0;
-  for (auto v : from.vertices())
-    largest = std::max(largest, tree.nearest(internal::to_double_point(from.point(v))).squared_distance);
-  return std::sqrt(largest);
-}
-
-double extent(const Mesh& mesh) {
-  const CGAL::Bbox_3 b = PMP::bbox(mesh);
-  return std::sqrt(CGAL::square(b.x_span()) + CGAL::square(b.y_span()) + CGAL::square(b.z_span()));
-}
-
-long euler(const Mesh& mesh) {
-  return long(mesh.number_of_vertices()) - long(mesh.number_of_edges()) + long(mesh.number_of_faces());
 }
 
 // Of the wall, counted anew.
@@ -153,8 +130,7 @@ Wall expect_good(const Model& model, const Remeshed& r, double least_eta, double
   EXPECT_NEAR(wall.least_eta, r.quads.least_eta, 1e-9);
   EXPECT_NEAR(wall.mean_eta, r.quads.mean_eta, 1e-9);
   EXPECT_EQ(r.quads.folded_quads, 0u);
-  EXPECT_LE(largest_distance(r.surface, model.surface), 1e-9 * extent(model.surface))
-      << "all vertices are on the old surface";
+  EXPECT_LE(distance(r.surface, model.surface), 1e-9 * extent(model.surface)) << "all vertices are on the old surface";
   std::set<int> expected = {tubular::labels::wall}, labels;
   for (const auto& opening : model.openings)
     expected.insert(opening.patch);

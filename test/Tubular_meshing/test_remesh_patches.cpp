@@ -3,6 +3,7 @@
 
 // Surfaces meshed anew patch by patch: their shape, their sizes, their patches, and that they are surfaces at all.
 
+#include "surface_measures.h"
 #include "test_surfaces.h"
 
 #include <CGAL/Tubular_meshing/Generators/bronchial_tree.h>
@@ -12,7 +13,6 @@
 #include <CGAL/Tubular_meshing/Operators/repair_surface.h>
 #include <CGAL/Tubular_meshing/Quality/internal/element_measures.h>
 #include <CGAL/Tubular_meshing/exceptions.h>
-#include <CGAL/Tubular_meshing/internal/Nearest_tree.h>
 #include <CGAL/Tubular_meshing/make_isotropic_surface_mesh.h>
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
@@ -38,7 +38,6 @@ namespace tubular = CGAL::Tubular_meshing;
 namespace PMP = CGAL::Polygon_mesh_processing;
 typedef tubular::Tubular_model<Point> Model;
 typedef tubular::Remeshed_surface<Point> Remeshed;
-typedef tubular::internal::Nearest_tree<tubular::internal::Double_kernel::Triangle_3> Triangle_tree;
 
 const double pi = 3.14159265358979323846;
 
@@ -74,34 +73,6 @@ Quality quality_of(const Mesh& mesh) {
     q.mean += gamma / double(mesh.number_of_faces());
   }
   return q;
-}
-
-Triangle_tree tree_of(const Mesh& mesh) {
-  std::vector<tubular::internal::Double_kernel::Triangle_3> triangles;
-  for (auto f : mesh.faces()) {
-    const auto c = corners(mesh, f);
-    triangles.emplace_back(tubular::internal::to_double_point(c[0]), tubular::internal::to_double_point(c[1]),
-                           tubular::internal::to_double_point(c[2]));
-  }
-  return Triangle_tree(std::move(triangles));
-}
-
-// The largest distance from a vertex of one surface to the other surface.
-double distance(const Mesh& from, const Mesh& to) {
-  const Triangle_tree tree = tree_of(to);
-  double largest = 0;
-  for (auto v : from.vertices())
-    largest = std::max(largest, tree.nearest(tubular::internal::to_double_point(from.point(v))).squared_distance);
-  return std::sqrt(largest);
-}
-
-double extent(const Mesh& mesh) {
-  const CGAL::Bbox_3 b = PMP::bbox(mesh);
-  return std::sqrt(CGAL::square(b.x_span()) + CGAL::square(b.y_span()) + CGAL::square(b.z_span()));
-}
-
-long euler(const Mesh& mesh) {
-  return long(mesh.number_of_vertices()) - long(mesh.number_of_edges()) + long(mesh.number_of_faces());
 }
 
 // What every surface mesh must be, whatever it is of.

@@ -13,10 +13,10 @@
 #include <CGAL/Tubular_meshing/Operators/Repair_report.h>
 #include <CGAL/Tubular_meshing/Quality/boundary_layer_report.h>
 #include <CGAL/Tubular_meshing/Quality/branch_resolution.h>
-#include <CGAL/Tubular_meshing/Quality/metric_surface_report.h>
 #include <CGAL/Tubular_meshing/Quality/quality_report.h>
 #include <CGAL/Tubular_meshing/Quality/validity_report.h>
 #include <CGAL/Tubular_meshing/Surface/Remeshed_surface.h>
+#include <CGAL/Tubular_meshing/Surface/metric_surface_report.h>
 #include <CGAL/Tubular_meshing/Tubular_model.h>
 
 #include <nlohmann/json.hpp>

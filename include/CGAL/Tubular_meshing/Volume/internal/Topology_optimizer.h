@@ -62,21 +62,22 @@ public:
 
   // The same for those of which `is_of_interest(t)` holds.
   template <class IsOfInterest> std::size_t improve_below(double threshold, const IsOfInterest& is_of_interest) {
-    std::vector<Index> todo;
+    std::vector<Index> candidates;
     for (Index t = 0; t < store_.number_of_slots(); ++t)
       if (store_.is_alive(t) && quality_[t] < threshold && is_of_interest(t))
-        todo.push_back(t);
-    return improve_these(todo, threshold);
+        candidates.push_back(t);
+    return improve_these(candidates, threshold);
   }
 
   // The same for the tetrahedra listed, and what comes of them; new ones are added to the list.
-  std::size_t improve_these(std::vector<Index>& todo, double threshold) {
+  std::size_t improve_these(std::vector<Index>& candidates, double threshold) {
     std::size_t flips = 0;
     // each flip raises the worst quality of a cavity, so this ends; the bound is against rounding
-    const std::size_t most = 20 * todo.size() + 100;
-    searches_.run([&] { return (std::min)(todo.size(), most); }, [&] { return now(); },
+    const std::size_t most = 20 * candidates.size() + 100;
+    searches_.run([&] { return (std::min)(candidates.size(), most); }, [&] { return now(); },
                   [&](Search& search, std::size_t k) {
-                    return store_.is_alive(todo[k]) && quality_[todo[k]] < threshold && search.find(todo[k]);
+                    return store_.is_alive(candidates[k]) && quality_[candidates[k]] < threshold &&
+                           search.find(candidates[k]);
                   },
                   [&](const Search& search, std::size_t, Time since) {
                     return search.is_fresh([&](Index t) { return is_newer(t, since); });
@@ -87,7 +88,7 @@ public:
                     ++flips;
                     for (Index n : new_tetrahedra_)
                       if (quality_[n] < threshold)
-                        todo.push_back(n);
+                        candidates.push_back(n);
                   });
     return flips;
   }

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tubular_meshing authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_TUBULAR_MESHING_QUALITY_METRIC_SURFACE_REPORT_H
-#define CGAL_TUBULAR_MESHING_QUALITY_METRIC_SURFACE_REPORT_H
+#ifndef CGAL_TUBULAR_MESHING_SURFACE_METRIC_SURFACE_REPORT_H
+#define CGAL_TUBULAR_MESHING_SURFACE_METRIC_SURFACE_REPORT_H
 
 #include <CGAL/Tubular_meshing/Fields/Metric_tensor_3.h>
 #include <CGAL/Tubular_meshing/Quality/quality_report.h>
@@ -123,4 +123,4 @@ template <class Point> Metric_surface_report metric_surface_report(const Remeshe
 } // namespace Tubular_meshing
 } // namespace CGAL
 
-#endif // CGAL_TUBULAR_MESHING_QUALITY_METRIC_SURFACE_REPORT_H
+#endif // CGAL_TUBULAR_MESHING_SURFACE_METRIC_SURFACE_REPORT_H
