@@ -9,10 +9,10 @@
 #include <CGAL/Tubular_meshing/Fields/Metric_tensor_3.h>
 #include <CGAL/Tubular_meshing/IO/read_surface.h>
 #include <CGAL/Tubular_meshing/IO/write_mesh.h>
-#include <CGAL/Tubular_meshing/Surface/metric_surface_report.h>
-#include <CGAL/Tubular_meshing/Surface/surface_to_mixed_mesh.h>
-#include <CGAL/Tubular_meshing/Tubular_model.h>
-#include <CGAL/Tubular_meshing/make_anisotropic_surface_mesh.h>
+#include <CGAL/Tubular_meshing/Patches/metric_surface_report.h>
+#include <CGAL/Tubular_meshing/Patches/surface_to_mixed_mesh.h>
+#include <CGAL/Tubular_meshing/Pipelines/Tubular_model.h>
+#include <CGAL/Tubular_meshing/Pipelines/make_anisotropic_surface_mesh.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>

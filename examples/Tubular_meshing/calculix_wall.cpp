@@ -9,10 +9,10 @@
 #include <CGAL/Tubular_meshing/Centerlines/Centerline_field.h>
 #include <CGAL/Tubular_meshing/IO/read_surface.h>
 #include <CGAL/Tubular_meshing/IO/write_mesh.h>
-#include <CGAL/Tubular_meshing/Operators/extrude_wall.h>
-#include <CGAL/Tubular_meshing/Operators/repair_surface.h>
-#include <CGAL/Tubular_meshing/Tubular_model.h>
-#include <CGAL/Tubular_meshing/make_quad_surface_mesh.h>
+#include <CGAL/Tubular_meshing/Layers/extrude_wall.h>
+#include <CGAL/Tubular_meshing/Repair/repair_surface.h>
+#include <CGAL/Tubular_meshing/Pipelines/Tubular_model.h>
+#include <CGAL/Tubular_meshing/Pipelines/make_quad_surface_mesh.h>
 
 #include <cstdlib>
 #include <iostream>

@@ -5,9 +5,9 @@
 // The file written holds, for each face, the label of its patch: 1 wall, 2 inlet, 3 and on the outlets.
 
 #include <CGAL/Tubular_meshing/IO/read_surface.h>
-#include <CGAL/Tubular_meshing/Operators/close_openings.h>
-#include <CGAL/Tubular_meshing/Operators/openings.h>
-#include <CGAL/Tubular_meshing/labels.h>
+#include <CGAL/Tubular_meshing/Openings/close_openings.h>
+#include <CGAL/Tubular_meshing/Openings/openings.h>
+#include <CGAL/Tubular_meshing/base/labels.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>

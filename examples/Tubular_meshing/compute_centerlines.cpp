@@ -10,9 +10,9 @@
 #include <CGAL/Tubular_meshing/Centerlines/compute_centerlines.h>
 #include <CGAL/Tubular_meshing/IO/read_surface.h>
 #include <CGAL/Tubular_meshing/IO/write_centerlines.h>
-#include <CGAL/Tubular_meshing/Operators/close_openings.h>
-#include <CGAL/Tubular_meshing/Operators/openings.h>
-#include <CGAL/Tubular_meshing/Operators/repair_surface.h>
+#include <CGAL/Tubular_meshing/Openings/close_openings.h>
+#include <CGAL/Tubular_meshing/Openings/openings.h>
+#include <CGAL/Tubular_meshing/Repair/repair_surface.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>

@@ -7,9 +7,9 @@
 
 #include <CGAL/Tubular_meshing/IO/read_surface.h>
 #include <CGAL/Tubular_meshing/IO/write_surface.h>
-#include <CGAL/Tubular_meshing/Operators/flow_extensions.h>
-#include <CGAL/Tubular_meshing/Operators/openings.h>
-#include <CGAL/Tubular_meshing/labels.h>
+#include <CGAL/Tubular_meshing/Openings/flow_extensions.h>
+#include <CGAL/Tubular_meshing/Openings/openings.h>
+#include <CGAL/Tubular_meshing/base/labels.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>

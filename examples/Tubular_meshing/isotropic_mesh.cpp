@@ -9,7 +9,7 @@
 #include <CGAL/Tubular_meshing/IO/read_centerlines.h>
 #include <CGAL/Tubular_meshing/IO/read_surface.h>
 #include <CGAL/Tubular_meshing/IO/write_mesh.h>
-#include <CGAL/Tubular_meshing/Operators/repair_surface.h>
+#include <CGAL/Tubular_meshing/Repair/repair_surface.h>
 #include <CGAL/Tubular_meshing/Quality/quality_report.h>
 #include <CGAL/tubular_meshing.h>
 

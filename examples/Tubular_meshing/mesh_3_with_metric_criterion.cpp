@@ -13,7 +13,7 @@
 #include <CGAL/Tubular_meshing/Fields/Metric_criteria_3.h>
 #include <CGAL/Tubular_meshing/IO/read_centerlines.h>
 #include <CGAL/Tubular_meshing/IO/read_surface.h>
-#include <CGAL/Tubular_meshing/Tubular_model.h>
+#include <CGAL/Tubular_meshing/Pipelines/Tubular_model.h>
 #include <CGAL/make_mesh_3.h>
 
 #include <algorithm>

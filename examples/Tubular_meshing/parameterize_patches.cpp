@@ -8,11 +8,11 @@
 #include "command_line/run_tool.h"
 
 #include <CGAL/Tubular_meshing/IO/read_surface.h>
-#include <CGAL/Tubular_meshing/Operators/cut_by_centerlines.h>
-#include <CGAL/Tubular_meshing/Operators/repair_surface.h>
-#include <CGAL/Tubular_meshing/Surface/parameterize_patch.h>
-#include <CGAL/Tubular_meshing/Tubular_model.h>
-#include <CGAL/Tubular_meshing/exceptions.h>
+#include <CGAL/Tubular_meshing/Patches/cut_by_centerlines.h>
+#include <CGAL/Tubular_meshing/Repair/repair_surface.h>
+#include <CGAL/Tubular_meshing/Patches/parameterize_patch.h>
+#include <CGAL/Tubular_meshing/Pipelines/Tubular_model.h>
+#include <CGAL/Tubular_meshing/base/exceptions.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>

@@ -7,10 +7,10 @@
 #include <CGAL/Tubular_meshing/Fields/Centerline_sizing_field.h>
 #include <CGAL/Tubular_meshing/IO/read_surface.h>
 #include <CGAL/Tubular_meshing/IO/write_surface.h>
-#include <CGAL/Tubular_meshing/Operators/cut_by_centerlines.h>
-#include <CGAL/Tubular_meshing/Surface/parameterize_patch.h>
-#include <CGAL/Tubular_meshing/Surface/remesh_patches.h>
-#include <CGAL/Tubular_meshing/Tubular_model.h>
+#include <CGAL/Tubular_meshing/Patches/cut_by_centerlines.h>
+#include <CGAL/Tubular_meshing/Patches/parameterize_patch.h>
+#include <CGAL/Tubular_meshing/Patches/remesh_patches.h>
+#include <CGAL/Tubular_meshing/Pipelines/Tubular_model.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>

@@ -12,7 +12,7 @@
 #include <CGAL/Tubular_meshing/IO/write_centerlines.h>
 #include <CGAL/Tubular_meshing/IO/write_mesh.h>
 #include <CGAL/Tubular_meshing/IO/write_surface.h>
-#include <CGAL/Tubular_meshing/Surface/surface_to_mixed_mesh.h>
+#include <CGAL/Tubular_meshing/Patches/surface_to_mixed_mesh.h>
 
 #include <boost/property_map/function_property_map.hpp>
 

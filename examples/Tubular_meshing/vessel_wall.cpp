@@ -10,13 +10,13 @@
 #include <CGAL/Tubular_meshing/Fields/Centerline_sizing_field.h>
 #include <CGAL/Tubular_meshing/IO/read_surface.h>
 #include <CGAL/Tubular_meshing/IO/write_mesh.h>
-#include <CGAL/Tubular_meshing/Operators/extrude_wall.h>
+#include <CGAL/Tubular_meshing/Layers/extrude_wall.h>
 #include <CGAL/Tubular_meshing/Quality/validity_report.h>
-#include <CGAL/Tubular_meshing/Tubular_model.h>
-#include <CGAL/Tubular_meshing/Volume/extrude_boundary_layer.h>
+#include <CGAL/Tubular_meshing/Pipelines/Tubular_model.h>
+#include <CGAL/Tubular_meshing/Layers/extrude_boundary_layer.h>
 #include <CGAL/Tubular_meshing/Volume/fill_with_tetgen.h>
 #include <CGAL/Tubular_meshing/Volume/optimize_tetrahedra.h>
-#include <CGAL/Tubular_meshing/make_isotropic_surface_mesh.h>
+#include <CGAL/Tubular_meshing/Pipelines/make_isotropic_surface_mesh.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>

@@ -6,23 +6,23 @@
 
 #include <CGAL/Tubular_meshing/Centerlines/Centerline_field.h>
 #include <CGAL/Tubular_meshing/Fields/Centerline_sizing_field.h>
-#include <CGAL/Tubular_meshing/Mixed_mesh.h>
-#include <CGAL/Tubular_meshing/Surface/Remeshed_surface.h>
-#include <CGAL/Tubular_meshing/Tubular_model.h>
+#include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
+#include <CGAL/Tubular_meshing/Patches/Remeshed_surface.h>
+#include <CGAL/Tubular_meshing/Pipelines/Tubular_model.h>
 #include <CGAL/Tubular_meshing/Volume/Volume_mesher.h>
 #include <CGAL/Tubular_meshing/Volume/anisotropic_tetrahedral_remeshing.h>
 #include <CGAL/Tubular_meshing/Volume/fill_with_ccdt.h>
 #include <CGAL/Tubular_meshing/Volume/fill_with_mesh_3.h>
 #include <CGAL/Tubular_meshing/Volume/fill_with_tetgen.h>
 #include <CGAL/Tubular_meshing/Volume/optimize_tetrahedra.h>
-#include <CGAL/Tubular_meshing/exceptions.h>
-#include <CGAL/Tubular_meshing/Volume/internal/Model_in_its_frame.h>
-#include <CGAL/Tubular_meshing/Volume/internal/boundary_layer/fill_within_layers.h>
-#include <CGAL/Tubular_meshing/Volume/internal/check_mesh_of_model.h>
-#include <CGAL/Tubular_meshing/internal/Stage_observer.h>
-#include <CGAL/Tubular_meshing/make_isotropic_surface_mesh.h>
-#include <CGAL/Tubular_meshing/make_mixed_mesh.h>
-#include <CGAL/Tubular_meshing/parameters.h>
+#include <CGAL/Tubular_meshing/base/exceptions.h>
+#include <CGAL/Tubular_meshing/Pipelines/internal/Model_in_its_frame.h>
+#include <CGAL/Tubular_meshing/Pipelines/internal/fill_within_layers.h>
+#include <CGAL/Tubular_meshing/Pipelines/internal/check_mesh_of_model.h>
+#include <CGAL/Tubular_meshing/base/Stage_observer.h>
+#include <CGAL/Tubular_meshing/Pipelines/make_isotropic_surface_mesh.h>
+#include <CGAL/Tubular_meshing/Pipelines/make_mixed_mesh.h>
+#include <CGAL/Tubular_meshing/base/parameters.h>
 
 #include <string>
 #include <vector>

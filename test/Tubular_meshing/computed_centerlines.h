@@ -11,8 +11,8 @@
 #include <CGAL/Tubular_meshing/Centerlines/compute_centerlines.h>
 #include <CGAL/Tubular_meshing/Generators/tubular_surface.h>
 #include <CGAL/Tubular_meshing/IO/read_surface.h>
-#include <CGAL/Tubular_meshing/Operators/close_openings.h>
-#include <CGAL/Tubular_meshing/Operators/openings.h>
+#include <CGAL/Tubular_meshing/Openings/close_openings.h>
+#include <CGAL/Tubular_meshing/Openings/openings.h>
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_TEST_GRID_OF_TETRAHEDRA_H
 #define CGAL_TUBULAR_MESHING_TEST_GRID_OF_TETRAHEDRA_H
 
-#include <CGAL/Tubular_meshing/Mixed_mesh.h>
+#include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/Volume/internal/Tetrahedron_store.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

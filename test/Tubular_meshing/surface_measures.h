@@ -6,7 +6,7 @@
 #ifndef CGAL_TUBULAR_MESHING_TEST_SURFACE_MEASURES_H
 #define CGAL_TUBULAR_MESHING_TEST_SURFACE_MEASURES_H
 
-#include <CGAL/Tubular_meshing/internal/Nearest_tree.h>
+#include <CGAL/Tubular_meshing/base/Nearest_tree.h>
 
 #include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Surface_mesh.h>

@@ -11,12 +11,12 @@
 #include <CGAL/Tubular_meshing/Generators/tubular_surface.h>
 #include <CGAL/Tubular_meshing/IO/read_centerlines.h>
 #include <CGAL/Tubular_meshing/IO/read_surface.h>
-#include <CGAL/Tubular_meshing/Operators/repair_surface.h>
-#include <CGAL/Tubular_meshing/Surface/metric_on_surface.h>
-#include <CGAL/Tubular_meshing/Surface/metric_surface_report.h>
-#include <CGAL/Tubular_meshing/Surface/surface_to_mixed_mesh.h>
-#include <CGAL/Tubular_meshing/exceptions.h>
-#include <CGAL/Tubular_meshing/make_anisotropic_surface_mesh.h>
+#include <CGAL/Tubular_meshing/Repair/repair_surface.h>
+#include <CGAL/Tubular_meshing/Patches/metric_on_surface.h>
+#include <CGAL/Tubular_meshing/Patches/metric_surface_report.h>
+#include <CGAL/Tubular_meshing/Patches/surface_to_mixed_mesh.h>
+#include <CGAL/Tubular_meshing/base/exceptions.h>
+#include <CGAL/Tubular_meshing/Pipelines/make_anisotropic_surface_mesh.h>
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>

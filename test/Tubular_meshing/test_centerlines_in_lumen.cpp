@@ -8,7 +8,7 @@
 
 #include <CGAL/Tubular_meshing/Generators/bronchial_tree.h>
 #include <CGAL/Tubular_meshing/Generators/tubular_shapes.h>
-#include <CGAL/Tubular_meshing/Operators/repair_surface.h>
+#include <CGAL/Tubular_meshing/Repair/repair_surface.h>
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
 #include <CGAL/AABB_traits.h>

@@ -4,7 +4,7 @@
 // Curvatures of surfaces that have a formula.
 
 #include <CGAL/Tubular_meshing/Fields/curvature.h>
-#include <CGAL/Tubular_meshing/exceptions.h>
+#include <CGAL/Tubular_meshing/base/exceptions.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>

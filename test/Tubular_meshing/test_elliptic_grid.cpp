@@ -7,9 +7,9 @@
 #include <CGAL/Tubular_meshing/Quads/elliptic_grid.h>
 #include <CGAL/Tubular_meshing/Quads/internal/elliptic/Winslow_smoother.h>
 #include <CGAL/Tubular_meshing/Quality/shape_measures.h>
-#include <CGAL/Tubular_meshing/Surface/parameterize_patch.h>
-#include <CGAL/Tubular_meshing/exceptions.h>
-#include <CGAL/Tubular_meshing/parameters.h>
+#include <CGAL/Tubular_meshing/Patches/parameterize_patch.h>
+#include <CGAL/Tubular_meshing/base/exceptions.h>
+#include <CGAL/Tubular_meshing/base/parameters.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 

@@ -6,9 +6,9 @@
 #include <CGAL/Tubular_meshing/Generators/tubular_shapes.h>
 #include <CGAL/Tubular_meshing/Generators/tubular_surface.h>
 #include <CGAL/Tubular_meshing/IO/read_surface.h>
-#include <CGAL/Tubular_meshing/Operators/close_openings.h>
-#include <CGAL/Tubular_meshing/Operators/flow_extensions.h>
-#include <CGAL/Tubular_meshing/Operators/openings.h>
+#include <CGAL/Tubular_meshing/Openings/close_openings.h>
+#include <CGAL/Tubular_meshing/Openings/flow_extensions.h>
+#include <CGAL/Tubular_meshing/Openings/openings.h>
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>

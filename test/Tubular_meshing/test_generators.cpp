@@ -9,7 +9,7 @@
 #include <CGAL/Tubular_meshing/Generators/bronchial_tree.h>
 #include <CGAL/Tubular_meshing/Generators/tubular_shapes.h>
 #include <CGAL/Tubular_meshing/Generators/tubular_surface.h>
-#include <CGAL/Tubular_meshing/Operators/internal/trim_by_plane.h>
+#include <CGAL/Tubular_meshing/Rims/trim_by_plane.h>
 
 #include <gtest/gtest.h>
 

@@ -10,11 +10,11 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Tubular_meshing/Generators/tubular_shapes.h>
 #include <CGAL/Tubular_meshing/Generators/tubular_surface.h>
-#include <CGAL/Tubular_meshing/Mixed_mesh.h>
-#include <CGAL/Tubular_meshing/Operators/extrude_wall.h>
+#include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
+#include <CGAL/Tubular_meshing/Layers/extrude_wall.h>
 #include <CGAL/Tubular_meshing/Quality/quality_report.h>
 #include <CGAL/Tubular_meshing/Quality/validity_report.h>
-#include <CGAL/Tubular_meshing/Volume/extrude_boundary_layer.h>
+#include <CGAL/Tubular_meshing/Layers/extrude_boundary_layer.h>
 #include <CGAL/Tubular_meshing/Volume/fill_with_tetgen.h>
 #include <CGAL/Tubular_meshing/Volume/optimize_tetrahedra.h>
 

@@ -7,16 +7,16 @@
 #include <CGAL/Tubular_meshing/Centerlines/Centerline_field.h>
 #include <CGAL/Tubular_meshing/IO/read_centerlines.h>
 #include <CGAL/Tubular_meshing/IO/read_surface.h>
-#include <CGAL/Tubular_meshing/Operators/extrude_wall.h>
-#include <CGAL/Tubular_meshing/Operators/repair_surface.h>
+#include <CGAL/Tubular_meshing/Layers/extrude_wall.h>
+#include <CGAL/Tubular_meshing/Repair/repair_surface.h>
 #include <CGAL/Tubular_meshing/Quality/quality_report.h>
 #include <CGAL/Tubular_meshing/Quality/validity_report.h>
-#include <CGAL/Tubular_meshing/Surface/surface_to_mixed_mesh.h>
-#include <CGAL/Tubular_meshing/Tubular_model.h>
-#include <CGAL/Tubular_meshing/Volume/extrude_boundary_layer.h>
+#include <CGAL/Tubular_meshing/Patches/surface_to_mixed_mesh.h>
+#include <CGAL/Tubular_meshing/Pipelines/Tubular_model.h>
+#include <CGAL/Tubular_meshing/Layers/extrude_boundary_layer.h>
 #include <CGAL/Tubular_meshing/Volume/fill_with_tetgen.h>
 #include <CGAL/Tubular_meshing/Volume/optimize_tetrahedra.h>
-#include <CGAL/Tubular_meshing/make_isotropic_surface_mesh.h>
+#include <CGAL/Tubular_meshing/Pipelines/make_isotropic_surface_mesh.h>
 
 #include "test_surfaces.h"
 

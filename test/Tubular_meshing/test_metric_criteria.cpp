@@ -4,7 +4,7 @@
 // The metric criteria of Mesh_3, on a triangulation of one cell. Whole meshes are made by the example.
 
 #include <CGAL/Tubular_meshing/Fields/Metric_criteria_3.h>
-#include <CGAL/Tubular_meshing/exceptions.h>
+#include <CGAL/Tubular_meshing/base/exceptions.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Mesh_triangulation_3.h>

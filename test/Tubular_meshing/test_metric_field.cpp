@@ -10,8 +10,8 @@
 #include <CGAL/Tubular_meshing/Generators/tubular_surface.h>
 #include <CGAL/Tubular_meshing/IO/read_centerlines.h>
 #include <CGAL/Tubular_meshing/IO/read_surface.h>
-#include <CGAL/Tubular_meshing/Tubular_model.h>
-#include <CGAL/Tubular_meshing/exceptions.h>
+#include <CGAL/Tubular_meshing/Pipelines/Tubular_model.h>
+#include <CGAL/Tubular_meshing/base/exceptions.h>
 
 #include <gtest/gtest.h>
 

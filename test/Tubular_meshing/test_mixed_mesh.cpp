@@ -9,11 +9,11 @@
 #include <CGAL/Tubular_meshing/Generators/tubular_shapes.h>
 #include <CGAL/Tubular_meshing/Generators/tubular_surface.h>
 #include <CGAL/Tubular_meshing/IO/read_surface.h>
-#include <CGAL/Tubular_meshing/Operators/repair_surface.h>
+#include <CGAL/Tubular_meshing/Repair/repair_surface.h>
 #include <CGAL/Tubular_meshing/Quality/quality_report.h>
 #include <CGAL/Tubular_meshing/Quality/validity_report.h>
 #include <CGAL/Tubular_meshing/Quads/recombine_triangles.h>
-#include <CGAL/Tubular_meshing/make_mixed_mesh.h>
+#include <CGAL/Tubular_meshing/Pipelines/make_mixed_mesh.h>
 
 #include <gtest/gtest.h>
 

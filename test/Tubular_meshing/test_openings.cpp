@@ -7,8 +7,8 @@
 #include <CGAL/Tubular_meshing/Centerlines/build_centerline_graph.h>
 #include <CGAL/Tubular_meshing/IO/read_centerlines.h>
 #include <CGAL/Tubular_meshing/IO/read_surface.h>
-#include <CGAL/Tubular_meshing/Operators/close_openings.h>
-#include <CGAL/Tubular_meshing/Operators/openings.h>
+#include <CGAL/Tubular_meshing/Openings/close_openings.h>
+#include <CGAL/Tubular_meshing/Openings/openings.h>
 
 #include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>

@@ -3,8 +3,8 @@
 
 // Patches mapped onto the plane: shapes whose conformal map is known, and patches that provoke flips.
 
-#include <CGAL/Tubular_meshing/Surface/parameterize_patch.h>
-#include <CGAL/Tubular_meshing/exceptions.h>
+#include <CGAL/Tubular_meshing/Patches/parameterize_patch.h>
+#include <CGAL/Tubular_meshing/base/exceptions.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_2_algorithms.h>

@@ -7,7 +7,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Tubular_meshing/Quality/shape_measures.h>
-#include <CGAL/Tubular_meshing/Surface/triangulate_in_metric.h>
+#include <CGAL/Tubular_meshing/Plane/triangulate_in_metric.h>
 
 #include <gtest/gtest.h>
 

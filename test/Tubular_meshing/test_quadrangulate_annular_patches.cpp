@@ -8,12 +8,12 @@
 #include <CGAL/Tubular_meshing/Centerlines/Centerline_field.h>
 #include <CGAL/Tubular_meshing/Generators/tubular_shapes.h>
 #include <CGAL/Tubular_meshing/Generators/tubular_surface.h>
-#include <CGAL/Tubular_meshing/Operators/cut_by_centerlines.h>
+#include <CGAL/Tubular_meshing/Patches/cut_by_centerlines.h>
 #include <CGAL/Tubular_meshing/Quads/quadrangulate_annular_patches.h>
 #include <CGAL/Tubular_meshing/Quality/shape_measures.h>
-#include <CGAL/Tubular_meshing/Surface/parameterize_patch.h>
-#include <CGAL/Tubular_meshing/Tubular_model.h>
-#include <CGAL/Tubular_meshing/exceptions.h>
+#include <CGAL/Tubular_meshing/Patches/parameterize_patch.h>
+#include <CGAL/Tubular_meshing/Pipelines/Tubular_model.h>
+#include <CGAL/Tubular_meshing/base/exceptions.h>
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 // Shape measures, quality and validity reports against closed forms.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Tubular_meshing/Mixed_mesh.h>
+#include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/Quality/quality_report.h>
 #include <CGAL/Tubular_meshing/Quality/shape_measures.h>
 #include <CGAL/Tubular_meshing/Quality/validity_report.h>

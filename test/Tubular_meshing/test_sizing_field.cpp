@@ -9,8 +9,8 @@
 #include <CGAL/Tubular_meshing/Centerlines/Wall_distance.h>
 #include <CGAL/Tubular_meshing/Centerlines/build_centerline_graph.h>
 #include <CGAL/Tubular_meshing/Fields/Centerline_sizing_field.h>
-#include <CGAL/Tubular_meshing/exceptions.h>
-#include <CGAL/Tubular_meshing/parameters.h>
+#include <CGAL/Tubular_meshing/base/exceptions.h>
+#include <CGAL/Tubular_meshing/base/parameters.h>
 
 #include <gtest/gtest.h>
 

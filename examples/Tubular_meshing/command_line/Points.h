@@ -4,7 +4,7 @@
 #ifndef COMMAND_LINE_POINTS_H
 #define COMMAND_LINE_POINTS_H
 
-#include <CGAL/Tubular_meshing/exceptions.h>
+#include <CGAL/Tubular_meshing/base/exceptions.h>
 
 #include <CLI/CLI.hpp>
 

@@ -4,7 +4,7 @@
 #ifndef COMMAND_LINE_RUN_TOOL_H
 #define COMMAND_LINE_RUN_TOOL_H
 
-#include <CGAL/Tubular_meshing/exceptions.h>
+#include <CGAL/Tubular_meshing/base/exceptions.h>
 
 #include <CLI/CLI.hpp>
 

@@ -8,16 +8,16 @@
 #include "Stage_clock.h"
 
 #include <CGAL/Tubular_meshing/Centerlines/Centerline_field.h>
-#include <CGAL/Tubular_meshing/Mixed_mesh.h>
-#include <CGAL/Tubular_meshing/Operators/Layer_report.h>
-#include <CGAL/Tubular_meshing/Operators/Repair_report.h>
+#include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
+#include <CGAL/Tubular_meshing/Layers/Layer_report.h>
+#include <CGAL/Tubular_meshing/Repair/Repair_report.h>
 #include <CGAL/Tubular_meshing/Quality/boundary_layer_report.h>
 #include <CGAL/Tubular_meshing/Quality/branch_resolution.h>
 #include <CGAL/Tubular_meshing/Quality/quality_report.h>
 #include <CGAL/Tubular_meshing/Quality/validity_report.h>
-#include <CGAL/Tubular_meshing/Surface/Remeshed_surface.h>
-#include <CGAL/Tubular_meshing/Surface/metric_surface_report.h>
-#include <CGAL/Tubular_meshing/Tubular_model.h>
+#include <CGAL/Tubular_meshing/Patches/Remeshed_surface.h>
+#include <CGAL/Tubular_meshing/Patches/metric_surface_report.h>
+#include <CGAL/Tubular_meshing/Pipelines/Tubular_model.h>
 
 #include <nlohmann/json.hpp>
 

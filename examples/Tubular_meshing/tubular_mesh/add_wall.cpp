@@ -4,7 +4,7 @@
 #include "stages.h"
 
 #include <CGAL/Tubular_meshing/Centerlines/Centerline_field.h>
-#include <CGAL/Tubular_meshing/Operators/extrude_wall.h>
+#include <CGAL/Tubular_meshing/Layers/extrude_wall.h>
 
 tubular::Layer_report<Point_3> add_wall(const Options& o, const tubular::Tubular_model<Point_3>& model,
                                         tubular::Mixed_mesh<Point_3>& mesh, Stage_clock& clock) {

@@ -4,8 +4,8 @@
 #include "../command_line/Points.h"
 #include "stages.h"
 
-#include <CGAL/Tubular_meshing/Operators/flow_extensions.h>
-#include <CGAL/Tubular_meshing/Operators/openings.h>
+#include <CGAL/Tubular_meshing/Openings/flow_extensions.h>
+#include <CGAL/Tubular_meshing/Openings/openings.h>
 
 Flow_extensions extend_openings(const Options& o, Surface& surface, Stage_clock& clock) {
   Flow_extensions result;

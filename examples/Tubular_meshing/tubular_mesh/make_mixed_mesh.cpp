@@ -3,7 +3,7 @@
 
 #include "stages.h"
 
-#include <CGAL/Tubular_meshing/make_mixed_mesh.h>
+#include <CGAL/Tubular_meshing/Pipelines/make_mixed_mesh.h>
 
 tubular::Mixed_mesh<Point_3> make_mixed_mesh(const Options& o, const tubular::Tubular_model<Point_3>& model,
                                              tubular::Remeshed_surface<Point_3>& surface,

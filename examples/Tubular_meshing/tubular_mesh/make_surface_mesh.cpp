@@ -3,9 +3,9 @@
 
 #include "stages.h"
 
-#include <CGAL/Tubular_meshing/make_anisotropic_surface_mesh.h>
-#include <CGAL/Tubular_meshing/make_isotropic_surface_mesh.h>
-#include <CGAL/Tubular_meshing/make_quad_surface_mesh.h>
+#include <CGAL/Tubular_meshing/Pipelines/make_anisotropic_surface_mesh.h>
+#include <CGAL/Tubular_meshing/Pipelines/make_isotropic_surface_mesh.h>
+#include <CGAL/Tubular_meshing/Pipelines/make_quad_surface_mesh.h>
 
 tubular::Remeshed_surface<Point_3> make_surface_mesh(const Options& o, const tubular::Tubular_model<Point_3>& model,
                                                      Stage_clock& clock) {

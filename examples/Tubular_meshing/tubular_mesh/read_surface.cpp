@@ -4,7 +4,7 @@
 #include "stages.h"
 
 #include <CGAL/Tubular_meshing/IO/read_surface.h>
-#include <CGAL/Tubular_meshing/Operators/repair_surface.h>
+#include <CGAL/Tubular_meshing/Repair/repair_surface.h>
 
 #include <array>
 #include <cstddef>

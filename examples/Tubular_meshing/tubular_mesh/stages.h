@@ -10,14 +10,14 @@
 #include "Stage_clock.h"
 
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/Tubular_meshing/Mixed_mesh.h>
-#include <CGAL/Tubular_meshing/Opening.h>
-#include <CGAL/Tubular_meshing/Operators/Layer_report.h>
-#include <CGAL/Tubular_meshing/Operators/Repair_report.h>
-#include <CGAL/Tubular_meshing/Surface/Remeshed_surface.h>
-#include <CGAL/Tubular_meshing/Tubular_model.h>
+#include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
+#include <CGAL/Tubular_meshing/base/Opening.h>
+#include <CGAL/Tubular_meshing/Layers/Layer_report.h>
+#include <CGAL/Tubular_meshing/Repair/Repair_report.h>
+#include <CGAL/Tubular_meshing/Patches/Remeshed_surface.h>
+#include <CGAL/Tubular_meshing/Pipelines/Tubular_model.h>
 #include <CGAL/Tubular_meshing/Volume/Volume_mesher.h>
-#include <CGAL/Tubular_meshing/parameters.h>
+#include <CGAL/Tubular_meshing/base/parameters.h>
 
 #include <functional>
 #include <string>

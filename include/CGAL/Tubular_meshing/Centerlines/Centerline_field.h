@@ -5,10 +5,10 @@
 #define CGAL_TUBULAR_MESHING_CENTERLINES_CENTERLINE_FIELD_H
 
 #include <CGAL/Tubular_meshing/Centerlines/Centerline_graph.h>
-#include <CGAL/Tubular_meshing/internal/Nearest_tree.h>
+#include <CGAL/Tubular_meshing/base/Nearest_tree.h>
 #include <CGAL/Tubular_meshing/Centerlines/internal/branch_axes.h>
-#include <CGAL/Tubular_meshing/Centerlines/internal/graph_segments.h>
-#include <CGAL/Tubular_meshing/exceptions.h>
+#include <CGAL/Tubular_meshing/Centerlines/graph_segments.h>
+#include <CGAL/Tubular_meshing/base/exceptions.h>
 
 #include <CGAL/Kernel_traits.h>
 

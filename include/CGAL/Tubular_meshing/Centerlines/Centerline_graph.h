@@ -4,7 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_CENTERLINES_CENTERLINE_GRAPH_H
 #define CGAL_TUBULAR_MESHING_CENTERLINES_CENTERLINE_GRAPH_H
 
-#include <CGAL/Tubular_meshing/exceptions.h>
+#include <CGAL/Tubular_meshing/base/exceptions.h>
 
 #include <CGAL/number_utils.h>
 

@@ -4,9 +4,9 @@
 #ifndef CGAL_TUBULAR_MESHING_CENTERLINES_WALL_DISTANCE_H
 #define CGAL_TUBULAR_MESHING_CENTERLINES_WALL_DISTANCE_H
 
-#include <CGAL/Tubular_meshing/internal/Nearest_tree.h>
-#include <CGAL/Tubular_meshing/exceptions.h>
-#include <CGAL/Tubular_meshing/parameters.h>
+#include <CGAL/Tubular_meshing/base/Nearest_tree.h>
+#include <CGAL/Tubular_meshing/base/exceptions.h>
+#include <CGAL/Tubular_meshing/base/parameters.h>
 
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>

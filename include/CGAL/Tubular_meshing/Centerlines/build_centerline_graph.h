@@ -10,8 +10,8 @@
 #include <CGAL/Tubular_meshing/Centerlines/internal/chain_lines.h>
 #include <CGAL/Tubular_meshing/Centerlines/internal/choose_root.h>
 #include <CGAL/Tubular_meshing/Centerlines/internal/trace_branches.h>
-#include <CGAL/Tubular_meshing/exceptions.h>
-#include <CGAL/Tubular_meshing/parameters.h>
+#include <CGAL/Tubular_meshing/base/exceptions.h>
+#include <CGAL/Tubular_meshing/base/parameters.h>
 
 #include <algorithm>
 #include <cmath>

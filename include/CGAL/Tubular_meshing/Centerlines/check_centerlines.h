@@ -5,7 +5,7 @@
 #define CGAL_TUBULAR_MESHING_CENTERLINES_CHECK_CENTERLINES_H
 
 #include <CGAL/Tubular_meshing/Centerlines/Centerline_graph.h>
-#include <CGAL/Tubular_meshing/exceptions.h>
+#include <CGAL/Tubular_meshing/base/exceptions.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Kernel_traits.h>

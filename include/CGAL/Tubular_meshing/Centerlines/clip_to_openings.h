@@ -5,9 +5,9 @@
 #define CGAL_TUBULAR_MESHING_CENTERLINES_CLIP_TO_OPENINGS_H
 
 #include <CGAL/Tubular_meshing/Centerlines/Centerline_graph.h>
-#include <CGAL/Tubular_meshing/internal/Nearest_tree.h>
-#include <CGAL/Tubular_meshing/Centerlines/internal/graph_segments.h>
-#include <CGAL/Tubular_meshing/Opening.h>
+#include <CGAL/Tubular_meshing/base/Nearest_tree.h>
+#include <CGAL/Tubular_meshing/Centerlines/graph_segments.h>
+#include <CGAL/Tubular_meshing/base/Opening.h>
 
 #include <algorithm>
 #include <cmath>

@@ -6,12 +6,12 @@
 
 #include <CGAL/Tubular_meshing/Centerlines/Centerline_graph.h>
 #include <CGAL/Tubular_meshing/Centerlines/build_centerline_graph.h>
-#include <CGAL/Tubular_meshing/Centerlines/internal/Canonical_frame.h>
+#include <CGAL/Tubular_meshing/base/Canonical_frame.h>
 #include <CGAL/Tubular_meshing/Centerlines/internal/Centerline_tracer.h>
-#include <CGAL/Tubular_meshing/Opening.h>
-#include <CGAL/Tubular_meshing/exceptions.h>
-#include <CGAL/Tubular_meshing/labels.h>
-#include <CGAL/Tubular_meshing/parameters.h>
+#include <CGAL/Tubular_meshing/base/Opening.h>
+#include <CGAL/Tubular_meshing/base/exceptions.h>
+#include <CGAL/Tubular_meshing/base/labels.h>
+#include <CGAL/Tubular_meshing/base/parameters.h>
 
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/helpers.h>

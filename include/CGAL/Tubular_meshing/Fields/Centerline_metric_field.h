@@ -12,8 +12,8 @@
 #include <CGAL/Tubular_meshing/Fields/internal/Boundary_layer_sizes.h>
 #include <CGAL/Tubular_meshing/Fields/internal/Layer_octree.h>
 #include <CGAL/Tubular_meshing/Fields/internal/Wall_frames.h>
-#include <CGAL/Tubular_meshing/labels.h>
-#include <CGAL/Tubular_meshing/parameters.h>
+#include <CGAL/Tubular_meshing/base/labels.h>
+#include <CGAL/Tubular_meshing/base/parameters.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/number_utils.h>

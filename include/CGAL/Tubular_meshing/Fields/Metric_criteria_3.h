@@ -6,8 +6,8 @@
 
 #include <CGAL/Tubular_meshing/Fields/Metric_tensor_3.h>
 #include <CGAL/Tubular_meshing/Fields/internal/metric_simplices.h>
-#include <CGAL/Tubular_meshing/exceptions.h>
-#include <CGAL/Tubular_meshing/internal/Vector_3d.h>
+#include <CGAL/Tubular_meshing/base/exceptions.h>
+#include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
 #include <CGAL/Mesh_cell_criteria_3.h>
 #include <CGAL/Mesh_criteria_3.h>

@@ -6,7 +6,7 @@
 
 #include <CGAL/Tubular_meshing/Fields/internal/Symmetric_eigen_solver_3.h>
 #include <CGAL/Tubular_meshing/Fields/internal/symmetric_functions_3.h>
-#include <CGAL/Tubular_meshing/internal/Vector_3d.h>
+#include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
 #include <algorithm>
 #include <array>

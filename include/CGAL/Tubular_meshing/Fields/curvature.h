@@ -6,9 +6,9 @@
 
 #include <CGAL/Tubular_meshing/Fields/internal/Curvature_estimator.h>
 #include <CGAL/Tubular_meshing/Fields/internal/Indexed_wall.h>
-#include <CGAL/Tubular_meshing/exceptions.h>
-#include <CGAL/Tubular_meshing/labels.h>
-#include <CGAL/Tubular_meshing/parameters.h>
+#include <CGAL/Tubular_meshing/base/exceptions.h>
+#include <CGAL/Tubular_meshing/base/labels.h>
+#include <CGAL/Tubular_meshing/base/parameters.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/property_map.h>

@@ -5,7 +5,7 @@
 #define CGAL_TUBULAR_MESHING_GENERATORS_TUBULAR_DISTANCE_FUNCTION_H
 
 #include <CGAL/Tubular_meshing/Generators/Tubular_skeleton.h>
-#include <CGAL/Tubular_meshing/internal/Vector_3d.h>
+#include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
 #include <algorithm>
 #include <array>

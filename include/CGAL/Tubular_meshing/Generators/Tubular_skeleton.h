@@ -5,7 +5,7 @@
 #define CGAL_TUBULAR_MESHING_GENERATORS_TUBULAR_SKELETON_H
 
 #include <CGAL/Tubular_meshing/Centerlines/Centerline_graph.h>
-#include <CGAL/Tubular_meshing/exceptions.h>
+#include <CGAL/Tubular_meshing/base/exceptions.h>
 
 #include <CGAL/Kernel_traits.h>
 

@@ -10,9 +10,9 @@
 #include <CGAL/Tubular_meshing/Generators/internal/Tubular_remesher.h>
 #include <CGAL/Tubular_meshing/Generators/internal/march_tetrahedra.h>
 #include <CGAL/Tubular_meshing/Generators/internal/tubular_caps.h>
-#include <CGAL/Tubular_meshing/Operators/internal/trim_by_plane.h>
-#include <CGAL/Tubular_meshing/exceptions.h>
-#include <CGAL/Tubular_meshing/parameters.h>
+#include <CGAL/Tubular_meshing/Rims/trim_by_plane.h>
+#include <CGAL/Tubular_meshing/base/exceptions.h>
+#include <CGAL/Tubular_meshing/base/parameters.h>
 
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/copy_face_graph.h>

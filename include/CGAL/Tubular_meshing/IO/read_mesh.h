@@ -7,8 +7,8 @@
 #include <CGAL/Tubular_meshing/IO/internal/read_medit.h>
 #include <CGAL/Tubular_meshing/IO/internal/read_msh.h>
 #include <CGAL/Tubular_meshing/IO/internal/read_vtu.h>
-#include <CGAL/Tubular_meshing/Mixed_mesh.h>
-#include <CGAL/Tubular_meshing/exceptions.h>
+#include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
+#include <CGAL/Tubular_meshing/base/exceptions.h>
 
 #include <string>
 #include <utility>

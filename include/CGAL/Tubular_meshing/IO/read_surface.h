@@ -12,7 +12,7 @@
 #include <CGAL/Tubular_meshing/IO/internal/read_ply.h>
 #include <CGAL/Tubular_meshing/IO/internal/read_stl.h>
 #include <CGAL/Tubular_meshing/IO/internal/read_vtp.h>
-#include <CGAL/Tubular_meshing/exceptions.h>
+#include <CGAL/Tubular_meshing/base/exceptions.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>

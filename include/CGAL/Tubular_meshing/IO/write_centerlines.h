@@ -10,7 +10,7 @@
 #include <CGAL/Tubular_meshing/IO/internal/Text_cursor.h>
 #include <CGAL/Tubular_meshing/IO/internal/read_lines.h>
 #include <CGAL/Tubular_meshing/IO/internal/write_polydata.h>
-#include <CGAL/Tubular_meshing/exceptions.h>
+#include <CGAL/Tubular_meshing/base/exceptions.h>
 
 #include <CGAL/number_utils.h>
 

@@ -10,9 +10,9 @@
 #include <CGAL/Tubular_meshing/IO/internal/write_medit.h>
 #include <CGAL/Tubular_meshing/IO/internal/write_msh.h>
 #include <CGAL/Tubular_meshing/IO/internal/write_vtu.h>
-#include <CGAL/Tubular_meshing/Mixed_mesh.h>
-#include <CGAL/Tubular_meshing/exceptions.h>
-#include <CGAL/Tubular_meshing/parameters.h>
+#include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
+#include <CGAL/Tubular_meshing/base/exceptions.h>
+#include <CGAL/Tubular_meshing/base/parameters.h>
 
 #include <CGAL/number_utils.h>
 

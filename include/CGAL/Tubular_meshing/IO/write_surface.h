@@ -6,8 +6,8 @@
 
 #include <CGAL/Tubular_meshing/IO/internal/write_faces.h>
 #include <CGAL/Tubular_meshing/IO/write_mesh.h>
-#include <CGAL/Tubular_meshing/labels.h>
-#include <CGAL/Tubular_meshing/parameters.h>
+#include <CGAL/Tubular_meshing/base/labels.h>
+#include <CGAL/Tubular_meshing/base/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/iterator.h>

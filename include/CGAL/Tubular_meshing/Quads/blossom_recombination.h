@@ -4,7 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_QUADS_BLOSSOM_RECOMBINATION_H
 #define CGAL_TUBULAR_MESHING_QUADS_BLOSSOM_RECOMBINATION_H
 
-#include <CGAL/Tubular_meshing/exceptions.h>
+#include <CGAL/Tubular_meshing/base/exceptions.h>
 
 #include <algorithm>
 #include <cmath>

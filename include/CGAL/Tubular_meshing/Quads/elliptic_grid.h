@@ -5,9 +5,9 @@
 #define CGAL_TUBULAR_MESHING_QUADS_ELLIPTIC_GRID_H
 
 #include <CGAL/Tubular_meshing/Quads/internal/elliptic/Elliptic_grid_maker.h>
-#include <CGAL/Tubular_meshing/Surface/Patch_parameterization.h>
-#include <CGAL/Tubular_meshing/exceptions.h>
-#include <CGAL/Tubular_meshing/parameters.h>
+#include <CGAL/Tubular_meshing/Patches/Patch_parameterization.h>
+#include <CGAL/Tubular_meshing/base/exceptions.h>
+#include <CGAL/Tubular_meshing/base/parameters.h>
 
 #include <array>
 #include <cstddef>

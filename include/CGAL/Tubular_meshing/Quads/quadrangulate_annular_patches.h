@@ -4,13 +4,13 @@
 #ifndef CGAL_TUBULAR_MESHING_QUADS_QUADRANGULATE_ANNULAR_PATCHES_H
 #define CGAL_TUBULAR_MESHING_QUADS_QUADRANGULATE_ANNULAR_PATCHES_H
 
-#include <CGAL/Tubular_meshing/Operators/Surface_patch.h>
+#include <CGAL/Tubular_meshing/Patches/Surface_patch.h>
 #include <CGAL/Tubular_meshing/Quads/elliptic_grid.h>
 #include <CGAL/Tubular_meshing/Quads/internal/annular/Curve_chains.h>
-#include <CGAL/Tubular_meshing/Surface/Patch_parameterization.h>
-#include <CGAL/Tubular_meshing/exceptions.h>
-#include <CGAL/Tubular_meshing/internal/parallel.h>
-#include <CGAL/Tubular_meshing/parameters.h>
+#include <CGAL/Tubular_meshing/Patches/Patch_parameterization.h>
+#include <CGAL/Tubular_meshing/base/exceptions.h>
+#include <CGAL/Tubular_meshing/base/parallel.h>
+#include <CGAL/Tubular_meshing/base/parameters.h>
 
 #include <CGAL/Surface_mesh.h>
 

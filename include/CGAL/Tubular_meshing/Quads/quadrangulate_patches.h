@@ -8,17 +8,17 @@
 #include <CGAL/Tubular_meshing/Centerlines/Centerline_graph.h>
 #include <CGAL/Tubular_meshing/Centerlines/Wall_distance.h>
 #include <CGAL/Tubular_meshing/Fields/Centerline_sizing_field.h>
-#include <CGAL/Tubular_meshing/Operators/Surface_patch.h>
-#include <CGAL/Tubular_meshing/Operators/cut_by_centerlines.h>
+#include <CGAL/Tubular_meshing/Patches/Surface_patch.h>
+#include <CGAL/Tubular_meshing/Patches/cut_by_centerlines.h>
 #include <CGAL/Tubular_meshing/Quads/internal/surface/Quad_piece_mesher.h>
 #include <CGAL/Tubular_meshing/Quads/internal/surface/make_quad_report.h>
-#include <CGAL/Tubular_meshing/Surface/Patch_parameterization.h>
-#include <CGAL/Tubular_meshing/Surface/Remeshed_surface.h>
-#include <CGAL/Tubular_meshing/Surface/internal/remeshing/Surface_remesher.h>
-#include <CGAL/Tubular_meshing/Surface/parameterize_patch.h>
-#include <CGAL/Tubular_meshing/exceptions.h>
-#include <CGAL/Tubular_meshing/labels.h>
-#include <CGAL/Tubular_meshing/parameters.h>
+#include <CGAL/Tubular_meshing/Patches/Patch_parameterization.h>
+#include <CGAL/Tubular_meshing/Patches/Remeshed_surface.h>
+#include <CGAL/Tubular_meshing/Patches/pieces/Surface_remesher.h>
+#include <CGAL/Tubular_meshing/Patches/parameterize_patch.h>
+#include <CGAL/Tubular_meshing/base/exceptions.h>
+#include <CGAL/Tubular_meshing/base/labels.h>
+#include <CGAL/Tubular_meshing/base/parameters.h>
 
 #include <CGAL/Surface_mesh.h>
 

@@ -5,9 +5,9 @@
 #define CGAL_TUBULAR_MESHING_QUADS_RECOMBINE_TRIANGLES_H
 
 #include <CGAL/Tubular_meshing/Quads/internal/recombination/Triangle_recombiner.h>
-#include <CGAL/Tubular_meshing/exceptions.h>
-#include <CGAL/Tubular_meshing/internal/Vector_3d.h>
-#include <CGAL/Tubular_meshing/parameters.h>
+#include <CGAL/Tubular_meshing/base/exceptions.h>
+#include <CGAL/Tubular_meshing/base/Vector_3d.h>
+#include <CGAL/Tubular_meshing/base/parameters.h>
 
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/Euler_operations.h>

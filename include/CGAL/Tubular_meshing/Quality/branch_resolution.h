@@ -5,9 +5,9 @@
 #define CGAL_TUBULAR_MESHING_QUALITY_BRANCH_RESOLUTION_H
 
 #include <CGAL/Tubular_meshing/Centerlines/Centerline_field.h>
-#include <CGAL/Tubular_meshing/Mixed_mesh.h>
-#include <CGAL/Tubular_meshing/internal/Vector_3d.h>
-#include <CGAL/Tubular_meshing/labels.h>
+#include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
+#include <CGAL/Tubular_meshing/base/Vector_3d.h>
+#include <CGAL/Tubular_meshing/base/labels.h>
 
 #include <CGAL/number_utils.h>
 

@@ -4,7 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_QUALITY_QUALITY_REPORT_H
 #define CGAL_TUBULAR_MESHING_QUALITY_QUALITY_REPORT_H
 
-#include <CGAL/Tubular_meshing/Mixed_mesh.h>
+#include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/Quality/internal/metric_measures.h>
 #include <CGAL/Tubular_meshing/Quality/shape_measures.h>
 

@@ -4,7 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_QUALITY_SHAPE_MEASURES_H
 #define CGAL_TUBULAR_MESHING_QUALITY_SHAPE_MEASURES_H
 
-#include <CGAL/Tubular_meshing/Quality/internal/element_measures.h>
+#include <CGAL/Tubular_meshing/base/element_measures.h>
 #include <CGAL/Tubular_meshing/Quality/internal/metric_measures.h>
 
 #include <array>

@@ -4,9 +4,9 @@
 #ifndef CGAL_TUBULAR_MESHING_QUALITY_VALIDITY_REPORT_H
 #define CGAL_TUBULAR_MESHING_QUALITY_VALIDITY_REPORT_H
 
-#include <CGAL/Tubular_meshing/Mixed_mesh.h>
-#include <CGAL/Tubular_meshing/Quality/internal/cell_topology.h>
-#include <CGAL/Tubular_meshing/internal/Vector_3d.h>
+#include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
+#include <CGAL/Tubular_meshing/base/cell_topology.h>
+#include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
 #include <boost/pending/disjoint_sets.hpp>
 

@@ -4,12 +4,12 @@
 #ifndef CGAL_TUBULAR_MESHING_VOLUME_FILL_WITH_MESH_3_H
 #define CGAL_TUBULAR_MESHING_VOLUME_FILL_WITH_MESH_3_H
 
-#include <CGAL/Tubular_meshing/Mixed_mesh.h>
+#include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/Volume/internal/mesh_complex_to_mixed_mesh.h>
-#include <CGAL/Tubular_meshing/exceptions.h>
-#include <CGAL/Tubular_meshing/internal/rim_corners.h>
-#include <CGAL/Tubular_meshing/labels.h>
-#include <CGAL/Tubular_meshing/parameters.h>
+#include <CGAL/Tubular_meshing/base/exceptions.h>
+#include <CGAL/Tubular_meshing/Rims/rim_corners.h>
+#include <CGAL/Tubular_meshing/base/labels.h>
+#include <CGAL/Tubular_meshing/base/parameters.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Mesh_complex_3_in_triangulation_3.h>

@@ -4,16 +4,16 @@
 #ifndef CGAL_TUBULAR_MESHING_VOLUME_FILL_WITH_PYRAMIDS_AND_TETRAHEDRA_H
 #define CGAL_TUBULAR_MESHING_VOLUME_FILL_WITH_PYRAMIDS_AND_TETRAHEDRA_H
 
-#include <CGAL/Tubular_meshing/Mixed_mesh.h>
-#include <CGAL/Tubular_meshing/Surface/surface_to_mixed_mesh.h>
+#include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
+#include <CGAL/Tubular_meshing/Patches/surface_to_mixed_mesh.h>
 #include <CGAL/Tubular_meshing/Volume/Volume_mesher.h>
 #include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/fill_keeping_boundary.h>
 #include <CGAL/Tubular_meshing/Volume/internal/pyramids/Size_near_surface.h>
 #include <CGAL/Tubular_meshing/Volume/internal/pyramids/crown_quads.h>
 #include <CGAL/Tubular_meshing/Volume/internal/pyramids/optimize_with_apexes.h>
-#include <CGAL/Tubular_meshing/exceptions.h>
-#include <CGAL/Tubular_meshing/labels.h>
-#include <CGAL/Tubular_meshing/parameters.h>
+#include <CGAL/Tubular_meshing/base/exceptions.h>
+#include <CGAL/Tubular_meshing/base/labels.h>
+#include <CGAL/Tubular_meshing/base/parameters.h>
 
 #include <cstddef>
 #include <cstdint>

@@ -4,10 +4,10 @@
 #ifndef CGAL_TUBULAR_MESHING_VOLUME_FILL_WITH_TETGEN_H
 #define CGAL_TUBULAR_MESHING_VOLUME_FILL_WITH_TETGEN_H
 
-#include <CGAL/Tubular_meshing/Mixed_mesh.h>
+#include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/fill_keeping_boundary.h>
-#include <CGAL/Tubular_meshing/exceptions.h>
-#include <CGAL/Tubular_meshing/parameters.h>
+#include <CGAL/Tubular_meshing/base/exceptions.h>
+#include <CGAL/Tubular_meshing/base/parameters.h>
 
 #ifdef CGAL_TUBULAR_MESHING_WITH_TETGEN
 #include <CGAL/Tubular_meshing/Volume/internal/tetgen/run_tetgen.h>

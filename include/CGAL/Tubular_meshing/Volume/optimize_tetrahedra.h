@@ -4,7 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_VOLUME_OPTIMIZE_TETRAHEDRA_H
 #define CGAL_TUBULAR_MESHING_VOLUME_OPTIMIZE_TETRAHEDRA_H
 
-#include <CGAL/Tubular_meshing/Mixed_mesh.h>
+#include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/Kept_boundary.h>
 #include <CGAL/Tubular_meshing/Volume/internal/Patch_projection.h>
 #include <CGAL/Tubular_meshing/Volume/internal/Surface_flip_guard.h>
@@ -14,7 +14,7 @@
 #include <CGAL/Tubular_meshing/Volume/internal/reduce_deviation.h>
 #include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/remesh_worst.h>
 #include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/write_inside.h>
-#include <CGAL/Tubular_meshing/parameters.h>
+#include <CGAL/Tubular_meshing/base/parameters.h>
 
 namespace CGAL {
 namespace Tubular_meshing {

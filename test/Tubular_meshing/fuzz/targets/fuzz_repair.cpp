@@ -5,7 +5,7 @@
 // points there are, of up to 64; each point is two bytes, in a grid of 8 x 8 x 8, so that points coincide and triangles
 // degenerate often; each triangle is three.
 
-#include <CGAL/Tubular_meshing/Operators/repair_surface.h>
+#include <CGAL/Tubular_meshing/Repair/repair_surface.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>

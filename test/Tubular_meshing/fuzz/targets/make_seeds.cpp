@@ -8,8 +8,8 @@
 #include <CGAL/Tubular_meshing/IO/write_centerlines.h>
 #include <CGAL/Tubular_meshing/IO/write_mesh.h>
 #include <CGAL/Tubular_meshing/IO/write_surface.h>
-#include <CGAL/Tubular_meshing/Mixed_mesh.h>
-#include <CGAL/Tubular_meshing/parameters.h>
+#include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
+#include <CGAL/Tubular_meshing/base/parameters.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Simple_cartesian.h>
-#include <CGAL/Tubular_meshing/Mixed_mesh.h>
+#include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 
 int main() {
   CGAL::Tubular_meshing::Mixed_mesh<CGAL::Simple_cartesian<double>::Point_3> mesh;

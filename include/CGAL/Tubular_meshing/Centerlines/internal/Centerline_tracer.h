@@ -10,7 +10,7 @@
 #include <CGAL/Tubular_meshing/Centerlines/internal/essential_meetings.h>
 #include <CGAL/Tubular_meshing/Centerlines/internal/Sample_refiner.h>
 #include <CGAL/Tubular_meshing/Centerlines/internal/smooth_line.h>
-#include <CGAL/Tubular_meshing/exceptions.h>
+#include <CGAL/Tubular_meshing/base/exceptions.h>
 
 #include <algorithm>
 #include <array>

@@ -4,9 +4,9 @@
 #ifndef CGAL_TUBULAR_MESHING_CENTERLINES_INTERNAL_SAMPLED_SURFACE_H
 #define CGAL_TUBULAR_MESHING_CENTERLINES_INTERNAL_SAMPLED_SURFACE_H
 
-#include <CGAL/Tubular_meshing/Centerlines/internal/Canonical_frame.h>
-#include <CGAL/Tubular_meshing/internal/Nearest_tree.h>
-#include <CGAL/Tubular_meshing/labels.h>
+#include <CGAL/Tubular_meshing/base/Canonical_frame.h>
+#include <CGAL/Tubular_meshing/base/Nearest_tree.h>
+#include <CGAL/Tubular_meshing/base/labels.h>
 
 #include <CGAL/Surface_mesh.h>
 

@@ -5,7 +5,7 @@
 #define CGAL_TUBULAR_MESHING_FIELDS_INTERNAL_BOUNDARY_LAYER_SIZES_H
 
 #include <CGAL/Tubular_meshing/Fields/internal/Layer_octree.h>
-#include <CGAL/Tubular_meshing/exceptions.h>
+#include <CGAL/Tubular_meshing/base/exceptions.h>
 
 #include <CGAL/number_utils.h>
 

@@ -4,7 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_FIELDS_INTERNAL_CORNER_OCTREE_H
 #define CGAL_TUBULAR_MESHING_FIELDS_INTERNAL_CORNER_OCTREE_H
 
-#include <CGAL/Tubular_meshing/internal/parallel.h>
+#include <CGAL/Tubular_meshing/base/parallel.h>
 
 #include <CGAL/Bbox_3.h>
 

@@ -5,8 +5,8 @@
 #define CGAL_TUBULAR_MESHING_FIELDS_INTERNAL_CURVATURE_ESTIMATOR_H
 
 #include <CGAL/Tubular_meshing/Fields/internal/Indexed_wall.h>
-#include <CGAL/Tubular_meshing/internal/Vector_3d.h>
-#include <CGAL/Tubular_meshing/internal/parallel.h>
+#include <CGAL/Tubular_meshing/base/Vector_3d.h>
+#include <CGAL/Tubular_meshing/base/parallel.h>
 
 #include <algorithm>
 #include <array>

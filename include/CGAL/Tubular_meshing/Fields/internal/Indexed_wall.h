@@ -4,8 +4,8 @@
 #ifndef CGAL_TUBULAR_MESHING_FIELDS_INTERNAL_INDEXED_WALL_H
 #define CGAL_TUBULAR_MESHING_FIELDS_INTERNAL_INDEXED_WALL_H
 
-#include <CGAL/Tubular_meshing/internal/Nearest_tree.h>
-#include <CGAL/Tubular_meshing/internal/Vector_3d.h>
+#include <CGAL/Tubular_meshing/base/Nearest_tree.h>
+#include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>

@@ -5,7 +5,7 @@
 #define CGAL_TUBULAR_MESHING_FIELDS_INTERNAL_SIZE_OCTREE_H
 
 #include <CGAL/Tubular_meshing/Fields/internal/Corner_octree.h>
-#include <CGAL/Tubular_meshing/internal/parallel.h>
+#include <CGAL/Tubular_meshing/base/parallel.h>
 
 #include <CGAL/Bbox_3.h>
 

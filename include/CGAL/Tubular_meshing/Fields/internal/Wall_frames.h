@@ -7,9 +7,9 @@
 #include <CGAL/Tubular_meshing/Fields/Metric_tensor_3.h>
 #include <CGAL/Tubular_meshing/Fields/internal/Curvature_estimator.h>
 #include <CGAL/Tubular_meshing/Fields/internal/Indexed_wall.h>
-#include <CGAL/Tubular_meshing/internal/Nearest_tree.h>
-#include <CGAL/Tubular_meshing/internal/Vector_3d.h>
-#include <CGAL/Tubular_meshing/internal/parallel.h>
+#include <CGAL/Tubular_meshing/base/Nearest_tree.h>
+#include <CGAL/Tubular_meshing/base/Vector_3d.h>
+#include <CGAL/Tubular_meshing/base/parallel.h>
 
 #include <algorithm>
 #include <array>

@@ -5,7 +5,7 @@
 #define CGAL_TUBULAR_MESHING_FIELDS_INTERNAL_METRIC_SIMPLICES_H
 
 #include <CGAL/Tubular_meshing/Fields/Metric_tensor_3.h>
-#include <CGAL/Tubular_meshing/internal/Vector_3d.h>
+#include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
 #include <algorithm>
 #include <array>

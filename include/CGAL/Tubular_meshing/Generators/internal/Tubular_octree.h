@@ -4,8 +4,8 @@
 #ifndef CGAL_TUBULAR_MESHING_GENERATORS_INTERNAL_TUBULAR_OCTREE_H
 #define CGAL_TUBULAR_MESHING_GENERATORS_INTERNAL_TUBULAR_OCTREE_H
 
-#include <CGAL/Tubular_meshing/exceptions.h>
-#include <CGAL/Tubular_meshing/internal/Vector_3d.h>
+#include <CGAL/Tubular_meshing/base/exceptions.h>
+#include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
 #include <algorithm>
 #include <array>

@@ -4,7 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_IO_INTERNAL_INPUT_FILE_H
 #define CGAL_TUBULAR_MESHING_IO_INTERNAL_INPUT_FILE_H
 
-#include <CGAL/Tubular_meshing/exceptions.h>
+#include <CGAL/Tubular_meshing/base/exceptions.h>
 
 #include <cctype>
 #include <cerrno>

@@ -4,7 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_IO_INTERNAL_OUTPUT_FILE_H
 #define CGAL_TUBULAR_MESHING_IO_INTERNAL_OUTPUT_FILE_H
 
-#include <CGAL/Tubular_meshing/exceptions.h>
+#include <CGAL/Tubular_meshing/base/exceptions.h>
 
 #include <cerrno>
 #include <cstdio>

@@ -4,7 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_IO_INTERNAL_ELEMENT_KINDS_H
 #define CGAL_TUBULAR_MESHING_IO_INTERNAL_ELEMENT_KINDS_H
 
-#include <CGAL/Tubular_meshing/Mixed_mesh.h>
+#include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 
 #include <cstddef>
 #include <cstdint>

@@ -7,8 +7,8 @@
 #include <CGAL/Tubular_meshing/IO/internal/Number_writer.h>
 #include <CGAL/Tubular_meshing/IO/internal/Output_file.h>
 #include <CGAL/Tubular_meshing/IO/internal/element_kinds.h>
-#include <CGAL/Tubular_meshing/Mixed_mesh.h>
-#include <CGAL/Tubular_meshing/exceptions.h>
+#include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
+#include <CGAL/Tubular_meshing/base/exceptions.h>
 
 #include <CGAL/double.h>
 #include <CGAL/number_utils.h>

@@ -5,9 +5,9 @@
 #define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_PATCH_PROJECTION_H
 
 #include <CGAL/Tubular_meshing/Volume/internal/Tetrahedron_store.h>
-#include <CGAL/Tubular_meshing/internal/Nearest_tree.h>
-#include <CGAL/Tubular_meshing/internal/Vector_3d.h>
-#include <CGAL/Tubular_meshing/internal/rim_corners.h>
+#include <CGAL/Tubular_meshing/base/Nearest_tree.h>
+#include <CGAL/Tubular_meshing/base/Vector_3d.h>
+#include <CGAL/Tubular_meshing/Rims/rim_corners.h>
 
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/properties.h>

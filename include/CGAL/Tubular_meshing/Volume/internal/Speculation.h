@@ -4,7 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_SPECULATION_H
 #define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_SPECULATION_H
 
-#include <CGAL/Tubular_meshing/internal/parallel.h>
+#include <CGAL/Tubular_meshing/base/parallel.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -4,8 +4,8 @@
 #ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_TETRAHEDRON_STORE_H
 #define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_TETRAHEDRON_STORE_H
 
-#include <CGAL/Tubular_meshing/Mixed_mesh.h>
-#include <CGAL/Tubular_meshing/internal/Vector_3d.h>
+#include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
+#include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
 #include <boost/container/small_vector.hpp>
 

@@ -4,11 +4,11 @@
 #ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_TOPOLOGY_OPTIMIZER_H
 #define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_TOPOLOGY_OPTIMIZER_H
 
-#include <CGAL/Tubular_meshing/Quality/internal/element_measures.h>
+#include <CGAL/Tubular_meshing/base/element_measures.h>
 #include <CGAL/Tubular_meshing/Volume/internal/Flip_search.h>
 #include <CGAL/Tubular_meshing/Volume/internal/Speculation.h>
 #include <CGAL/Tubular_meshing/Volume/internal/Tetrahedron_store.h>
-#include <CGAL/Tubular_meshing/internal/parallel.h>
+#include <CGAL/Tubular_meshing/base/parallel.h>
 
 #include <algorithm>
 #include <cstddef>

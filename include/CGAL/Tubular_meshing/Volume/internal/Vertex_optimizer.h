@@ -8,7 +8,7 @@
 #include <CGAL/Tubular_meshing/Volume/internal/Shape_energy.h>
 #include <CGAL/Tubular_meshing/Volume/internal/Tetrahedron_store.h>
 #include <CGAL/Tubular_meshing/Volume/internal/newton_steps.h>
-#include <CGAL/Tubular_meshing/internal/parallel.h>
+#include <CGAL/Tubular_meshing/base/parallel.h>
 
 #include <algorithm>
 #include <array>

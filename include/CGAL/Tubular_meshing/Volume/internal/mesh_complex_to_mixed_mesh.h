@@ -4,7 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_MESH_COMPLEX_TO_MIXED_MESH_H
 #define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_MESH_COMPLEX_TO_MIXED_MESH_H
 
-#include <CGAL/Tubular_meshing/Mixed_mesh.h>
+#include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 
 #include <CGAL/Unique_hash_map.h>
 

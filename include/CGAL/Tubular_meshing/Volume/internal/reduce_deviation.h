@@ -4,10 +4,10 @@
 #ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REDUCE_DEVIATION_H
 #define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REDUCE_DEVIATION_H
 
-#include <CGAL/Tubular_meshing/internal/Nearest_tree.h>
+#include <CGAL/Tubular_meshing/base/Nearest_tree.h>
 #include <CGAL/Tubular_meshing/Volume/internal/Tetrahedron_store.h>
-#include <CGAL/Tubular_meshing/internal/Vector_3d.h>
-#include <CGAL/Tubular_meshing/internal/parallel.h>
+#include <CGAL/Tubular_meshing/base/Vector_3d.h>
+#include <CGAL/Tubular_meshing/base/parallel.h>
 
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>

@@ -4,13 +4,13 @@
 #ifndef CGAL_TUBULAR_MESHING_QUADS_INTERNAL_ANNULAR_CURVE_CHAINS_H
 #define CGAL_TUBULAR_MESHING_QUADS_INTERNAL_ANNULAR_CURVE_CHAINS_H
 
-#include <CGAL/Tubular_meshing/Operators/Surface_patch.h>
+#include <CGAL/Tubular_meshing/Patches/Surface_patch.h>
 #include <CGAL/Tubular_meshing/Quads/internal/elliptic/Annular_chart.h>
-#include <CGAL/Tubular_meshing/Surface/Patch_parameterization.h>
-#include <CGAL/Tubular_meshing/Surface/internal/remeshing/Curve_divider.h>
-#include <CGAL/Tubular_meshing/Surface/internal/remeshing/Curve_gaps.h>
-#include <CGAL/Tubular_meshing/exceptions.h>
-#include <CGAL/Tubular_meshing/internal/Vector_3d.h>
+#include <CGAL/Tubular_meshing/Patches/Patch_parameterization.h>
+#include <CGAL/Tubular_meshing/Patches/pieces/Curve_divider.h>
+#include <CGAL/Tubular_meshing/Patches/pieces/Curve_gaps.h>
+#include <CGAL/Tubular_meshing/base/exceptions.h>
+#include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
 #include <CGAL/Surface_mesh.h>
 

@@ -4,8 +4,8 @@
 #ifndef CGAL_TUBULAR_MESHING_QUADS_INTERNAL_ELLIPTIC_ANNULAR_CHART_H
 #define CGAL_TUBULAR_MESHING_QUADS_INTERNAL_ELLIPTIC_ANNULAR_CHART_H
 
-#include <CGAL/Tubular_meshing/Surface/Patch_parameterization.h>
-#include <CGAL/Tubular_meshing/exceptions.h>
+#include <CGAL/Tubular_meshing/Patches/Patch_parameterization.h>
+#include <CGAL/Tubular_meshing/base/exceptions.h>
 
 #include <Eigen/Core>
 

@@ -6,9 +6,9 @@
 
 #include <CGAL/Tubular_meshing/Quads/internal/elliptic/Annular_chart.h>
 #include <CGAL/Tubular_meshing/Quads/internal/elliptic/Winslow_smoother.h>
-#include <CGAL/Tubular_meshing/Quality/internal/element_measures.h>
-#include <CGAL/Tubular_meshing/exceptions.h>
-#include <CGAL/Tubular_meshing/internal/Vector_3d.h>
+#include <CGAL/Tubular_meshing/base/element_measures.h>
+#include <CGAL/Tubular_meshing/base/exceptions.h>
+#include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
 #include <algorithm>
 #include <array>

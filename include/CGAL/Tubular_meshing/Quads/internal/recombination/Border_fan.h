@@ -4,9 +4,9 @@
 #ifndef CGAL_TUBULAR_MESHING_QUADS_INTERNAL_RECOMBINATION_BORDER_FAN_H
 #define CGAL_TUBULAR_MESHING_QUADS_INTERNAL_RECOMBINATION_BORDER_FAN_H
 
-#include <CGAL/Tubular_meshing/Quality/internal/element_measures.h>
-#include <CGAL/Tubular_meshing/Surface/internal/parameterization/Triangle_adjacency.h>
-#include <CGAL/Tubular_meshing/internal/Vector_3d.h>
+#include <CGAL/Tubular_meshing/base/element_measures.h>
+#include <CGAL/Tubular_meshing/Plane/Triangle_adjacency.h>
+#include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
 #include <algorithm>
 #include <array>

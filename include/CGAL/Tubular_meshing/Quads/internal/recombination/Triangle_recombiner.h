@@ -6,9 +6,9 @@
 
 #include <CGAL/Tubular_meshing/Quads/blossom_recombination.h>
 #include <CGAL/Tubular_meshing/Quads/internal/recombination/Border_fan.h>
-#include <CGAL/Tubular_meshing/Quality/internal/element_measures.h>
-#include <CGAL/Tubular_meshing/Surface/internal/parameterization/Triangle_adjacency.h>
-#include <CGAL/Tubular_meshing/internal/Vector_3d.h>
+#include <CGAL/Tubular_meshing/base/element_measures.h>
+#include <CGAL/Tubular_meshing/Plane/Triangle_adjacency.h>
+#include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
 #include <array>
 #include <cstddef>

@@ -4,21 +4,21 @@
 #ifndef CGAL_TUBULAR_MESHING_QUADS_INTERNAL_SURFACE_QUAD_PIECE_MESHER_H
 #define CGAL_TUBULAR_MESHING_QUADS_INTERNAL_SURFACE_QUAD_PIECE_MESHER_H
 
-#include <CGAL/Tubular_meshing/Operators/Surface_patch.h>
+#include <CGAL/Tubular_meshing/Patches/Surface_patch.h>
 #include <CGAL/Tubular_meshing/Quads/elliptic_grid.h>
 #include <CGAL/Tubular_meshing/Quads/internal/annular/Curve_chains.h>
 #include <CGAL/Tubular_meshing/Quads/internal/surface/Quad_surface_improver.h>
 #include <CGAL/Tubular_meshing/Quads/internal/unstructured/Patch_quadrangulator.h>
 #include <CGAL/Tubular_meshing/Quads/internal/unstructured/Sheet.h>
-#include <CGAL/Tubular_meshing/Quality/internal/element_measures.h>
-#include <CGAL/Tubular_meshing/Surface/Metric_tensor_2.h>
-#include <CGAL/Tubular_meshing/Surface/Patch_parameterization.h>
-#include <CGAL/Tubular_meshing/Surface/Remeshed_surface.h>
-#include <CGAL/Tubular_meshing/Surface/internal/remeshing/Chart.h>
-#include <CGAL/Tubular_meshing/Surface/internal/remeshing/Remeshed_piece.h>
-#include <CGAL/Tubular_meshing/exceptions.h>
-#include <CGAL/Tubular_meshing/internal/Vector_3d.h>
-#include <CGAL/Tubular_meshing/internal/parallel.h>
+#include <CGAL/Tubular_meshing/base/element_measures.h>
+#include <CGAL/Tubular_meshing/Plane/Metric_tensor_2.h>
+#include <CGAL/Tubular_meshing/Patches/Patch_parameterization.h>
+#include <CGAL/Tubular_meshing/Patches/Remeshed_surface.h>
+#include <CGAL/Tubular_meshing/Patches/pieces/Chart.h>
+#include <CGAL/Tubular_meshing/Patches/pieces/Remeshed_piece.h>
+#include <CGAL/Tubular_meshing/base/exceptions.h>
+#include <CGAL/Tubular_meshing/base/Vector_3d.h>
+#include <CGAL/Tubular_meshing/base/parallel.h>
 
 #include <CGAL/Surface_mesh.h>
 

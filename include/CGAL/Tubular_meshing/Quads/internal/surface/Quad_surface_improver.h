@@ -4,14 +4,14 @@
 #ifndef CGAL_TUBULAR_MESHING_QUADS_INTERNAL_SURFACE_QUAD_SURFACE_IMPROVER_H
 #define CGAL_TUBULAR_MESHING_QUADS_INTERNAL_SURFACE_QUAD_SURFACE_IMPROVER_H
 
-#include <CGAL/Tubular_meshing/Operators/Surface_patch.h>
+#include <CGAL/Tubular_meshing/Patches/Surface_patch.h>
 #include <CGAL/Tubular_meshing/Quads/internal/surface/Wall_quads.h>
 #include <CGAL/Tubular_meshing/Quads/internal/unstructured/Quad_smoother.h>
 #include <CGAL/Tubular_meshing/Quads/internal/unstructured/Sheet.h>
-#include <CGAL/Tubular_meshing/Surface/Remeshed_surface.h>
-#include <CGAL/Tubular_meshing/Surface/internal/remeshing/old_triangles.h>
-#include <CGAL/Tubular_meshing/internal/Nearest_tree.h>
-#include <CGAL/Tubular_meshing/internal/Vector_3d.h>
+#include <CGAL/Tubular_meshing/Patches/Remeshed_surface.h>
+#include <CGAL/Tubular_meshing/Patches/pieces/old_triangles.h>
+#include <CGAL/Tubular_meshing/base/Nearest_tree.h>
+#include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
 #include <CGAL/Surface_mesh.h>
 

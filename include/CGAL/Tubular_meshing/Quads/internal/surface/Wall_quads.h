@@ -6,8 +6,8 @@
 
 #include <CGAL/Tubular_meshing/Quads/internal/unstructured/Quad_patch.h>
 #include <CGAL/Tubular_meshing/Quads/internal/unstructured/Sheet.h>
-#include <CGAL/Tubular_meshing/Surface/Remeshed_surface.h>
-#include <CGAL/Tubular_meshing/internal/Vector_3d.h>
+#include <CGAL/Tubular_meshing/Patches/Remeshed_surface.h>
+#include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
 #include <CGAL/Surface_mesh.h>
 

@@ -7,9 +7,9 @@
 #include <CGAL/Tubular_meshing/Quads/internal/surface/Quad_piece_mesher.h>
 #include <CGAL/Tubular_meshing/Quads/internal/surface/Wall_quads.h>
 #include <CGAL/Tubular_meshing/Quads/internal/unstructured/Quad_patch.h>
-#include <CGAL/Tubular_meshing/Quality/internal/element_measures.h>
-#include <CGAL/Tubular_meshing/Surface/Quad_report.h>
-#include <CGAL/Tubular_meshing/Surface/Remeshed_surface.h>
+#include <CGAL/Tubular_meshing/base/element_measures.h>
+#include <CGAL/Tubular_meshing/Patches/Quad_report.h>
+#include <CGAL/Tubular_meshing/Patches/Remeshed_surface.h>
 
 #include <algorithm>
 #include <cstddef>

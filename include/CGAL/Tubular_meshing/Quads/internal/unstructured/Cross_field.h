@@ -4,10 +4,10 @@
 #ifndef CGAL_TUBULAR_MESHING_QUADS_INTERNAL_UNSTRUCTURED_CROSS_FIELD_H
 #define CGAL_TUBULAR_MESHING_QUADS_INTERNAL_UNSTRUCTURED_CROSS_FIELD_H
 
-#include <CGAL/Tubular_meshing/Surface/Metric_tensor_2.h>
-#include <CGAL/Tubular_meshing/Surface/internal/parameterization/Plane_triangle_tree.h>
-#include <CGAL/Tubular_meshing/Surface/internal/parameterization/Triangle_adjacency.h>
-#include <CGAL/Tubular_meshing/Surface/triangulate_in_metric.h>
+#include <CGAL/Tubular_meshing/Plane/Metric_tensor_2.h>
+#include <CGAL/Tubular_meshing/Plane/Plane_triangle_tree.h>
+#include <CGAL/Tubular_meshing/Plane/Triangle_adjacency.h>
+#include <CGAL/Tubular_meshing/Plane/triangulate_in_metric.h>
 
 #include <Eigen/Core>
 

@@ -12,11 +12,11 @@
 #include <CGAL/Tubular_meshing/Quads/internal/unstructured/Sheet.h>
 #include <CGAL/Tubular_meshing/Quads/internal/unstructured/Square_packer.h>
 #include <CGAL/Tubular_meshing/Quads/recombine_triangles.h>
-#include <CGAL/Tubular_meshing/Surface/Metric_tensor_2.h>
-#include <CGAL/Tubular_meshing/Surface/triangulate_in_metric.h>
-#include <CGAL/Tubular_meshing/exceptions.h>
-#include <CGAL/Tubular_meshing/internal/Vector_3d.h>
-#include <CGAL/Tubular_meshing/parameters.h>
+#include <CGAL/Tubular_meshing/Plane/Metric_tensor_2.h>
+#include <CGAL/Tubular_meshing/Plane/triangulate_in_metric.h>
+#include <CGAL/Tubular_meshing/base/exceptions.h>
+#include <CGAL/Tubular_meshing/base/Vector_3d.h>
+#include <CGAL/Tubular_meshing/base/parameters.h>
 
 #include <algorithm>
 #include <array>

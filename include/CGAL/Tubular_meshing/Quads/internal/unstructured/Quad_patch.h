@@ -5,8 +5,8 @@
 #define CGAL_TUBULAR_MESHING_QUADS_INTERNAL_UNSTRUCTURED_QUAD_PATCH_H
 
 #include <CGAL/Tubular_meshing/Quads/internal/unstructured/Sheet.h>
-#include <CGAL/Tubular_meshing/Quality/internal/element_measures.h>
-#include <CGAL/Tubular_meshing/internal/Vector_3d.h>
+#include <CGAL/Tubular_meshing/base/element_measures.h>
+#include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
 #include <algorithm>
 #include <array>

@@ -6,7 +6,7 @@
 
 #include <CGAL/Tubular_meshing/Quads/internal/unstructured/Quad_patch.h>
 #include <CGAL/Tubular_meshing/Quads/internal/unstructured/Sheet.h>
-#include <CGAL/Tubular_meshing/internal/Vector_3d.h>
+#include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
 #include <Eigen/Core>
 #include <Eigen/LU>

@@ -4,8 +4,8 @@
 #ifndef CGAL_TUBULAR_MESHING_QUADS_INTERNAL_UNSTRUCTURED_SHEET_H
 #define CGAL_TUBULAR_MESHING_QUADS_INTERNAL_UNSTRUCTURED_SHEET_H
 
-#include <CGAL/Tubular_meshing/Surface/Patch_parameterization.h>
-#include <CGAL/Tubular_meshing/internal/Vector_3d.h>
+#include <CGAL/Tubular_meshing/Patches/Patch_parameterization.h>
+#include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
 #include <Eigen/Core>
 #include <Eigen/LU>

@@ -5,10 +5,10 @@
 #define CGAL_TUBULAR_MESHING_QUADS_INTERNAL_UNSTRUCTURED_SQUARE_PACKER_H
 
 #include <CGAL/Tubular_meshing/Quads/internal/unstructured/Cross_field.h>
-#include <CGAL/Tubular_meshing/Surface/internal/plane/Metric_plane.h>
-#include <CGAL/Tubular_meshing/Surface/internal/plane/Plane_flips.h>
-#include <CGAL/Tubular_meshing/Surface/internal/plane/Plane_store.h>
-#include <CGAL/Tubular_meshing/Surface/internal/plane/Point_insertion.h>
+#include <CGAL/Tubular_meshing/Plane/Metric_plane.h>
+#include <CGAL/Tubular_meshing/Plane/Plane_flips.h>
+#include <CGAL/Tubular_meshing/Plane/Plane_store.h>
+#include <CGAL/Tubular_meshing/Plane/Point_insertion.h>
 
 #include <Eigen/Core>
 

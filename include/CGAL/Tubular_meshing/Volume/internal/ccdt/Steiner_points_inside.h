@@ -4,8 +4,8 @@
 #ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_CCDT_STEINER_POINTS_INSIDE_H
 #define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_CCDT_STEINER_POINTS_INSIDE_H
 
-#include <CGAL/Tubular_meshing/Quality/internal/element_measures.h>
-#include <CGAL/Tubular_meshing/internal/Vector_3d.h>
+#include <CGAL/Tubular_meshing/base/element_measures.h>
+#include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
 #include <algorithm>
 #include <array>

@@ -5,7 +5,7 @@
 #define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_KEPT_BOUNDARY_DELAUNAY_REFINEMENT_H
 
 #include <CGAL/Tubular_meshing/Volume/internal/Tetrahedron_store.h>
-#include <CGAL/Tubular_meshing/internal/Vector_3d.h>
+#include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 

@@ -4,8 +4,8 @@
 #ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_KEPT_BOUNDARY_FILL_KEEPING_BOUNDARY_H
 #define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_KEPT_BOUNDARY_FILL_KEEPING_BOUNDARY_H
 
-#include <CGAL/Tubular_meshing/Mixed_mesh.h>
-#include <CGAL/Tubular_meshing/Quality/internal/element_measures.h>
+#include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
+#include <CGAL/Tubular_meshing/base/element_measures.h>
 #include <CGAL/Tubular_meshing/Quality/validity_report.h>
 #include <CGAL/Tubular_meshing/Volume/internal/Tetrahedron_store.h>
 #include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/Child_process.h>
@@ -14,11 +14,11 @@
 #include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/Unit_frame.h>
 #include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/failure_sentence.h>
 #include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/sort_in_space.h>
-#include <CGAL/Tubular_meshing/Surface/surface_to_mixed_mesh.h>
+#include <CGAL/Tubular_meshing/Patches/surface_to_mixed_mesh.h>
 #include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/write_inside.h>
-#include <CGAL/Tubular_meshing/exceptions.h>
-#include <CGAL/Tubular_meshing/internal/Vector_3d.h>
-#include <CGAL/Tubular_meshing/labels.h>
+#include <CGAL/Tubular_meshing/base/exceptions.h>
+#include <CGAL/Tubular_meshing/base/Vector_3d.h>
+#include <CGAL/Tubular_meshing/base/labels.h>
 
 #include <unistd.h>
 

@@ -4,11 +4,11 @@
 #ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_PYRAMIDS_CROWNED_SURFACE_H
 #define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_PYRAMIDS_CROWNED_SURFACE_H
 
-#include <CGAL/Tubular_meshing/Mixed_mesh.h>
+#include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/Volume/internal/pyramids/Quad_crown.h>
 #include <CGAL/Tubular_meshing/Volume/internal/pyramids/crown_heights.h>
-#include <CGAL/Tubular_meshing/exceptions.h>
-#include <CGAL/Tubular_meshing/internal/Vector_3d.h>
+#include <CGAL/Tubular_meshing/base/exceptions.h>
+#include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Surface_mesh.h>

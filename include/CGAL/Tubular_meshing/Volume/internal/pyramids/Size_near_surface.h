@@ -4,9 +4,9 @@
 #ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_PYRAMIDS_SIZE_NEAR_SURFACE_H
 #define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_PYRAMIDS_SIZE_NEAR_SURFACE_H
 
-#include <CGAL/Tubular_meshing/Mixed_mesh.h>
-#include <CGAL/Tubular_meshing/internal/Nearest_tree.h>
-#include <CGAL/Tubular_meshing/internal/Vector_3d.h>
+#include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
+#include <CGAL/Tubular_meshing/base/Nearest_tree.h>
+#include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
 #include <CGAL/Orthogonal_k_neighbor_search.h>
 #include <CGAL/Search_traits_3.h>

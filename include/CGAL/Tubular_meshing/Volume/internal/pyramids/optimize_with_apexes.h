@@ -4,7 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_PYRAMIDS_OPTIMIZE_WITH_APEXES_H
 #define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_PYRAMIDS_OPTIMIZE_WITH_APEXES_H
 
-#include <CGAL/Tubular_meshing/Mixed_mesh.h>
+#include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/Volume/internal/Tetrahedron_store.h>
 #include <CGAL/Tubular_meshing/Volume/internal/Topology_optimizer.h>
 #include <CGAL/Tubular_meshing/Volume/internal/Vertex_optimizer.h>

@@ -10,7 +10,7 @@
 #include <CGAL/Tubular_meshing/Volume/internal/remeshing/Vertex_clock.h>
 #include <CGAL/Tubular_meshing/Volume/internal/remeshing/metric_quality.h>
 #include <CGAL/Tubular_meshing/Volume/internal/remeshing/remeshing_input.h>
-#include <CGAL/Tubular_meshing/internal/parallel.h>
+#include <CGAL/Tubular_meshing/base/parallel.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/hilbert_sort.h>

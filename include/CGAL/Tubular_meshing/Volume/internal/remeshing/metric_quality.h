@@ -5,8 +5,8 @@
 #define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REMESHING_METRIC_QUALITY_H
 
 #include <CGAL/Tubular_meshing/Fields/Metric_tensor_3.h>
-#include <CGAL/Tubular_meshing/Quality/internal/element_measures.h>
-#include <CGAL/Tubular_meshing/internal/Vector_3d.h>
+#include <CGAL/Tubular_meshing/base/element_measures.h>
+#include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,131 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_LAYERS_EXTRUDE_WALL_H
+#define CGAL_TUBULAR_MESHING_LAYERS_EXTRUDE_WALL_H
+
+#include <CGAL/Tubular_meshing/Centerlines/Centerline_field.h>
+#include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
+#include <CGAL/Tubular_meshing/Layers/Layer_report.h>
+#include <CGAL/Tubular_meshing/Layers/internal/Wall_extruder.h>
+#include <CGAL/Tubular_meshing/Layers/internal/labelled_facets.h>
+#include <CGAL/Tubular_meshing/base/labels.h>
+#include <CGAL/Tubular_meshing/base/parameters.h>
+
+#include <CGAL/Surface_mesh.h>
+
+namespace CGAL {
+namespace Tubular_meshing {
+
+/*! \ingroup PkgTubularMeshingRef
+ *
+ * grows the vessels' wall outward from the lumen's surface (section 2.3 of the paper): layers of cells of a total
+ * thickness \f$ \delta = \alpha \, r(\mathbf{x}_c(\mathbf{x})) \f$ (2), in proportion to the local radius. Triangles
+ * give prisms, quads hexahedra; or all are cut into tetrahedra.
+ *
+ * Each vertex of the wall gets a column of points on a straight line: along the Gouraud normal, turned where a face
+ * around would not see it, and then to and fro until the angles of the cells are as close to right angles as they get.
+ * At rims it runs in the plane of the rim, so that a vessel's end stays flat.
+ *
+ * The wall is as thick as wanted where there is room. Two vessels, or the two sides of a crotch, share the gap between
+ * them, and keep a quarter of it free; from there on the thickness grows by at most 0.4 of the distance, which bounds
+ * the field's own jumps too. What comes out is checked: no corner of a cell is inverted, and the outer surface, with
+ * its rings and the openings, does not cross itself, so that no cell overlaps another. Where one or the other happens
+ * the wall is made thinner around, until all is well. What it came to is reported.
+ *
+ * New points come after the mesh's own, layer after layer; cells and facets of the mesh stay, but for facets of the
+ * wall that lie in the plane of an opening, which become the opening's. Point arrays continue with the values of the
+ * lumen's points below.
+ *
+ * | labels | |
+ * |---|---|
+ * | region 2 `wall`, region 3 `second_wall` | the cells |
+ * | patch 1 `wall` | the facets that the wall grew on: now the interface |
+ * | patch 100 `outer_wall` | |
+ * | patch 101 `middle_wall` | the interface between the wall and the second one |
+ * | patch 102 `inlet_ring`, 103, … `outlet_ring_1`, … | the wall's ends, those of both walls: 100 + that of the opening
+ * |
+ *
+ * Where the mesh has more than 98 openings, 100 is 1000 in all of that: see labels::outer_wall_for().
+ *
+ * O(n log n) in the number of facets; the result does not depend on the number of threads.
+ *
+ * \param mesh cells of any kind with their labelled boundary; or, without cells, the facets of a closed surface, or of
+ *   one that is open at its openings. Facets of patch labels::wall turn counterclockwise seen from outside, all others
+ *   are openings, about flat. It must not cross itself
+ * \param radius the local radius, a function object that is called with a `Point`, from one thread
+ * \param np an optional sequence of named parameters among the ones listed below
+ *
+ * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{wall_thickness} \cgalParamDescription{α, relative to the local radius; above 0, at most 10}
+ *     \cgalParamDefault{0.2} \cgalParamNEnd
+ *   \cgalParamNBegin{wall_layers} \cgalParamDescription{number of layers} \cgalParamDefault{4} \cgalParamNEnd
+ *   \cgalParamNBegin{wall_growth} \cgalParamDescription{ratio of the thicknesses of a layer and of the one inside of
+ *     it; from 0.1 to 10} \cgalParamDefault{1} \cgalParamNEnd
+ *   \cgalParamNBegin{tetrahedral_wall} \cgalParamDescription{whether the wall is made of tetrahedra; quads that it
+ *     grows on are then split, which cells beneath must not have} \cgalParamDefault{`false`} \cgalParamNEnd
+ *   \cgalParamNBegin{second_wall_thickness} \cgalParamDescription{the same for a second wall around the first, say the
+ *     adventitia; 0: there is none} \cgalParamDefault{0} \cgalParamNEnd
+ *   \cgalParamNBegin{second_wall_layers, second_wall_growth} \cgalParamDescription{of the second wall}
+ *     \cgalParamDefault{those of the first} \cgalParamNEnd
+ *   \cgalParamNBegin{number_of_threads} \cgalParamDescription{0 takes all cores} \cgalParamDefault{0} \cgalParamNEnd
+ * \cgalNamedParamsEnd
+ *
+ * \returns how thick the wall is
+ *
+ * \throws Parameter_error if a parameter is out of its range, or the wall cannot be of tetrahedra
+ * \throws Input_error if the mesh has a wall already, or no facets to grow one on; if those are not a manifold surface,
+ *   cross themselves, or have angles of 0 or 180 degrees; or if a radius is not above 0
+ * \throws Meshing_error if the surface is folded so that no valid cell has room on it. The mesh is as it was, after any
+ *   exception
+ */
+template <class Point, class LocalRadius, class NamedParameters = CGAL::parameters::Default_named_parameters>
+Layer_report<Point> extrude_wall(Mixed_mesh<Point>& mesh, const LocalRadius& radius,
+                                 const NamedParameters& np = CGAL::parameters::default_values()) {
+  const internal::Wall_parameters parameters(np);
+  return internal::Wall_extruder<Point>(mesh, parameters).run(radius);
+}
+
+/*! \ingroup PkgTubularMeshingRef
+ *
+ * the same with the radii of centerlines.
+ */
+template <class Point, class NamedParameters = CGAL::parameters::Default_named_parameters>
+Layer_report<Point> extrude_wall(Mixed_mesh<Point>& mesh, const Centerline_field<Point>& centerlines,
+                                 const NamedParameters& np = CGAL::parameters::default_values()) {
+  return extrude_wall(
+      mesh, [&](const Point& p) { return centerlines.radius(p); }, np);
+}
+
+/*! \ingroup PkgTubularMeshingRef
+ *
+ * makes a mesh of the wall alone, without the lumen, for computations of the wall's mechanics.
+ *
+ * The mesh's first points are the vertices of the surface's wall, in the order of the surface. Patch labels::wall is
+ * the inside of the wall; as everywhere, its facets turn counterclockwise seen from outside the vessel.
+ *
+ * \param surface of triangles and quads, turned outward; closed, or open at its openings
+ * \param patch a readable property map from its faces to `int`: labels::wall, or the label of an opening. Openings
+ *   without faces are numbered on
+ * \param radius, np as above; `radius` may be a Centerline_field too
+ * \param report if given, receives what is said of the thickness
+ *
+ * \throws Input_error, Meshing_error, Parameter_error as above, and if a face has more than four edges
+ */
+template <class Point, class FacePatchMap, class LocalRadius,
+          class NamedParameters = CGAL::parameters::Default_named_parameters>
+Mixed_mesh<Point> extrude_wall(const CGAL::Surface_mesh<Point>& surface, FacePatchMap patch, const LocalRadius& radius,
+                               const NamedParameters& np = CGAL::parameters::default_values(),
+                               Layer_report<Point>* report = nullptr) {
+  Mixed_mesh<Point> mesh = internal::labelled_facets(surface, patch);
+  const Layer_report<Point> obtained = extrude_wall(mesh, radius, np);
+  if (report)
+    *report = obtained;
+  internal::remove_openings(mesh);
+  return mesh;
+}
+
+} // namespace Tubular_meshing
+} // namespace CGAL
+
+#endif // CGAL_TUBULAR_MESHING_LAYERS_EXTRUDE_WALL_H

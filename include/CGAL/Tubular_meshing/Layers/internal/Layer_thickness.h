@@ -1,0 +1,111 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_LAYERS_INTERNAL_LAYER_THICKNESS_H
+#define CGAL_TUBULAR_MESHING_LAYERS_INTERNAL_LAYER_THICKNESS_H
+
+#include <CGAL/Tubular_meshing/Layers/internal/Box_tree.h>
+#include <CGAL/Tubular_meshing/Layers/internal/Layer_surface.h>
+#include <CGAL/Tubular_meshing/base/Vector_3d.h>
+#include <CGAL/Tubular_meshing/base/parallel.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <queue>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Tubular_meshing {
+namespace internal {
+
+/* Lowers a thickness, one a vertex, until it changes along no edge by more than `slope` times its length. O(n log n),
+ * and less where little is to be lowered. */
+inline void limit_slope(const Layer_surface& surface, double slope, std::vector<double>& thickness) {
+  typedef Layer_surface::Index Index;
+  typedef std::pair<double, Index> Entry;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
+  const auto bound = [&](Index v, Index w) {
+    return thickness[v] + slope * norm(surface.points[v] - surface.points[w]);
+  };
+  const auto lower_neighbors = [&](Index v, const auto& lowered) {
+    for (const Index* w = surface.neighbors_begin(v); w != surface.neighbors_end(v); ++w)
+      if (bound(v, *w) < thickness[*w]) {
+        lowered(*w, bound(v, *w));
+      }
+  };
+  for (Index v = 0; v < thickness.size(); ++v) {
+    bool first = true;
+    lower_neighbors(v, [&](Index, double) {
+      if (first)
+        queue.push({thickness[v], v});
+      first = false;
+    });
+  }
+  while (!queue.empty()) {
+    const Entry e = queue.top();
+    queue.pop();
+    if (e.first > thickness[e.second])
+      continue;
+    lower_neighbors(e.second, [&](Index w, double t) {
+      thickness[w] = t;
+      queue.push({t, w});
+    });
+  }
+}
+
+/* Lowers the thickness to a part of the radius of the largest ball that touches the surface at the vertex, on the side
+ * of the layers, and meets none of it that faces the vertex: opposite walls share the gap between them, whether they
+ * belong to two vessels, or to the two sides of a crotch. Balls shrink to what they meet (J. Ma, S. W. Bae, S. Choi, 3D
+ * medial axis point approximation using nearest neighbors and the normal field, 2012). O(log n) each.
+ *
+ * \param obstacles further triangles, of which none of the layers may grow into; by indices of points
+ */
+inline void share_gaps(const Layer_surface& surface, const std::vector<Vector_3d>& points,
+                       const std::vector<Box_tree::Triangle>& obstacles, const std::vector<Vector_3d>& directions,
+                       double part, int threads, std::vector<double>& thickness) {
+  typedef Layer_surface::Index Index;
+  std::vector<Box_tree::Triangle> triangles;
+  for (const Layer_surface::Face& f : surface.faces) {
+    triangles.push_back({f[0], f[1], f[2]});
+    if (Layer_surface::degree(f) == 4)
+      triangles.push_back({f[0], f[2], f[3]});
+  }
+  triangles.insert(triangles.end(), obstacles.begin(), obstacles.end());
+  std::vector<Vector_3d> normals;
+  for (const Box_tree::Triangle& t : triangles)
+    normals.push_back(normalized(cross(points[t[1]] - points[t[0]], points[t[2]] - points[t[0]])));
+  const Box_tree tree(points, triangles);
+
+  const double facing = 0.5; // faces turned by less are the vertex's own neighbourhood
+  for_each_range(surface.number_of_vertices(), threads, [&](std::size_t begin, std::size_t end) {
+    for (Index v = Index(begin); v < end; ++v) {
+      const Vector_3d &x = points[v], &d = directions[v];
+      const auto accepts = [&](Box_tree::Index t) {
+        const Box_tree::Triangle& c = triangles[t];
+        return dot(normals[t], d) < facing && c[0] != v && c[1] != v && c[2] != v;
+      };
+      double radius = thickness[v] / part;
+      for (int round = 0; round < 20; ++round) {
+        const auto found = tree.nearest(x + radius * d, radius * radius * (1 - 1e-9), accepts);
+        const Vector_3d to = found.point - x;
+        if (found.triangle == Box_tree::none || !(dot(to, d) > 0))
+          break;
+        const double smaller = squared_norm(to) / (2 * dot(to, d));
+        const bool done = !(smaller < 0.99 * radius);
+        radius = (std::min)(radius, smaller);
+        if (done)
+          break;
+      }
+      thickness[v] = (std::min)(thickness[v], part * radius);
+    }
+  });
+}
+
+} // namespace internal
+} // namespace Tubular_meshing
+} // namespace CGAL
+
+#endif // CGAL_TUBULAR_MESHING_LAYERS_INTERNAL_LAYER_THICKNESS_H

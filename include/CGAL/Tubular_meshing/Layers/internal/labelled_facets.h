@@ -1,0 +1,101 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_LAYERS_INTERNAL_LABELLED_FACETS_H
+#define CGAL_TUBULAR_MESHING_LAYERS_INTERNAL_LABELLED_FACETS_H
+
+#include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
+#include <CGAL/Tubular_meshing/base/exceptions.h>
+#include <CGAL/Tubular_meshing/base/labels.h>
+
+#include <CGAL/Surface_mesh.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Tubular_meshing {
+namespace internal {
+
+/* A surface, open or closed, as a mesh of nothing but facets. Vertices keep their order. */
+template <class Point, class FacePatchMap>
+Mixed_mesh<Point> labelled_facets(const CGAL::Surface_mesh<Point>& surface, FacePatchMap patch) {
+  Mixed_mesh<Point> mesh;
+  std::vector<std::uint32_t> number(surface.number_of_vertices() + surface.number_of_removed_vertices(), 0);
+  for (auto v : surface.vertices()) {
+    number[std::size_t(v)] = std::uint32_t(mesh.points.size());
+    mesh.points.push_back(surface.point(v));
+  }
+  for (auto f : surface.faces()) {
+    Element_block<4>::Element c = {};
+    std::size_t n = 0;
+    for (auto v : surface.vertices_around_face(surface.halfedge(f))) {
+      if (n == c.size())
+        throw Input_error("A face of the surface has more than four edges: layers grow on triangles and quads only.");
+      c[n++] = number[std::size_t(v)];
+    }
+    if (n == c.size())
+      mesh.quads.push_back(c, get(patch, f));
+    else
+      mesh.triangles.push_back({c[0], c[1], c[2]}, get(patch, f));
+  }
+  return mesh;
+}
+
+template <std::size_t N, class Keep> void keep_elements(Element_block<N>& elements, const Keep& keep) {
+  Element_block<N> kept;
+  for (std::size_t i = 0; i < elements.size(); ++i)
+    if (keep(elements.label[i]))
+      kept.push_back(elements.vertices[i], elements.label[i]);
+  elements = std::move(kept);
+}
+
+/* Takes away the points that no element has; the others keep their order. Returns the former number of each. */
+template <class Point> std::vector<std::uint32_t> remove_unused_points(Mixed_mesh<Point>& mesh) {
+  const std::uint32_t none = std::uint32_t(-1);
+  std::vector<std::uint32_t> number(mesh.points.size(), none), former;
+  const auto for_each_vertex = [&](const auto& visit) {
+    const auto of = [&](auto& elements) {
+      for (auto& e : elements.vertices)
+        for (std::uint32_t& v : e)
+          visit(v);
+    };
+    of(mesh.tetrahedra);
+    of(mesh.pyramids);
+    of(mesh.prisms);
+    of(mesh.hexahedra);
+    of(mesh.triangles);
+    of(mesh.quads);
+  };
+  for_each_vertex([&](std::uint32_t v) { number[v] = 0; });
+  for (std::uint32_t v = 0; v < number.size(); ++v)
+    if (number[v] != none) {
+      number[v] = std::uint32_t(former.size());
+      mesh.points[former.size()] = mesh.points[v];
+      former.push_back(v);
+    }
+  mesh.points.erase(mesh.points.begin() + std::ptrdiff_t(former.size()), mesh.points.end());
+  for_each_vertex([&](std::uint32_t& v) { v = number[v]; });
+  return former;
+}
+
+/* Of a surface with a wall, leaves the wall. */
+template <class Point> void remove_openings(Mixed_mesh<Point>& mesh) {
+  int largest = 0; // of the lumen's own patches: the first name of the wall's ends them
+  for (const auto& name : mesh.patch_names)
+    if (name.second == "outer_wall")
+      largest = name.first;
+  const auto keep = [&](int label) { return label == labels::wall || label >= largest; };
+  keep_elements(mesh.triangles, keep);
+  keep_elements(mesh.quads, keep);
+  for (auto name = mesh.patch_names.begin(); name != mesh.patch_names.end();)
+    name = keep(name->first) ? std::next(name) : mesh.patch_names.erase(name);
+  remove_unused_points(mesh);
+}
+
+} // namespace internal
+} // namespace Tubular_meshing
+} // namespace CGAL
+
+#endif // CGAL_TUBULAR_MESHING_LAYERS_INTERNAL_LABELLED_FACETS_H

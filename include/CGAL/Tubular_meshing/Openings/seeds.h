@@ -1,0 +1,93 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_OPENINGS_SEEDS_H
+#define CGAL_TUBULAR_MESHING_OPENINGS_SEEDS_H
+
+// Where centerlines begin and end: at openings, and at points (seeds) that stand for vessels' ends without one.
+
+#include <CGAL/Tubular_meshing/Centerlines/Centerline_graph.h>
+#include <CGAL/Tubular_meshing/base/Opening.h>
+#include <CGAL/Tubular_meshing/Openings/order_openings.h>
+#include <CGAL/Tubular_meshing/Openings/openings.h>
+#include <CGAL/Tubular_meshing/base/exceptions.h>
+#include <CGAL/Tubular_meshing/base/parameters.h>
+
+#include <CGAL/Surface_mesh.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Tubular_meshing {
+namespace internal {
+
+/* The openings, that nearest to the first seed being the inlet. A surface without any must have seeds. */
+template <class Point_3, class NamedParameters>
+std::vector<Opening<Point_3>> find_openings_or_seeds(const CGAL::Surface_mesh<Point_3>& surface,
+                                                     const std::vector<Point_3>& seeds, const NamedParameters& np) {
+  typedef Named_parameters<Point_3, internal_np::inlet_t, NamedParameters> With_inlet;
+  if (seeds.empty())
+    return find_openings(surface, np);
+  for (const Point_3& p : seeds)
+    if (!std::isfinite(p.x()) || !std::isfinite(p.y()) || !std::isfinite(p.z()))
+      throw Parameter_error("The seed " + coordinates(p) + " has to have finite coordinates.");
+  return find_any_openings(surface, With_inlet(seeds.front(), np));
+}
+
+// Within an opening's rim, also where that is an ellipse, or the point was picked a little outside.
+template <class Point_3> bool lies_at(const Point_3& seed, const Opening<Point_3>& opening) {
+  const double reach = 1.5 * opening.radius;
+  return (seed - opening.center).squared_length() <= reach * reach;
+}
+
+/* The ends of the lines, each with the label of the faces around it; the source comes first: the first seed, or what it
+ * stands for, else the inlet. */
+template <class Point_3>
+std::vector<std::pair<Point_3, int>> ends_of_lines(const std::vector<Opening<Point_3>>& openings,
+                                                   const std::vector<Point_3>& seeds) {
+  std::vector<std::pair<Point_3, int>> ends;
+  for (const Opening<Point_3>& o : openings)
+    ends.emplace_back(o.center, o.patch);
+  for (std::size_t i = 0; i < seeds.size(); ++i)
+    if (openings.empty() || !lies_at(seeds[i], openings[nearest_opening(openings, seeds[i])])) {
+      ends.emplace_back(seeds[i], int(labels::wall));
+      if (i == 0)
+        std::rotate(ends.begin(), ends.end() - 1, ends.end());
+    }
+  if (ends.size() < 2)
+    throw Input_error("The vessels have one end only, at " + coordinates(ends.front().first) +
+                      ", so that nothing can flow through them: open the surface where they end, or give the points "
+                      "(seeds) at which they do.");
+  return ends;
+}
+
+/* For each opening the free end of the centerlines that lies at its centre, where lines were computed to lead to it. */
+template <class Point_3>
+std::vector<std::size_t> nodes_at(const Centerline_graph<Point_3>& graph,
+                                  const std::vector<Opening<Point_3>>& openings) {
+  std::vector<std::size_t> ends, found;
+  for (std::size_t n = 0; n < graph.nodes().size(); ++n)
+    if (graph.nodes()[n].is_end())
+      ends.push_back(n);
+  for (const Opening<Point_3>& o : openings) {
+    const auto away = [&](std::size_t n) {
+      return (graph.points()[graph.nodes()[n].point] - o.center).squared_length();
+    };
+    const auto nearest =
+        std::min_element(ends.begin(), ends.end(), [&](std::size_t m, std::size_t n) { return away(m) < away(n); });
+    const bool is_there = nearest != ends.end() && away(*nearest) <= o.radius * o.radius;
+    found.push_back(is_there ? *nearest : Opening<Point_3>::no_branch);
+  }
+  return found;
+}
+
+} // namespace internal
+} // namespace Tubular_meshing
+} // namespace CGAL
+
+#endif // CGAL_TUBULAR_MESHING_OPENINGS_SEEDS_H

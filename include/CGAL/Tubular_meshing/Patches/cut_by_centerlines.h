@@ -1,0 +1,198 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_PATCHES_CUT_BY_CENTERLINES_H
+#define CGAL_TUBULAR_MESHING_PATCHES_CUT_BY_CENTERLINES_H
+
+#include <CGAL/Tubular_meshing/Centerlines/Centerline_graph.h>
+#include <CGAL/Tubular_meshing/Patches/Surface_patch.h>
+#include <CGAL/Tubular_meshing/Patches/internal/cut/Blind_vessel_finder.h>
+#include <CGAL/Tubular_meshing/Patches/internal/cut/Cut_surface.h>
+#include <CGAL/Tubular_meshing/Patches/internal/cut/Disk_cutter.h>
+#include <CGAL/Tubular_meshing/Patches/internal/cut/Junction_cutter.h>
+#include <CGAL/Tubular_meshing/Patches/internal/cut/Patch_labeller.h>
+#include <CGAL/Tubular_meshing/Patches/internal/cut/Piece_divider.h>
+#include <CGAL/Tubular_meshing/Patches/internal/cut/Tube_divider.h>
+#include <CGAL/Tubular_meshing/base/exceptions.h>
+#include <CGAL/Tubular_meshing/base/labels.h>
+#include <CGAL/Tubular_meshing/base/parameters.h>
+
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/helpers.h>
+
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Tubular_meshing {
+namespace internal {
+
+template <class Point_3, class FacePatchMap>
+void check_cut_input(const CGAL::Surface_mesh<Point_3>& surface, const FacePatchMap& patch,
+                     const Centerline_graph<Point_3>& graph, double aspect_ratio) {
+  if (!(aspect_ratio >= 1) || !std::isfinite(aspect_ratio))
+    throw Parameter_error("The aspect ratio of patches is " + std::to_string(aspect_ratio) +
+                          "; it must be 1 or more, as shorter tubes have no room for their own mesh.");
+  if (graph.empty())
+    throw Input_error("There are no centerlines to cut the surface by.");
+  for (std::size_t i = 0; i < graph.points().size(); ++i)
+    if (!(graph.radii()[i] > 0))
+      throw Input_error("The centerlines have no radius at point " + std::to_string(i) +
+                        "; measure the radii with Wall_distance.");
+  if (surface.is_empty() || !CGAL::is_triangle_mesh(surface) || !CGAL::is_closed(surface))
+    throw Input_error("Only closed surfaces of triangles are cut; close the openings of this one first "
+                      "(close_openings()), and triangulate its faces.");
+  for (auto f : surface.faces())
+    if (int(get(patch, f)) == labels::wall)
+      return;
+  throw Input_error("None of the surface's faces is labelled as wall; there is nothing to cut.");
+}
+
+/* The steps of cut_by_centerlines(), on input that has been checked. */
+template <class Point_3, class FacePatchMap> class Centerline_cut {
+public:
+  typedef std::size_t size_type;
+
+  Centerline_cut(CGAL::Surface_mesh<Point_3>& surface, const Centerline_graph<Point_3>& graph, FacePatchMap patch,
+                 double aspect_ratio)
+      : surface_(surface, patch)
+      , graph_(graph)
+      , cutter_(surface_, graph)
+      , junctions_(cutter_)
+      , tubes_(cutter_, aspect_ratio)
+      , pieces_(cutter_, tubes_, aspect_ratio)
+      , aspect_ratio_(aspect_ratio) {}
+
+  Surface_cut<Point_3> run() {
+    const std::vector<size_type> branches = Graph_partition<Cutter>(cutter_).branches_from_root();
+    for (size_type b : branches)
+      junctions_.cut_off(b);
+    for (size_type b : branches)
+      tubes_.divide(b);
+    pieces_.open_cycles();
+    pieces_.divide_long_pieces();
+
+    Surface_cut<Point_3> result;
+    Labeller labeller(surface_, cutter_, result);
+    labeller.label();
+    for (size_type b : junctions_.merged())
+      if (cutter_.cuts_of(b).empty())
+        result.merged_branches.push_back(b);
+    result.moved_cuts = junctions_.number_of_moved() + tubes_.number_of_moved() + pieces_.number_of_cuts();
+    report_patches(labeller, result);
+    report_blind_vessels(result);
+    return result;
+  }
+
+private:
+  typedef Disk_cutter<Point_3, FacePatchMap> Cutter;
+  typedef Patch_labeller<Point_3, FacePatchMap> Labeller;
+  typedef Cut_problem<Point_3> Problem;
+
+  Point_3 middle(size_type branch) const {
+    const Vector_3d p = cutter_.axis(branch).point(graph_.branches()[branch].length / 2);
+    return Point_3(p.x, p.y, p.z);
+  }
+
+  void report_patches(const Labeller& labeller, Surface_cut<Point_3>& result) const {
+    const double rounding = 1e-9;
+    for (size_type i = 0; i < result.patches.size(); ++i) {
+      const Surface_patch<Point_3>& p = result.patches[i];
+      const bool is_known = !p.branches.empty();
+      const size_type b = is_known ? p.branches.front() : 0;
+      const auto report = [&](typename Problem::Kind kind) {
+        result.problems.push_back(Problem{kind, middle(b), b, i});
+      };
+      if (!is_known || !p.is_sphere_with_holes() || is_on_both_sides(p, i) || labeller.has_half_a_piece(i))
+        report(Problem::wrong_topology);
+      else if (labeller.has_several_pieces(i))
+        report(Problem::no_centerline);
+      else if (p.aspect_ratio() > aspect_ratio_ * (1 + rounding))
+        report(Problem::too_long);
+    }
+  }
+
+  void report_blind_vessels(Surface_cut<Point_3>& result) const {
+    for (const auto& vessel : Blind_vessel_finder<Point_3, FacePatchMap>(surface_, graph_).find())
+      result.problems.push_back(Problem{Problem::no_centerline, surface_.mesh().point(vessel.tip), vessel.branch,
+                                        size_type(result.patch_of_face[vessel.face])});
+  }
+
+  static bool is_on_both_sides(const Surface_patch<Point_3>& patch, size_type number) {
+    for (const Patch_loop& l : patch.loops)
+      if (l.neighbour == number)
+        return true;
+    return false;
+  }
+
+  Cut_surface<Point_3, FacePatchMap> surface_;
+  const Centerline_graph<Point_3>& graph_;
+  Cutter cutter_;
+  Junction_cutter<Cutter> junctions_;
+  Tube_divider<Cutter> tubes_;
+  Piece_divider<Cutter> pieces_;
+  const double aspect_ratio_;
+};
+
+} // namespace internal
+
+/*! \ingroup PkgTubularMeshingRef
+ *
+ * The cut operator (Algorithm 2 and section 2.3 of the paper): cuts the wall of a tree by disks across its branches
+ * into patches that can be mapped onto the plane, each of moderate aspect ratio.
+ *
+ * - *Where.* Each branch is cut off its junctions where its own tube begins: about where its centerline leaves the ball
+ *   inscribed at the bifurcation, at the first disk that is not widened by the junction any more. Branches are then
+ *   divided into parts, equally long in local diameters, of aspect ratio length / (min radius + max radius) ≤ 4. A
+ *   branch no longer than its junctions stays with them, if their patch is not too long then; two bifurcations close to
+ * each other are parted by one cut, or share their junction. Cycles of the graph are cut twice at least.
+ * - *How.* A disk is perpendicular to the centerline. It is bounded by that closed curve of its plane's section with
+ *   the surface that goes round the centerline; the curve is followed from triangle to triangle, and only triangles on
+ *   it are divided. Where it passes an edge within a quarter of an end, it goes through the vertex instead, so that no
+ *   slivers arise. Vertices do not move, and new ones are on edges: the shape stays what it is.
+ * - *When it cannot.* A disk is refused if its curve runs over a cap, meets another cut, or goes round other
+ *   centerlines than its own. It is then moved along the branch, or tilted, until it is not. What fails still is
+ *   listed in the result, with its place.
+ *
+ * Junctions have three loops or more; tubes, with or without an aneurysm's sac, have two; blind ends have one, and are
+ * disks. Whether every patch is a sphere with its holes is verified, and listed if not. So are vessels that have no
+ * centerline, as those that end blind do unless they are given a seed: they stay with the patch that they leave.
+ *
+ * The result does not depend on the unit, the position or the direction of the surface, but for rounding.
+ *
+ * O(n log n) in the sizes of the surface and the graph, for search trees, and O(sections) for the disks tried, about a
+ * dozen for each cut: no cut looks at the whole surface.
+ *
+ * \param surface a closed triangle mesh, turned outwards: that of a Tubular_model. Its faces are divided; garbage, if
+ *   it has some, is collected before, which changes descriptors. Gets the property map `f:surface_patch`
+ * \param graph its centerlines, with their radii, the ends at the openings: those of a Tubular_model
+ * \param patch a property map from face to int: `labels::wall`, or the label of the face's opening. New faces get the
+ *   label of the face that they are part of
+ * \param np an optional sequence of named parameters among the ones listed below
+ *
+ * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{aspect_ratio} \cgalParamDescription{the largest aspect ratio of a patch, length over mean
+ * diameter, 1 or more} \cgalParamDefault{4} \cgalParamNEnd \cgalNamedParamsEnd
+ *
+ * \returns patches, their curves, and what could not be done
+ *
+ * \throws Input_error if the surface is not closed or has no wall, or the graph is empty or lacks radii
+ * \throws Parameter_error if the aspect ratio is less than 1
+ */
+template <class Point_3, class FacePatchMap, class NamedParameters = CGAL::parameters::Default_named_parameters>
+Surface_cut<Point_3> cut_by_centerlines(CGAL::Surface_mesh<Point_3>& surface, const Centerline_graph<Point_3>& graph,
+                                        FacePatchMap patch,
+                                        const NamedParameters& np = CGAL::parameters::default_values()) {
+  const double aspect_ratio = internal::choose(np, internal_np::aspect_ratio, 4.);
+  if (surface.has_garbage())
+    surface.collect_garbage();
+  internal::check_cut_input(surface, patch, graph, aspect_ratio);
+  return internal::Centerline_cut<Point_3, FacePatchMap>(surface, graph, patch, aspect_ratio).run();
+}
+
+} // namespace Tubular_meshing
+} // namespace CGAL
+
+#endif // CGAL_TUBULAR_MESHING_PATCHES_CUT_BY_CENTERLINES_H

@@ -1,0 +1,95 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_PATCHES_INTERNAL_REMESHING_PEAK_FINDER_H
+#define CGAL_TUBULAR_MESHING_PATCHES_INTERNAL_REMESHING_PEAK_FINDER_H
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Tubular_meshing {
+namespace internal {
+
+/* The vertices inside a triangulation at which a function peaks, at `prominence` times or more the highest pass on the
+ * way to a higher peak, or to the border. By union-find over the vertices in descending order: O(n log n).
+ *
+ * A blind vessel shrinks in the plane, to a spot that edges around may step over: its peak of the metric's density
+ * tells where it is. */
+class Peak_finder {
+public:
+  Peak_finder(const std::vector<double>& height, const std::vector<std::array<int, 3>>& triangles,
+              const std::vector<std::vector<int>>& border)
+      : height_(height)
+      , parent_(height.size())
+      , peak_(height.size())
+      , is_known_(height.size(), 0) {
+    std::iota(parent_.begin(), parent_.end(), 0);
+    std::iota(peak_.begin(), peak_.end(), 0);
+    for (const auto& loop : border)
+      for (int v : loop)
+        is_known_[std::size_t(v)] = 1;
+    for (const auto& t : triangles)
+      for (std::size_t i = 0; i < 3; ++i)
+        passes_.emplace_back(t[i], t[(i + 1) % 3]);
+    std::sort(passes_.begin(), passes_.end(),
+              [&](const Pass& a, const Pass& b) { return std::make_pair(level(b), b) < std::make_pair(level(a), a); });
+  }
+
+  std::vector<int> find(double prominence) {
+    std::vector<int> found;
+    const auto look_at = [&](int component, double pass) {
+      const std::size_t c = std::size_t(component);
+      if (is_known_[c] || height_[std::size_t(peak_[c])] < prominence * pass)
+        return;
+      found.push_back(peak_[c]);
+      is_known_[c] = 1;
+    };
+    for (const Pass& p : passes_) {
+      const int a = root(p.first), b = root(p.second);
+      if (a == b)
+        continue;
+      look_at(a, level(p));
+      look_at(b, level(p));
+      join(a, b);
+    }
+    return found;
+  }
+
+private:
+  typedef std::pair<int, int> Pass;
+
+  double level(const Pass& p) const {
+    return (std::min)(height_[std::size_t(p.first)], height_[std::size_t(p.second)]);
+  }
+  int root(int v) {
+    while (parent_[std::size_t(v)] != v) {
+      int& parent = parent_[std::size_t(v)];
+      parent = parent_[std::size_t(parent)];
+      v = parent;
+    }
+    return v;
+  }
+  // The higher peak stands for both.
+  void join(int a, int b) {
+    if (height_[std::size_t(peak_[std::size_t(a)])] < height_[std::size_t(peak_[std::size_t(b)])])
+      std::swap(a, b);
+    parent_[std::size_t(b)] = a;
+    is_known_[std::size_t(a)] = char(is_known_[std::size_t(a)] | is_known_[std::size_t(b)]);
+  }
+
+  const std::vector<double>& height_;
+  std::vector<int> parent_, peak_;
+  std::vector<char> is_known_; // of components: they reach the border, or have a peak that was found
+  std::vector<Pass> passes_;
+};
+
+} // namespace internal
+} // namespace Tubular_meshing
+} // namespace CGAL
+
+#endif // CGAL_TUBULAR_MESHING_PATCHES_INTERNAL_REMESHING_PEAK_FINDER_H

@@ -1,0 +1,77 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_PATCHES_INTERNAL_REMESHING_TRIANGLE_SHAPES_H
+#define CGAL_TUBULAR_MESHING_PATCHES_INTERNAL_REMESHING_TRIANGLE_SHAPES_H
+
+#include <CGAL/Tubular_meshing/Fields/Metric_tensor_3.h>
+#include <CGAL/Tubular_meshing/base/element_measures.h>
+#include <CGAL/Tubular_meshing/Plane/Metric_tensor_2.h>
+#include <CGAL/Tubular_meshing/Patches/metric_on_surface.h>
+#include <CGAL/Tubular_meshing/base/Vector_3d.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace CGAL {
+namespace Tubular_meshing {
+namespace internal {
+
+/* By what Triangle_improver judges: the quality of a triangle, and where the apex of the best one on an edge is, to the
+ * left of it as seen along the normal. Here as it looks in space. */
+struct Shape_in_space {
+  static constexpr bool is_for_caps = true;
+
+  static double quality(const Vector_3d& p, const Vector_3d& q, const Vector_3d& r) { return triangle_gamma(p, q, r); }
+
+  static Vector_3d apex(const Vector_3d& a, const Vector_3d& b, const Vector_3d& normal) {
+    const double half_root_three = 0.86602540378443865;
+    const Vector_3d middle = 0.5 * (a + b);
+    const Vector_3d inward = cross(normal, b - a);
+    return middle + half_root_three * inward;
+  }
+};
+
+/* The same in the shadow of a metric, `metric(point)`: (12) in the mean of the corners' shapes. Caps, which want the
+ * metric's section, are to be left as they are. */
+template <class Point_3, class Metric> class Shape_in_metric {
+public:
+  static constexpr bool is_for_caps = false;
+
+  explicit Shape_in_metric(const Metric& metric)
+      : metric_(metric) {}
+
+  double quality(const Vector_3d& p, const Vector_3d& q, const Vector_3d& r) const {
+    const Vector_3d normal = cross(q - p, r - p), first = normalized(q - p);
+    if (!(squared_norm(normal) > 0))
+      return 0;
+    const Vector_3d second = cross(normalized(normal), first);
+    Metric_tensor_2 m(0, 0, 0);
+    for (const Vector_3d* v : {&p, &q, &r})
+      m = m + shadow(*v, first, second).normalized();
+    const auto length = [&](const Vector_3d& e) { return m.length(dot(e, first), dot(e, second)); };
+    const double a = length(q - p), b = length(r - q), c = length(p - r), product = a * b * c;
+    return product > 0 ? 4 * m.determinant() * squared_norm(normal) / (product * (a + b + c)) : 0;
+  }
+
+  Vector_3d apex(const Vector_3d& a, const Vector_3d& b, const Vector_3d& normal) const {
+    const double half_root_three = 0.86602540378443865;
+    const Vector_3d middle = 0.5 * (a + b), first = normalized(b - a), second = cross(normal, first);
+    const std::array<double, 2> inward = shadow(middle, first, second).quarter_turn(norm(b - a), 0);
+    return middle + half_root_three * (inward[0] * first + inward[1] * second);
+  }
+
+private:
+  Metric_tensor_2 shadow(const Vector_3d& p, const Vector_3d& first, const Vector_3d& second) const {
+    return metric_shadow(metric_(Point_3(p.x, p.y, p.z)), first, second);
+  }
+
+  const Metric& metric_;
+};
+
+} // namespace internal
+} // namespace Tubular_meshing
+} // namespace CGAL
+
+#endif // CGAL_TUBULAR_MESHING_PATCHES_INTERNAL_REMESHING_TRIANGLE_SHAPES_H

@@ -1,0 +1,241 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_PATCHES_PIECES_SURFACE_REMESHER_H
+#define CGAL_TUBULAR_MESHING_PATCHES_PIECES_SURFACE_REMESHER_H
+
+#include <CGAL/Tubular_meshing/Patches/Surface_patch.h>
+#include <CGAL/Tubular_meshing/Patches/Patch_parameterization.h>
+#include <CGAL/Tubular_meshing/Patches/Patch_report.h>
+#include <CGAL/Tubular_meshing/Patches/Remeshed_surface.h>
+#include <CGAL/Tubular_meshing/Patches/internal/remeshing/Triangle_improver.h>
+#include <CGAL/Tubular_meshing/Patches/internal/remeshing/crossing_faces.h>
+#include <CGAL/Tubular_meshing/Patches/pieces/old_triangles.h>
+#include <CGAL/Tubular_meshing/base/exceptions.h>
+#include <CGAL/Tubular_meshing/base/Nearest_tree.h>
+#include <CGAL/Tubular_meshing/base/labels.h>
+
+#include <CGAL/Surface_mesh.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Tubular_meshing {
+namespace internal {
+
+/* The steps of remesh_patches(), and those of quadrangulate_patches(): `Mesher` makes the pieces, see Piece_mesher.
+ *
+ * Where the outcome is no surface, as pieces touch themselves or each other in meshes that are too coarse for them, the
+ * pieces concerned are meshed again, finer. */
+template <class Point_3, class Mesher> class Surface_remesher {
+public:
+  typedef CGAL::Surface_mesh<Point_3> Surface;
+  typedef Patch_parameterization<Point_3> Map;
+  typedef std::size_t size_type;
+
+  /* The mesher of the same surface, cut and maps. */
+  Surface_remesher(const Surface& surface, const Surface_cut<Point_3>& cut, const std::vector<Map>& maps,
+                   Mesher& mesher)
+      : surface_(surface)
+      , cut_(cut)
+      , maps_(maps)
+      , mesher_(mesher) {}
+
+  Remeshed_surface<Point_3> run() {
+    const int most_rounds = 6, rounds_for_shape = 2;
+    mesher_.mesh_all();
+    for (int round = 0;; ++round) {
+      std::vector<size_type> failed = pieces_that_do_not_fit();
+      if (failed.empty()) {
+        build();
+        std::vector<size_type> folded;
+        if constexpr (Mesher::makes_quads)
+          folded = mesher_.improve(result_);
+        else
+          improve();
+        failed = crossing_pieces();
+        if (failed.empty() && round < rounds_for_shape) // quads that are turned over, but meet nothing, may stay
+          failed = folded;
+      }
+      if (failed.empty())
+        break;
+      if (round == most_rounds)
+        throw Meshing_error("The new faces of " + mesher_.name_of(failed.front()) +
+                            " meet each other or their neighbours, however fine they are: the surface may intersect "
+                            "itself there; see repair_surface().");
+      mesher_.mesh_finer(failed);
+    }
+    result_.report = patch_report(cut_, maps_);
+    result_.report.refined_patches = mesher_.number_of_refined_pieces();
+    return std::move(result_);
+  }
+
+private:
+  typedef typename Surface::Vertex_index Vertex;
+  typedef typename Surface::Halfedge_index Halfedge;
+  typedef typename Surface::Face_index Face;
+
+  std::vector<size_type> pieces_that_do_not_fit() const {
+    std::vector<char> failed;
+    for (const auto& piece : mesher_.pieces())
+      failed.push_back(piece.empty());
+    mark_pieces_that_share_an_edge(failed);
+    return marked(failed);
+  }
+
+  static std::vector<size_type> marked(const std::vector<char>& marks) {
+    std::vector<size_type> result;
+    for (size_type k = 0; k < marks.size(); ++k)
+      if (marks[k])
+        result.push_back(k);
+    return result;
+  }
+
+  // A point on a curve, by the curve's number and its own on it.
+  typedef std::pair<size_type, size_type> Curve_point_number;
+  // An edge inside of a piece, between two points on curves.
+  struct Chord {
+    Curve_point_number a, b; // a < b
+    size_type piece;
+    bool operator<(const Chord& c) const { return std::tie(a, b, piece) < std::tie(c.a, c.b, c.piece); }
+    bool joins_the_same(const Chord& c) const { return a == c.a && b == c.b; }
+  };
+
+  // Two pieces on the same curves may both have an edge between two of their points that are no neighbours on a curve.
+  void mark_pieces_that_share_an_edge(std::vector<char>& failed) const {
+    std::vector<Chord> chords;
+    for (size_type k = 0; k < mesher_.pieces().size(); ++k)
+      collect_chords(k, chords);
+    std::sort(chords.begin(), chords.end());
+    for (size_type i = 1; i < chords.size(); ++i)
+      if (chords[i].joins_the_same(chords[i - 1]))
+        failed[chords[i].piece] = failed[chords[i - 1].piece] = 1;
+  }
+
+  void collect_chords(size_type k, std::vector<Chord>& chords) const {
+    const auto& piece = mesher_.pieces()[k];
+    std::vector<Curve_point_number> numbers;
+    for (const auto& side : piece.sides) {
+      const size_type n = mesher_.curve_points()[side.curve].size();
+      for (size_type i = 0; i < n; ++i)
+        numbers.emplace_back(side.curve, side.forward ? i : n - 1 - i);
+    }
+    const auto collect = [&](const auto& face) {
+      for (size_type e = 0; e < face.size(); ++e) {
+        const size_type a = face[e], b = face[(e + 1) % face.size()];
+        if (a < b && b < numbers.size() && !are_neighbours(numbers[a], numbers[b])) // once, of the two sides of an edge
+          chords.push_back({(std::min)(numbers[a], numbers[b]), (std::max)(numbers[a], numbers[b]), k});
+      }
+    };
+    std::for_each(piece.triangles.begin(), piece.triangles.end(), collect);
+    std::for_each(piece.quads.begin(), piece.quads.end(), collect);
+  }
+
+  bool are_neighbours(const Curve_point_number& a, const Curve_point_number& b) const {
+    const size_type n = mesher_.curve_points()[a.first].size();
+    const size_type apart = (std::max)(a.second, b.second) - (std::min)(a.second, b.second);
+    return a.first == b.first && (apart == 1 || apart == n - 1);
+  }
+
+  void build() {
+    Surface& surface = result_.surface;
+    size_type points = 0, faces = 0;
+    for (const auto& curve : mesher_.curve_points())
+      points += curve.size();
+    for (const auto& piece : mesher_.pieces()) {
+      points += piece.inner_points.size();
+      faces += piece.triangles.size() + piece.quads.size();
+    }
+    surface.clear_without_removing_property_maps();
+    surface.reserve(typename Surface::size_type(points), typename Surface::size_type(points + faces),
+                    typename Surface::size_type(faces));
+    result_.curves.assign(mesher_.curve_points().size(), {});
+    for (size_type c = 0; c < result_.curves.size(); ++c)
+      for (const auto& p : mesher_.curve_points()[c])
+        result_.curves[c].push_back(surface.add_vertex(p.point));
+    piece_of_face_.clear();
+    for (size_type k = 0; k < mesher_.pieces().size(); ++k)
+      add_piece(k);
+  }
+
+  void add_piece(size_type k) {
+    const auto& piece = mesher_.pieces()[k];
+    std::vector<Vertex> vertices;
+    for (const auto& side : piece.sides) {
+      const std::vector<Vertex>& curve = result_.curves[side.curve];
+      side.forward ? vertices.insert(vertices.end(), curve.begin(), curve.end())
+                   : vertices.insert(vertices.end(), curve.rbegin(), curve.rend());
+    }
+    for (const Point_3& p : piece.inner_points)
+      vertices.push_back(result_.surface.add_vertex(p));
+    for (const auto& t : piece.triangles)
+      register_face(k, result_.surface.add_face(vertices[t[0]], vertices[t[1]], vertices[t[2]]));
+    for (const auto& q : piece.quads)
+      register_face(k, result_.surface.add_face(vertices[q[0]], vertices[q[1]], vertices[q[2]], vertices[q[3]]));
+  }
+
+  void register_face(size_type k, Face f) {
+    if (f == Surface::null_face())
+      throw Meshing_error("The faces of " + mesher_.name_of(k) + " do not fit together with their neighbours.");
+    const int opening = mesher_.opening(k);
+    result_.patch[f] = opening == 0 ? labels::wall : opening;
+    result_.patch_of_face[f] = opening == 0 ? int(k) : -1;
+    piece_of_face_.push_back(k);
+  }
+
+  void improve() {
+    Surface& surface = result_.surface;
+    const auto shape = mesher_.shape();
+    Triangle_improver<Point_3, decltype(shape)> improver(surface, shape);
+    const std::vector<Face> bad = improver.bad_triangles();
+    if (bad.empty())
+      return;
+    std::vector<char> fixed(surface.number_of_vertices(), 0);
+    for (size_type c = 0; c < cut_.curves.size(); ++c)
+      if (cut_.curves[c].is_rim())
+        for (Vertex v : result_.curves[c])
+          fixed[size_type(v)] = 1;
+    const auto is_cap = [&](Vertex v) { return result_.patch_of_face[surface.face(surface.halfedge(v))] < 0; };
+    const auto may_flip = [&](Halfedge h) {
+      if (!shape.is_for_caps && result_.patch_of_face[surface.face(h)] < 0)
+        return false;
+      return piece_of_face_[size_type(surface.face(h))] == piece_of_face_[size_type(surface.face(surface.opposite(h)))];
+    };
+    improver.improve(
+        bad, old_triangles_around(bad), [&](Vertex v) { return !fixed[size_type(v)] && !is_cap(v); }, may_flip);
+  }
+
+  // Those of the patches with bad triangles, and of their neighbours.
+  Nearest_tree<Double_kernel::Triangle_3> old_triangles_around(const std::vector<Face>& bad) const {
+    std::vector<char> has_bad(cut_.patches.size(), 0);
+    for (Face f : bad)
+      if (result_.patch_of_face[f] >= 0)
+        has_bad[size_type(result_.patch_of_face[f])] = 1;
+    return old_triangles(surface_, cut_, has_bad);
+  }
+
+  std::vector<size_type> crossing_pieces() const {
+    std::vector<char> failed(mesher_.pieces().size(), 0);
+    for (const auto& c : crossing_faces(result_.surface))
+      failed[piece_of_face_[size_type(c.first)]] = failed[piece_of_face_[size_type(c.second)]] = 1;
+    return marked(failed);
+  }
+
+  const Surface& surface_;
+  const Surface_cut<Point_3>& cut_;
+  const std::vector<Map>& maps_;
+  Mesher& mesher_;
+  Remeshed_surface<Point_3> result_;
+  std::vector<size_type> piece_of_face_;
+};
+
+} // namespace internal
+} // namespace Tubular_meshing
+} // namespace CGAL
+
+#endif // CGAL_TUBULAR_MESHING_PATCHES_PIECES_SURFACE_REMESHER_H

@@ -1,0 +1,140 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_PIPELINES_INTERNAL_MODEL_IN_ITS_FRAME_H
+#define CGAL_TUBULAR_MESHING_PIPELINES_INTERNAL_MODEL_IN_ITS_FRAME_H
+
+#include <CGAL/Tubular_meshing/Centerlines/Centerline_field.h>
+#include <CGAL/Tubular_meshing/Centerlines/Centerline_graph.h>
+#include <CGAL/Tubular_meshing/Centerlines/Wall_distance.h>
+#include <CGAL/Tubular_meshing/base/Canonical_frame.h>
+#include <CGAL/Tubular_meshing/Fields/Centerline_metric_field.h>
+#include <CGAL/Tubular_meshing/Fields/Centerline_sizing_field.h>
+#include <CGAL/Tubular_meshing/Fields/Metric_tensor_3.h>
+#include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
+#include <CGAL/Tubular_meshing/Patches/Remeshed_surface.h>
+#include <CGAL/Tubular_meshing/Pipelines/Tubular_model.h>
+#include <CGAL/Tubular_meshing/base/labels.h>
+#include <CGAL/Tubular_meshing/base/parameters.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Tubular_meshing {
+namespace internal {
+
+/* A model's surface and centerlines in the model's own frame: around the origin, along its principal axes, of unit
+ * extent. Meshed there, it gives the same mesh in any unit, place and orientation, but for what rounding makes of it.
+ */
+template <class Point> class Model_in_its_frame {
+public:
+  typedef typename Tubular_model<Point>::Surface Surface;
+  typedef typename Tubular_model<Point>::Face_patch_map Face_patch_map;
+
+  explicit Model_in_its_frame(const Tubular_model<Point>& model)
+      : frame_(points_of(model.surface))
+      , surface_(model.surface)
+      , patch_(surface_.template add_property_map<typename Surface::Face_index, int>("f:patch", 0).first) {
+    for (auto v : surface_.vertices())
+      surface_.point(v) = to_frame(surface_.point(v));
+    std::vector<Point> points;
+    for (const Point& p : model.centerlines.points())
+      points.push_back(to_frame(p));
+    std::vector<double> radii;
+    for (double r : model.centerlines.radii())
+      radii.push_back(r / frame_.scale());
+    std::vector<std::vector<std::size_t>> branches;
+    for (const auto& b : model.centerlines.branches())
+      branches.push_back(b.points);
+    centerlines_ = Centerline_graph<Point>(std::move(points), std::move(radii), std::move(branches));
+  }
+
+  const Surface& surface() const { return surface_; }
+  Surface& surface() { return surface_; } // to be cut
+  const Centerline_graph<Point>& centerlines() const { return centerlines_; }
+  Face_patch_map patch() const { return patch_; }
+
+  // With the limits of the size brought to the frame's unit.
+  template <class NamedParameters> Centerline_sizing_field<Point> sizing_field(const NamedParameters& np) const {
+    return Centerline_sizing_field<Point>(Centerline_field<Point>(centerlines_),
+                                          Wall_distance<Point>(surface_, patch_, labels::wall), in_frame(np));
+  }
+  template <class NamedParameters> Centerline_metric_field<Point> metric_field(const NamedParameters& np) const {
+    return Centerline_metric_field<Point>(surface_, patch_, centerlines_, in_frame(np));
+  }
+
+  Point from_frame(const Point& p) const {
+    const auto q = frame_.from_canonical(to_double_point(p));
+    return Point(q.x(), q.y(), q.z());
+  }
+
+  void bring_back(Mixed_mesh<Point>& mesh) const {
+    for (Point& p : mesh.points)
+      p = from_frame(p);
+    for (Point_array& a : mesh.point_arrays)
+      if (a.name == "metric" && a.components == 6)
+        for (std::size_t i = 0; i + 5 < a.values.size(); i += 6)
+          bring_metric_back(&a.values[i]);
+  }
+  // Where it has points of a mesh they stay the same points, bit for bit.
+  void bring_back(Surface& surface) const {
+    for (auto v : surface.vertices())
+      surface.point(v) = from_frame(surface.point(v));
+  }
+  void bring_back(Remeshed_surface<Point>& remeshed) const {
+    bring_back(remeshed.surface);
+    for (Metric_tensor_3& metric : remeshed.metrics) {
+      std::array<double, 6> m = metric.components();
+      bring_metric_back(m.data());
+      metric = Metric_tensor_3(m);
+    }
+  }
+
+private:
+  static std::vector<Double_kernel::Point_3> points_of(const Surface& surface) {
+    std::vector<Double_kernel::Point_3> points;
+    for (auto v : surface.vertices())
+      points.push_back(to_double_point(surface.point(v)));
+    return points;
+  }
+
+  Point to_frame(const Point& p) const {
+    const auto q = frame_.to_frame(to_double_point(p));
+    return Point(q.x(), q.y(), q.z());
+  }
+
+  template <class NamedParameters> auto in_frame(const NamedParameters& np) const {
+    const double min_size = choose(np, internal_np::min_size, 0.);
+    const double max_size = choose(np, internal_np::max_size, (std::numeric_limits<double>::infinity)());
+    typedef Named_parameters<double, internal_np::min_size_t, NamedParameters> With_min;
+    typedef Named_parameters<double, internal_np::max_size_t, With_min> With_both;
+    return With_both(max_size / frame_.scale(), With_min(min_size / frame_.scale(), np));
+  }
+
+  // Of a vector v in space, the metric m measures the same vector in the frame: xx, xy, xz, yy, yz, zz.
+  void bring_metric_back(double* m) const {
+    Eigen::Matrix3d matrix;
+    matrix << m[0], m[1], m[2], m[1], m[3], m[4], m[2], m[4], m[5];
+    const Eigen::Matrix3d back = frame_.metric_from_frame(matrix);
+    const double entries[6] = {back(0, 0), back(0, 1), back(0, 2), back(1, 1), back(1, 2), back(2, 2)};
+    std::copy(entries, entries + 6, m);
+  }
+
+  Canonical_frame frame_;
+  Surface surface_;
+  Face_patch_map patch_;
+  Centerline_graph<Point> centerlines_;
+};
+
+} // namespace internal
+} // namespace Tubular_meshing
+} // namespace CGAL
+
+#endif // CGAL_TUBULAR_MESHING_PIPELINES_INTERNAL_MODEL_IN_ITS_FRAME_H

@@ -1,0 +1,61 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_PIPELINES_INTERNAL_CHECK_MESH_OF_MODEL_H
+#define CGAL_TUBULAR_MESHING_PIPELINES_INTERNAL_CHECK_MESH_OF_MODEL_H
+
+#include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
+#include <CGAL/Tubular_meshing/Quality/validity_report.h>
+#include <CGAL/Tubular_meshing/Pipelines/Tubular_model.h>
+#include <CGAL/Tubular_meshing/base/exceptions.h>
+#include <CGAL/Tubular_meshing/base/labels.h>
+
+#include <unistd.h>
+
+#include <cstddef>
+#include <set>
+#include <string>
+
+namespace CGAL {
+namespace Tubular_meshing {
+namespace internal {
+
+// What a mesh of the model must be beyond valid: of the model's topology, with all of its patches.
+template <class Point> std::string differences(const Mixed_mesh<Point>& mesh, const Tubular_model<Point>& model) {
+  const Validity_report report = validity_report(mesh);
+  std::string s = report.defects();
+  const auto add = [&](const std::string& what) { s += (s.empty() ? "" : ", ") + what; };
+  const std::ptrdiff_t euler = std::ptrdiff_t(num_vertices(model.surface)) - std::ptrdiff_t(num_edges(model.surface)) +
+                               std::ptrdiff_t(num_faces(model.surface));
+  if (report.boundary_euler != euler)
+    add("a boundary of Euler characteristic " + std::to_string(report.boundary_euler) + " instead of " +
+        std::to_string(euler));
+  std::set<int> patches(mesh.triangles.label.begin(), mesh.triangles.label.end());
+  patches.insert(mesh.quads.label.begin(), mesh.quads.label.end());
+  for (const auto& opening : model.openings)
+    if (patches.count(opening.patch) == 0)
+      add("no facets on " + lumen_patch_names(int(model.openings.size())).at(opening.patch));
+  return s;
+}
+
+// Mesh_3 takes about a kilobyte for each tetrahedron; the machine's memory is the limit, not what happens to be free.
+inline void check_memory(double tetrahedra) {
+  const double needed = 1000 * tetrahedra;
+  const double there = double(sysconf(_SC_PHYS_PAGES)) * double(sysconf(_SC_PAGE_SIZE));
+  if (needed > there)
+    throw Meshing_error("A mesh this fine would have about " + std::to_string((long long)(tetrahedra / 1e6)) +
+                        " million tetrahedra, more than the memory of this machine holds: make it coarser.");
+}
+
+template <class Point> void check_differences(const Mixed_mesh<Point>& mesh, const Tubular_model<Point>& model) {
+  const std::string s = differences(mesh, model);
+  if (!s.empty())
+    throw Meshing_error("The mesh came out with " + s +
+                        ": the mesh size may be too coarse for the surface; try a finer one.");
+}
+
+} // namespace internal
+} // namespace Tubular_meshing
+} // namespace CGAL
+
+#endif // CGAL_TUBULAR_MESHING_PIPELINES_INTERNAL_CHECK_MESH_OF_MODEL_H

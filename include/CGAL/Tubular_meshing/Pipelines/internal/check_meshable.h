@@ -1,0 +1,66 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_PIPELINES_INTERNAL_CHECK_MESHABLE_H
+#define CGAL_TUBULAR_MESHING_PIPELINES_INTERNAL_CHECK_MESHABLE_H
+
+#include <CGAL/Tubular_meshing/base/exceptions.h>
+
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/tags.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Tubular_meshing {
+namespace internal {
+
+/* What no mesher can do with: a surface in pieces, or one that intersects itself. Named here, with its place, rather
+ * than by a mesher that fails or never ends. */
+template <class Point_3> void check_no_crossings(const CGAL::Surface_mesh<Point_3>& surface) {
+  namespace PMP = CGAL::Polygon_mesh_processing;
+  typedef typename CGAL::Surface_mesh<Point_3>::Face_index Face;
+  std::vector<std::pair<Face, Face>> crossings;
+  PMP::self_intersections<CGAL::Parallel_if_available_tag>(surface, std::back_inserter(crossings));
+  if (!crossings.empty()) {
+    const auto first = *std::min_element(crossings.begin(), crossings.end());
+    throw Input_error("The surface intersects itself: " + std::to_string(crossings.size()) +
+                      " pairs of its triangles cross, one of them at " +
+                      coordinates(surface.point(surface.target(surface.halfedge(first.first)))) +
+                      "; mend it there, or let repair_surface() do it.");
+  }
+}
+
+template <class Point_3> void check_one_piece(CGAL::Surface_mesh<Point_3>& surface) {
+  typedef typename CGAL::Surface_mesh<Point_3>::Face_index Face;
+  auto piece = surface.template add_property_map<Face, std::size_t>("f:tubular_meshing_piece").first;
+  const std::size_t pieces = CGAL::Polygon_mesh_processing::connected_components(surface, piece);
+  std::vector<std::size_t> size(pieces, 0);
+  Face stray;
+  for (Face f : surface.faces())
+    ++size[piece[f]];
+  const auto largest = std::size_t(std::max_element(size.begin(), size.end()) - size.begin());
+  for (Face f : surface.faces())
+    if (piece[f] != largest) {
+      stray = f;
+      break;
+    }
+  surface.remove_property_map(piece);
+  if (pieces > 1)
+    throw Input_error("The surface is in " + std::to_string(pieces) + " pieces, one of them at " +
+                      coordinates(surface.point(surface.target(surface.halfedge(stray)))) +
+                      ": keep one connected wall, or let repair_surface() choose it.");
+}
+
+} // namespace internal
+} // namespace Tubular_meshing
+} // namespace CGAL
+
+#endif // CGAL_TUBULAR_MESHING_PIPELINES_INTERNAL_CHECK_MESHABLE_H

@@ -1,0 +1,121 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_PLANE_METRIC_TENSOR_2_H
+#define CGAL_TUBULAR_MESHING_PLANE_METRIC_TENSOR_2_H
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace CGAL {
+namespace Tubular_meshing {
+
+/*! \ingroup PkgTubularMeshingRef
+ *
+ * A symmetric 2×2 tensor, positive definite when it is the metric of a mesh in the plane: the matrix with rows
+ * (xx, xy) and (xy, yy). A vector e has the length \f$ \sqrt{e^T M e} \f$; a size h in the direction of a unit
+ * eigenvector is an eigenvalue \f$ 1/h^2 \f$. All functions take constant time and throw nothing.
+ */
+class Metric_tensor_2 {
+public:
+  double xx = 1, xy = 0, yy = 1;
+
+  /// The identity: size one in all directions.
+  Metric_tensor_2() = default;
+  Metric_tensor_2(double xx, double xy, double yy)
+      : xx(xx)
+      , xy(xy)
+      , yy(yy) {}
+
+  /// The same size `h` in all directions.
+  static Metric_tensor_2 isotropic(double h) { return {1 / (h * h), 0, 1 / (h * h)}; }
+
+  /// Size `h_along` in the direction at `angle` (radians, from the first axis), `h_across` perpendicular to it.
+  static Metric_tensor_2 from_sizes(double h_along, double h_across, double angle) {
+    return from_eigen(1 / (h_along * h_along), 1 / (h_across * h_across), std::cos(angle), std::sin(angle));
+  }
+
+  /*! The metric (11) that an embedding induces: \f$ x_{,u}^T x_{,u} / h^2 \f$ for size `h` in space.
+   * \param x_u derivative of the embedding by the first coordinate, a vector with `x()`, `y()`, `z()`
+   * \param x_v derivative by the second coordinate
+   * \param h the size */
+  template <class Vector_3> static Metric_tensor_2 induced(const Vector_3& x_u, const Vector_3& x_v, double h) {
+    const auto dot = [](const Vector_3& a, const Vector_3& b) { return a.x() * b.x() + a.y() * b.y() + a.z() * b.z(); };
+    const double s = 1 / (h * h);
+    return {s * dot(x_u, x_u), s * dot(x_u, x_v), s * dot(x_v, x_v)};
+  }
+
+  double determinant() const { return xx * yy - xy * xy; }
+
+  /// False also for NaN and infinity.
+  bool is_positive_definite() const {
+    const double d = determinant();
+    return xx > 0 && yy > 0 && d > 0 && std::isfinite(xx) && std::isfinite(yy) && std::isfinite(d);
+  }
+
+  /// \f$ (a_x, a_y) M (b_x, b_y)^T \f$
+  double dot(double a_x, double a_y, double b_x, double b_y) const {
+    return a_x * (xx * b_x + xy * b_y) + a_y * (xy * b_x + yy * b_y);
+  }
+  double squared_length(double e_x, double e_y) const { return dot(e_x, e_y, e_x, e_y); }
+  double length(double e_x, double e_y) const { return std::sqrt((std::max)(squared_length(e_x, e_y), 0.)); }
+
+  /// The vector of the same length at a right angle to (e_x, e_y), counterclockwise, both in the sense of the metric.
+  std::array<double, 2> quarter_turn(double e_x, double e_y) const {
+    const double s = 1 / std::sqrt(determinant());
+    return {-s * (xy * e_x + yy * e_y), s * (xx * e_x + xy * e_y)};
+  }
+
+  /// The conformal class: the same tensor scaled to determinant one.
+  Metric_tensor_2 normalized() const {
+    const double s = 1 / std::sqrt(determinant());
+    return {s * xx, s * xy, s * yy};
+  }
+
+  /// The two sizes, the smaller one first.
+  std::array<double, 2> sizes() const {
+    const auto l = eigenvalues();
+    return {1 / std::sqrt(l[1]), 1 / std::sqrt(l[0])};
+  }
+
+  /// The angle, in \f$ (-\pi/2, \pi/2] \f$, of the direction in which the size is larger.
+  double angle_of_larger_size() const { return xx == yy && xy == 0 ? 0 : std::atan2(-2 * xy, yy - xx) / 2; }
+
+  /*! The log-Euclidean mean \f$ \exp((1-t) \log M_0 + t \log M_1) \f$: interpolates sizes geometrically, and is
+   * positive definite whenever both are. */
+  static Metric_tensor_2 interpolate(const Metric_tensor_2& m0, const Metric_tensor_2& m1, double t) {
+    const Metric_tensor_2 a = m0.apply([](double l) { return std::log(l); });
+    const Metric_tensor_2 b = m1.apply([](double l) { return std::log(l); });
+    return ((1 - t) * a + t * b).apply([](double l) { return std::exp(l); });
+  }
+
+  friend Metric_tensor_2 operator+(const Metric_tensor_2& a, const Metric_tensor_2& b) {
+    return {a.xx + b.xx, a.xy + b.xy, a.yy + b.yy};
+  }
+  friend Metric_tensor_2 operator*(double s, const Metric_tensor_2& m) { return {s * m.xx, s * m.xy, s * m.yy}; }
+
+private:
+  static Metric_tensor_2 from_eigen(double along, double across, double c, double s) {
+    return {along * c * c + across * s * s, (along - across) * c * s, along * s * s + across * c * c};
+  }
+
+  // The smaller first; the smaller one is the determinant's quotient, which loses nothing at high ratios.
+  std::array<double, 2> eigenvalues() const {
+    const double larger = (xx + yy) / 2 + std::hypot((xx - yy) / 2, xy);
+    return {determinant() / larger, larger};
+  }
+
+  template <class Function> Metric_tensor_2 apply(const Function& f) const {
+    const double mean = (xx + yy) / 2, radius = std::hypot((xx - yy) / 2, xy);
+    const double angle = angle_of_larger_size();
+    // of a logarithm the smaller eigenvalue may be anything; of a metric, see eigenvalues()
+    const double smaller = mean > radius && determinant() > 0 ? determinant() / (mean + radius) : mean - radius;
+    return from_eigen(f(smaller), f(mean + radius), std::cos(angle), std::sin(angle));
+  }
+};
+
+} // namespace Tubular_meshing
+} // namespace CGAL
+
+#endif // CGAL_TUBULAR_MESHING_PLANE_METRIC_TENSOR_2_H

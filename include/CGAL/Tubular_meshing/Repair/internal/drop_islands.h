@@ -1,0 +1,158 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_REPAIR_INTERNAL_DROP_ISLANDS_H
+#define CGAL_TUBULAR_MESHING_REPAIR_INTERNAL_DROP_ISLANDS_H
+
+#include <CGAL/Tubular_meshing/Rims/Opening_site.h>
+#include <CGAL/Tubular_meshing/base/exceptions.h>
+
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL/boost/graph/iterator.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <unordered_set>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Tubular_meshing {
+namespace internal {
+
+/* The border loops of any manifold mesh: unlike border_loops(), they may touch, and bound no area. */
+template <class Point> std::vector<Opening_site<Point>> border_cycles(const CGAL::Surface_mesh<Point>& mesh) {
+  typedef typename CGAL::Surface_mesh<Point>::Halfedge_index Halfedge;
+  std::vector<Opening_site<Point>> loops;
+  std::unordered_set<Halfedge> visited;
+  for (Halfedge first : mesh.halfedges()) {
+    if (!mesh.is_border(first) || visited.count(first))
+      continue;
+    Opening_site<Point> loop;
+    for (Halfedge h = first; visited.insert(h).second; h = mesh.next(h))
+      loop.rim.push_back(h);
+    loop.shape = measure_rim(rim_points(loop.rim, mesh));
+    loops.push_back(std::move(loop));
+  }
+  return loops;
+}
+
+template <class Point> struct Dropped_islands {
+  std::size_t count = 0, triangles = 0;
+  double share = 0, extent = 0; ///< of the whole area; the diagonal of the largest one's box
+  Point place;                  ///< on the largest one
+};
+
+/* Keeps the component of the largest area. Throws Input_error where one that would go has a rim that faces a rim of
+ * what stays within a radius: that is a vessel with a gap, no island. O(n). */
+template <class Point> class Island_dropper {
+  typedef CGAL::Surface_mesh<Point> Mesh;
+  typedef typename Mesh::Halfedge_index Halfedge;
+  typedef typename Mesh::Face_index Face;
+
+public:
+  explicit Island_dropper(Mesh& mesh)
+      : mesh_(mesh)
+      , component_(mesh.num_faces(), none) {}
+
+  Dropped_islands<Point> drop() {
+    Dropped_islands<Point> dropped;
+    double total = 0;
+    for (Face f : mesh_.faces())
+      if (component_[std::size_t(f)] == none)
+        total += flood(f);
+    if (area_.size() < 2)
+      return dropped;
+    const std::size_t kept = static_cast<std::size_t>(std::max_element(area_.begin(), area_.end()) - area_.begin());
+    refuse_gap(kept);
+    std::size_t largest = kept == 0 ? 1 : 0;
+    for (std::size_t c = 0; c < area_.size(); ++c)
+      if (c != kept && area_[c] > area_[largest])
+        largest = c;
+    dropped.count = area_.size() - 1;
+    dropped.share = 1 - area_[kept] / total;
+    CGAL::Bbox_3 box;
+    std::vector<Face> faces;
+    for (Face f : mesh_.faces())
+      if (component_[std::size_t(f)] != kept) {
+        faces.push_back(f);
+        if (component_[std::size_t(f)] == largest) {
+          dropped.place = mesh_.point(mesh_.target(mesh_.halfedge(f)));
+          box += dropped.place.bbox();
+        }
+      }
+    dropped.extent =
+        std::sqrt(square(box.xmax() - box.xmin()) + square(box.ymax() - box.ymin()) + square(box.zmax() - box.zmin()));
+    dropped.triangles = faces.size();
+    for (Face f : faces)
+      CGAL::Euler::remove_face(mesh_.halfedge(f), mesh_);
+    mesh_.collect_garbage();
+    return dropped;
+  }
+
+private:
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+
+  static double square(double x) { return x * x; }
+
+  // Numbers the faces that are connected to f, and returns their area.
+  double flood(Face f) {
+    const std::size_t number = area_.size();
+    double area = 0;
+    std::vector<Face> stack = {f};
+    component_[std::size_t(f)] = number;
+    while (!stack.empty()) {
+      const Halfedge first = mesh_.halfedge(stack.back());
+      stack.pop_back();
+      area += std::sqrt(area_vector(first, mesh_).squared_length());
+      for (Halfedge h : CGAL::halfedges_around_face(first, mesh_)) {
+        const Face g = mesh_.face(mesh_.opposite(h));
+        if (g != Mesh::null_face() && component_[std::size_t(g)] == none) {
+          component_[std::size_t(g)] = number;
+          stack.push_back(g);
+        }
+      }
+    }
+    area_.push_back(area);
+    return area;
+  }
+
+  void refuse_gap(std::size_t kept) const {
+    const auto loops = border_cycles(mesh_);
+    const auto component_of = [&](const Opening_site<Point>& loop) {
+      return component_[std::size_t(mesh_.face(mesh_.opposite(loop.rim.front())))];
+    };
+    std::vector<std::size_t> number_of_loops(area_.size(), 0);
+    for (const auto& a : loops)
+      ++number_of_loops[component_of(a)];
+    for (const auto& a : loops) {
+      const std::size_t c = component_of(a);
+      if (c == kept || (number_of_loops[c] < 2 && area_[c] < 0.01 * area_[kept]))
+        continue; // it is no piece of a tube, and small
+      for (const auto& b : loops)
+        if (component_of(b) == kept && b.shape.radius > 0.5 * a.shape.radius && a.shape.radius > 0.5 * b.shape.radius &&
+            point_distance(a.shape.center, b.shape.center) < a.shape.radius &&
+            a.shape.plane.normal() * b.shape.plane.normal() < 0)
+          throw Input_error("The surface is in two parts, with a gap of " +
+                            std::to_string(point_distance(a.shape.center, b.shape.center)) + " at " +
+                            coordinates(a.shape.center) +
+                            ", too wide to be sewn up: join the parts, or remove one of them.");
+    }
+  }
+
+  Mesh& mesh_;
+  std::vector<std::size_t> component_;
+  std::vector<double> area_;
+};
+
+template <class Point> Dropped_islands<Point> drop_islands(CGAL::Surface_mesh<Point>& mesh) {
+  return Island_dropper<Point>(mesh).drop();
+}
+
+} // namespace internal
+} // namespace Tubular_meshing
+} // namespace CGAL
+
+#endif // CGAL_TUBULAR_MESHING_REPAIR_INTERNAL_DROP_ISLANDS_H

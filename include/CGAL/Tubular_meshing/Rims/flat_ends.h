@@ -1,0 +1,238 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_RIMS_FLAT_ENDS_H
+#define CGAL_TUBULAR_MESHING_RIMS_FLAT_ENDS_H
+
+#include <CGAL/Tubular_meshing/Rims/Opening_site.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <unordered_map>
+#include <unordered_set>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Tubular_meshing {
+namespace internal {
+
+/* What makes a flat region of a closed surface the end of a tube. All of it is relative to the region's own size. */
+struct Flat_end_criteria {
+  double sharp_angle;     ///< degrees: the region is bounded by edges at which the surface turns by more
+  double min_roundness;   ///< 4 pi area / perimeter^2, 1 for a disk, 0.66 for an ellipse of 3:1
+  std::size_t corners;    ///< at least so many, deviations of 8 % of the radius ignored
+  double max_wall_cosine; ///< of the mean angle between the region's normal and the faces around it
+};
+
+/* Enough to tell an end from all else by geometry alone: the rectangular sides of coarse tubes have four corners, flat
+ * patches of a wall are surrounded by faces of nearly their own direction. */
+inline Flat_end_criteria certain_flat_end() {
+  return {25, 0.55, 5, 0.5};
+}
+
+/* Enough where a centerline ends there; at several angles, for caps that are noisy, or whose rim is blunt. */
+inline std::vector<Flat_end_criteria> possible_flat_ends() {
+  return {{25, 0.35, 3, 0.75}, {40, 0.35, 3, 0.75}, {15, 0.35, 3, 0.75}};
+}
+
+constexpr double max_flat_end_sag = 0.05; // of the radius
+
+template <class Point> class Flat_end_finder {
+  typedef CGAL::Surface_mesh<Point> Mesh;
+  typedef typename Mesh::Vertex_index Vertex;
+  typedef typename Mesh::Halfedge_index Halfedge;
+  typedef typename Mesh::Face_index Face;
+  typedef Vector_of<Point> Vector;
+
+public:
+  /* `inside_out`: whether the faces' normals point into the lumen. */
+  Flat_end_finder(const Mesh& mesh, bool inside_out)
+      : mesh_(mesh)
+      , inwards_(inside_out ? 1 : -1)
+      , normals_(mesh.num_faces(), Vector(0, 0, 0)) {
+    for (Face f : mesh.faces()) {
+      const Vector n = area_vector(mesh.halfedge(f), mesh);
+      const double length = std::sqrt(n.squared_length());
+      if (length > 0)
+        normals_[std::size_t(f)] = n / length;
+    }
+  }
+
+  /* The regions that meet the criteria, in the order of their first faces. Linear in the size of the mesh. */
+  std::vector<Opening_site<Point>> find(const Flat_end_criteria& criteria) {
+    criteria_ = criteria;
+    min_cosine_ = std::cos(criteria.sharp_angle * CGAL_PI / 180);
+    visited_.assign(normals_.size(), false);
+    std::vector<Opening_site<Point>> ends;
+    for (Face f : mesh_.faces()) {
+      if (visited_[std::size_t(f)])
+        continue;
+      Opening_site<Point> region;
+      if (collect(f, region.cap) && (find_rim(region) || (absorb_islands(region) && find_rim(region))) &&
+          is_flat_end(region))
+        ends.push_back(std::move(region));
+    }
+    return ends;
+  }
+
+private:
+  bool is_sharp(Face f, Face g) const { return normals_[std::size_t(f)] * normals_[std::size_t(g)] < min_cosine_; }
+
+  // The faces reached from f without passing a sharp edge; false if they cannot be flat, or are next to a border.
+  bool collect(Face first, std::vector<Face>& region) {
+    bool flat = true;
+    visited_[std::size_t(first)] = true;
+    std::vector<Face> queue = {first};
+    for (std::size_t i = 0; i < queue.size(); ++i)
+      for (Halfedge h : CGAL::halfedges_around_face(mesh_.halfedge(queue[i]), mesh_)) {
+        const Face g = mesh_.face(mesh_.opposite(h));
+        if (g == Mesh::null_face()) {
+          flat = false;
+          continue;
+        }
+        if (visited_[std::size_t(g)] || is_sharp(queue[i], g))
+          continue;
+        visited_[std::size_t(g)] = true;
+        flat = flat && normals_[std::size_t(first)] * normals_[std::size_t(g)] > 0.5;
+        queue.push_back(g);
+      }
+    if (flat)
+      region.swap(queue);
+    return flat;
+  }
+
+  // Adds what the region encloses and is as flat: facets that noise has tilted. What is reached across the region's
+  // boundary is an island if all of it is near the plane, and the outside if a vertex of it is not.
+  bool absorb_islands(Opening_site<Point>& region) {
+    const Rim_plane<Point> plane = mean_plane(region.cap);
+    const double tolerance = max_flat_end_sag * std::sqrt(area(region.cap) / CGAL_PI);
+    std::unordered_set<Face> inside(region.cap.begin(), region.cap.end()), outside;
+    outside.insert(Mesh::null_face());
+    const std::size_t size = region.cap.size();
+    for (std::size_t i = 0; i < size; ++i)
+      for (Halfedge h : CGAL::halfedges_around_face(mesh_.halfedge(region.cap[i]), mesh_)) {
+        const Face first = mesh_.face(mesh_.opposite(h));
+        if (inside.count(first) || outside.count(first))
+          continue;
+        std::unordered_set<Face> visited = {first};
+        std::vector<Face> island = {first};
+        bool enclosed = true;
+        for (std::size_t k = 0; enclosed && k < island.size(); ++k)
+          for (Halfedge g : CGAL::halfedges_around_face(mesh_.halfedge(island[k]), mesh_)) {
+            const Face next = mesh_.face(mesh_.opposite(g));
+            enclosed =
+                enclosed && !outside.count(next) && std::abs(plane.height(mesh_.point(mesh_.target(g)))) <= tolerance;
+            if (enclosed && !inside.count(next) && visited.insert(next).second)
+              island.push_back(next);
+          }
+        (enclosed ? inside : outside).insert(island.begin(), island.end());
+        if (!enclosed)
+          continue;
+        region.cap.insert(region.cap.end(), island.begin(), island.end());
+        for (Face f : island)
+          visited_[std::size_t(f)] = true;
+      }
+    return region.cap.size() > size;
+  }
+
+  double area(const std::vector<Face>& faces) const {
+    double sum = 0;
+    for (Face f : faces)
+      sum += std::sqrt(area_vector(mesh_.halfedge(f), mesh_).squared_length());
+    return sum;
+  }
+
+  // Weighted by area: not all of the rim may be known yet.
+  Rim_plane<Point> mean_plane(const std::vector<Face>& faces) const {
+    const Point o = mesh_.point(mesh_.target(mesh_.halfedge(faces[0])));
+    Vector normal(0, 0, 0), offset(0, 0, 0);
+    for (Face f : faces) {
+      const Vector a = area_vector(mesh_.halfedge(f), mesh_);
+      normal = normal + a;
+      for (Vertex v : CGAL::vertices_around_face(mesh_.halfedge(f), mesh_))
+        offset = offset + (std::sqrt(a.squared_length()) / 3) * (mesh_.point(v) - o);
+    }
+    normal = normal / std::sqrt(normal.squared_length());
+    const Halfedge h = mesh_.halfedge(faces[0]);
+    return Rim_plane<Point>(o + offset / area(faces), normal,
+                            mesh_.point(mesh_.target(h)) - mesh_.point(mesh_.source(h)));
+  }
+
+  // Whether the region is a disk bounded by one simple loop.
+  bool find_rim(Opening_site<Point>& region) const {
+    region.rim.clear();
+    const std::unordered_set<Face> faces(region.cap.begin(), region.cap.end());
+    std::unordered_map<Vertex, Halfedge> rim_from;
+    std::unordered_set<Vertex> vertices;
+    Halfedge first = Mesh::null_halfedge();
+    for (Face f : region.cap)
+      for (Halfedge h : CGAL::halfedges_around_face(mesh_.halfedge(f), mesh_)) {
+        vertices.insert(mesh_.target(h));
+        if (faces.count(mesh_.face(mesh_.opposite(h))))
+          continue;
+        if (first == Mesh::null_halfedge())
+          first = h;
+        if (!rim_from.emplace(mesh_.source(h), h).second)
+          return false;
+      }
+    if (first == Mesh::null_halfedge())
+      return false;
+    Halfedge h = first;
+    do {
+      region.rim.push_back(h);
+      h = rim_from.at(mesh_.target(h));
+    } while (h != first);
+    const std::size_t edges = (3 * region.cap.size() + rim_from.size()) / 2;
+    return region.rim.size() == rim_from.size() && vertices.size() + region.cap.size() == edges + 1;
+  }
+
+  bool is_flat_end(Opening_site<Point>& region) const {
+    const std::vector<Point> rim = rim_points(region.rim, mesh_);
+    region.shape = measure_rim(rim);
+    const Rim_shape<Point>& s = region.shape;
+    return s.radius > 0 && 4 * CGAL_PI * s.area >= criteria_.min_roundness * s.perimeter * s.perimeter &&
+           is_flat(region) && number_of_corners(rim, s.center, 0.08 * s.radius) >= criteria_.corners &&
+           wall_stands_behind(region);
+  }
+
+  bool is_flat(const Opening_site<Point>& region) const {
+    const double tolerance = max_flat_end_sag * region.shape.radius;
+    for (Face f : region.cap)
+      for (Vertex v : CGAL::vertices_around_face(mesh_.halfedge(f), mesh_))
+        if (std::abs(region.shape.plane.height(mesh_.point(v))) > tolerance)
+          return false;
+    return true;
+  }
+
+  // Whether the surface goes back on the inner side all around, and rather upright than level.
+  bool wall_stands_behind(const Opening_site<Point>& region) const {
+    const Rim_plane<Point>& plane = region.shape.plane;
+    double convex = 0, cosine = 0, total = 0;
+    for (Halfedge h : region.rim) {
+      const Halfedge o = mesh_.opposite(h);
+      const Point &a = mesh_.point(mesh_.source(o)), &b = mesh_.point(mesh_.target(o)),
+                  &c = mesh_.point(mesh_.target(mesh_.next(o)));
+      const double length = point_distance(a, b);
+      total += length;
+      cosine += length * (normals_[std::size_t(mesh_.face(o))] * plane.normal());
+      if (inwards_ * (plane.height(c) - (plane.height(a) + plane.height(b)) / 2) > 0)
+        convex += length;
+    }
+    return convex >= 0.9 * total && std::abs(cosine) <= criteria_.max_wall_cosine * total;
+  }
+
+  const Mesh& mesh_;
+  const double inwards_;        // the direction into the lumen along a face's normal
+  std::vector<Vector> normals_; // by face, unit; zero for a degenerate face, which belongs to no region
+  std::vector<bool> visited_;
+  Flat_end_criteria criteria_;
+  double min_cosine_ = 0;
+};
+
+} // namespace internal
+} // namespace Tubular_meshing
+} // namespace CGAL
+
+#endif // CGAL_TUBULAR_MESHING_RIMS_FLAT_ENDS_H

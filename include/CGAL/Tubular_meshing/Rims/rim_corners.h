@@ -1,0 +1,67 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_RIMS_RIM_CORNERS_H
+#define CGAL_TUBULAR_MESHING_RIMS_RIM_CORNERS_H
+
+#include <CGAL/Tubular_meshing/base/Vector_3d.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Tubular_meshing {
+namespace internal {
+
+/* Whether a rim turns by more than 30 degrees at a vertex: a mesh whose edges are as long as the rim's would cut such a
+ * corner off, so that it keeps a vertex there. */
+inline bool is_rim_corner(const Vector_3d& before, const Vector_3d& at, const Vector_3d& after) {
+  const Vector_3d u = at - before, v = after - at;
+  return dot(u, v) < 0.866 * norm(u) * norm(v);
+}
+
+/* The corners of a closed polyline (its first point does not come again), but for those closer than `spacing(index)` to
+ * the one before. O(n). */
+template <class Point, class Spacing>
+std::vector<std::size_t> rim_corners(const std::vector<Point>& rim, const Spacing& spacing) {
+  const std::size_t n = rim.size();
+  std::vector<std::size_t> corners;
+  const auto position = [&](std::size_t i) { return Vector_3d(rim[i % n]); };
+  const auto far_enough = [&](std::size_t i, std::size_t j) {
+    return norm(position(i) - position(j)) > spacing(i % n);
+  };
+  for (std::size_t i = 0; i < n; ++i)
+    if (is_rim_corner(position(i + n - 1), position(i), position(i + 1)) &&
+        (corners.empty() || (far_enough(i, corners.back()) && far_enough(i, corners.front()))))
+      corners.push_back(i);
+  return corners;
+}
+
+/* Splits a closed polyline (its first point comes again at the end) at its corners, closer than `spacing(point)` to
+ * each other only once. Left in one piece where there are fewer than two. */
+template <class Point, class Spacing>
+std::vector<std::vector<Point>> split_at_corners(std::vector<Point> rim, const Spacing& spacing) {
+  const Point first = rim.front();
+  rim.pop_back();
+  const std::vector<std::size_t> corners = rim_corners(rim, [&](std::size_t i) { return spacing(rim[i]); });
+  if (corners.size() < 2) {
+    rim.push_back(first);
+    return {rim};
+  }
+  const std::size_t n = rim.size();
+  std::vector<std::vector<Point>> pieces;
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const std::size_t end = k + 1 < corners.size() ? corners[k + 1] : corners[0] + n;
+    std::vector<Point> piece;
+    for (std::size_t i = corners[k]; i <= end; ++i)
+      piece.push_back(rim[i % n]);
+    pieces.push_back(piece);
+  }
+  return pieces;
+}
+
+} // namespace internal
+} // namespace Tubular_meshing
+} // namespace CGAL
+
+#endif // CGAL_TUBULAR_MESHING_RIMS_RIM_CORNERS_H

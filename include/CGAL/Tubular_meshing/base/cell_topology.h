@@ -1,0 +1,90 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_BASE_CELL_TOPOLOGY_H
+#define CGAL_TUBULAR_MESHING_BASE_CELL_TOPOLOGY_H
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Tubular_meshing {
+namespace internal {
+
+typedef std::array<int, 3> Triangle_corners;
+typedef std::array<int, 4> Quad_corners;
+typedef std::array<int, 4> Corner; // a vertex and the three it shares an edge with, right handed
+
+/* The faces of the cell with N vertices, counterclockwise from outside, and the corners at which its Jacobian is taken;
+ * numbered as in Mixed_mesh. A pyramid's apex, where four edges meet, has no Jacobian of its own. */
+template <std::size_t N> struct Cell_topology;
+
+template <> struct Cell_topology<4> {
+  static const std::vector<Triangle_corners>& triangles() {
+    static const std::vector<Triangle_corners> f = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+    return f;
+  }
+  static const std::vector<Quad_corners>& quads() {
+    static const std::vector<Quad_corners> f;
+    return f;
+  }
+  static const std::vector<Corner>& corners() {
+    static const std::vector<Corner> c = {{0, 1, 2, 3}};
+    return c;
+  }
+};
+
+template <> struct Cell_topology<5> {
+  static const std::vector<Triangle_corners>& triangles() {
+    static const std::vector<Triangle_corners> f = {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}};
+    return f;
+  }
+  static const std::vector<Quad_corners>& quads() {
+    static const std::vector<Quad_corners> f = {{0, 3, 2, 1}};
+    return f;
+  }
+  static const std::vector<Corner>& corners() {
+    static const std::vector<Corner> c = {{0, 1, 3, 4}, {1, 2, 0, 4}, {2, 3, 1, 4}, {3, 0, 2, 4}};
+    return c;
+  }
+};
+
+template <> struct Cell_topology<6> {
+  static const std::vector<Triangle_corners>& triangles() {
+    static const std::vector<Triangle_corners> f = {{0, 2, 1}, {3, 4, 5}};
+    return f;
+  }
+  static const std::vector<Quad_corners>& quads() {
+    static const std::vector<Quad_corners> f = {{0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}};
+    return f;
+  }
+  static const std::vector<Corner>& corners() {
+    static const std::vector<Corner> c = {{0, 1, 2, 3}, {1, 2, 0, 4}, {2, 0, 1, 5},
+                                          {3, 5, 4, 0}, {4, 3, 5, 1}, {5, 4, 3, 2}};
+    return c;
+  }
+};
+
+template <> struct Cell_topology<8> {
+  static const std::vector<Triangle_corners>& triangles() {
+    static const std::vector<Triangle_corners> f;
+    return f;
+  }
+  static const std::vector<Quad_corners>& quads() {
+    static const std::vector<Quad_corners> f = {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4},
+                                                {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
+    return f;
+  }
+  static const std::vector<Corner>& corners() {
+    static const std::vector<Corner> c = {{0, 1, 3, 4}, {1, 2, 0, 5}, {2, 3, 1, 6}, {3, 0, 2, 7},
+                                          {4, 7, 5, 0}, {5, 4, 6, 1}, {6, 5, 7, 2}, {7, 6, 4, 3}};
+    return c;
+  }
+};
+
+} // namespace internal
+} // namespace Tubular_meshing
+} // namespace CGAL
+
+#endif // CGAL_TUBULAR_MESHING_BASE_CELL_TOPOLOGY_H
