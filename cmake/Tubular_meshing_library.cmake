@@ -13,25 +13,39 @@ include(Tubular_meshing_dependencies)
 unset(CMAKE_FIND_PACKAGE_NAME)
 unset(Tubular_meshing_FIND_REQUIRED)
 
-add_library(Tubular_meshing INTERFACE)
+# Two targets: the library, compiled once, and the headers alone, for those who would not link.
+function(tubular_meshing_set_usage target scope)
+  target_compile_features(${target} ${scope} cxx_std_17)
+  target_include_directories(${target} ${scope} $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
+                                                $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  # Not exported: Tubular_meshingConfig.cmake finds and links the dependencies where the package is used.
+  foreach(dependency IN LISTS Tubular_meshing_dependency_targets)
+    target_link_libraries(${target} ${scope} $<BUILD_INTERFACE:${dependency}>)
+  endforeach()
+endfunction()
+
+file(GLOB library_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/*.cpp)
+add_library(Tubular_meshing ${library_sources}) # static, or shared with BUILD_SHARED_LIBS
 add_library(CGAL::Tubular_meshing ALIAS Tubular_meshing)
-target_compile_features(Tubular_meshing INTERFACE cxx_std_17)
-target_include_directories(Tubular_meshing INTERFACE $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
-                                                     $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
-# Not exported: Tubular_meshingConfig.cmake finds and links the dependencies where the package is used.
-foreach(target IN LISTS Tubular_meshing_dependency_targets)
-  target_link_libraries(Tubular_meshing INTERFACE $<BUILD_INTERFACE:${target}>)
-endforeach()
+set_target_properties(Tubular_meshing PROPERTIES OUTPUT_NAME CGAL_Tubular_meshing VERSION ${PROJECT_VERSION}
+                                                 SOVERSION ${PROJECT_VERSION_MAJOR} POSITION_INDEPENDENT_CODE ON)
+target_compile_options(Tubular_meshing PRIVATE $<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-Wall -Wextra>)
+tubular_meshing_set_usage(Tubular_meshing PUBLIC)
+
+add_library(Tubular_meshing_header_only INTERFACE)
+add_library(CGAL::Tubular_meshing_header_only ALIAS Tubular_meshing_header_only)
+target_compile_definitions(Tubular_meshing_header_only INTERFACE CGAL_TUBULAR_MESHING_HEADER_ONLY)
+tubular_meshing_set_usage(Tubular_meshing_header_only INTERFACE)
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/Tubular_meshing)
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/Tubular_meshingConfig.cmake.in
                               ${PROJECT_BINARY_DIR}/Tubular_meshingConfig.cmake INSTALL_DESTINATION ${package_dir})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/Tubular_meshingConfigVersion.cmake
-                                 COMPATIBILITY SameMajorVersion ARCH_INDEPENDENT)
+                                 COMPATIBILITY SameMajorVersion)
 configure_file(${CMAKE_CURRENT_LIST_DIR}/Tubular_meshing_dependencies.cmake
                ${PROJECT_BINARY_DIR}/Tubular_meshing_dependencies.cmake COPYONLY)
 
-install(TARGETS Tubular_meshing EXPORT Tubular_meshing_targets)
+install(TARGETS Tubular_meshing Tubular_meshing_header_only EXPORT Tubular_meshing_targets)
 install(EXPORT Tubular_meshing_targets NAMESPACE CGAL:: FILE Tubular_meshingTargets.cmake DESTINATION ${package_dir})
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/CGAL DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.h")
 install(FILES ${PROJECT_BINARY_DIR}/Tubular_meshingConfig.cmake

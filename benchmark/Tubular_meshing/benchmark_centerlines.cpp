@@ -28,7 +28,7 @@ namespace {
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef Kernel::Point_3 Point;
 typedef CGAL::Surface_mesh<Point> Surface;
-typedef CGAL::Tubular_meshing::Centerline_graph<Point> Graph;
+typedef CGAL::Tubular_meshing::Centerline_graph Graph;
 namespace tubular = CGAL::Tubular_meshing;
 
 double peak_megabytes() {
@@ -38,7 +38,7 @@ double peak_megabytes() {
 }
 
 void measure(benchmark::State& state, Surface& surface, bool loops) {
-  std::vector<tubular::Opening<Point>> openings = tubular::find_openings(surface);
+  std::vector<tubular::Opening> openings = tubular::find_openings(surface);
   const auto patch = surface.add_property_map<Surface::Face_index, int>("f:patch", 0).first;
   tubular::close_openings(surface, openings, patch);
   std::size_t branches = 0;
@@ -57,7 +57,7 @@ void measure(benchmark::State& state, Surface& surface, bool loops) {
 // A tree of so many branches, with so many points round each.
 void tree(benchmark::State& state) {
   Surface surface;
-  tubular::generate_tubular_surface(tubular::bronchial_tree<Point>(std::size_t(state.range(0))), surface,
+  tubular::generate_tubular_surface(tubular::bronchial_tree(std::size_t(state.range(0))), surface,
                                     tubular::parameters::points_per_circumference(double(state.range(1))));
   measure(state, surface, false);
 }

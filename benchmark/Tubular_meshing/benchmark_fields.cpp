@@ -30,11 +30,11 @@ namespace {
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef Kernel::Point_3 Point;
 typedef Kernel::Vector_3 Vector;
-typedef CGAL::Tubular_meshing::Centerline_polylines<Point> Polylines;
-typedef CGAL::Tubular_meshing::Centerline_graph<Point> Graph;
-typedef CGAL::Tubular_meshing::Centerline_field<Point> Field;
-typedef CGAL::Tubular_meshing::Centerline_sizing_field<Point> Sizing_field;
-typedef CGAL::Tubular_meshing::Centerline_metric_field<Point> Metric_field;
+typedef CGAL::Tubular_meshing::Centerline_polylines Polylines;
+typedef CGAL::Tubular_meshing::Centerline_graph Graph;
+typedef CGAL::Tubular_meshing::Centerline_field Field;
+typedef CGAL::Tubular_meshing::Centerline_sizing_field Sizing_field;
+typedef CGAL::Tubular_meshing::Centerline_metric_field Metric_field;
 typedef CGAL::Tubular_meshing::Metric_tensor_3 Metric;
 
 // A tree of branches that halve at each generation, 128 segments a branch, as the lines of single branches.
@@ -170,7 +170,7 @@ struct Long_tube {
 void build_sizing_field(benchmark::State& state) {
   const Long_tube tube(state.range(0));
   for (auto _ : state) {
-    const Sizing_field size(Field(tube.graph), CGAL::Tubular_meshing::Wall_distance<Point>(tube.surface),
+    const Sizing_field size(Field(tube.graph), CGAL::Tubular_meshing::Wall_distance(tube.surface),
                             CGAL::Tubular_meshing::parameters::number_of_threads(1));
     benchmark::DoNotOptimize(size.estimated_number_of_tetrahedra());
   }
@@ -180,7 +180,7 @@ void build_sizing_field(benchmark::State& state) {
 // n queries on a tube of 10^5 triangles.
 void query_size(benchmark::State& state) {
   const Long_tube tube(100000);
-  const Sizing_field size(Field(tube.graph), CGAL::Tubular_meshing::Wall_distance<Point>(tube.surface));
+  const Sizing_field size(Field(tube.graph), CGAL::Tubular_meshing::Wall_distance(tube.surface));
   const std::vector<Point> points = queries(tube.graph, state.range(0), true);
   for (auto _ : state)
     for (const Point& p : points)

@@ -13,7 +13,6 @@
 #include <CGAL/Tubular_meshing/Pipelines/Tubular_model.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Tubular_meshing/Quads/recombine_triangles.h>
 
@@ -26,7 +25,7 @@
 
 namespace {
 
-typedef CGAL::Simple_cartesian<double>::Point_3 Point;
+typedef CGAL::Tubular_meshing::Point_3 Point;
 
 struct Triangles {
   std::vector<Point> points;
@@ -68,14 +67,13 @@ BENCHMARK_CAPTURE(recombine, odd, true)->Arg(71)->Arg(224)->Unit(benchmark::kMil
 void quadrangulate(benchmark::State& state) {
   typedef CGAL::Exact_predicates_inexact_constructions_kernel::Point_3 Point_3;
   namespace tubular = CGAL::Tubular_meshing;
-  const auto skeleton = tubular::bronchial_tree<Point_3>(std::size_t(state.range(0)));
+  const auto skeleton = tubular::bronchial_tree(std::size_t(state.range(0)));
   CGAL::Surface_mesh<Point_3> surface;
   tubular::generate_tubular_surface(skeleton, surface, tubular::parameters::points_per_circumference(16));
   auto model = tubular::make_tubular_model(surface, tubular::centerlines_of(skeleton));
-  const tubular::Centerline_sizing_field<Point_3> size(
-      tubular::Centerline_field<Point_3>(model.centerlines),
-      tubular::Wall_distance<Point_3>(model.surface, model.patch, tubular::labels::wall),
-      tubular::parameters::points_per_circumference(16));
+  const tubular::Centerline_sizing_field size(tubular::Centerline_field(model.centerlines),
+                                              tubular::Wall_distance(model.surface, model.patch, tubular::labels::wall),
+                                              tubular::parameters::points_per_circumference(16));
   const auto cut = tubular::cut_by_centerlines(model.surface, model.centerlines, model.patch);
   const auto maps = tubular::parameterize_patches(model.surface, cut);
   tubular::Quad_report quads;

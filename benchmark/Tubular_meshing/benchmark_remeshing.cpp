@@ -33,7 +33,7 @@
 namespace {
 
 typedef CGAL::Exact_predicates_inexact_constructions_kernel::Point_3 Point;
-typedef CGAL::Tubular_meshing::Mixed_mesh<Point> Mesh;
+typedef CGAL::Tubular_meshing::Mixed_mesh Mesh;
 typedef CGAL::Tubular_meshing::Metric_tensor_3 Metric;
 namespace tubular = CGAL::Tubular_meshing;
 using tubular::internal::Vector_3d;

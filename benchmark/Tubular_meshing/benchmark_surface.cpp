@@ -35,7 +35,7 @@ typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef Kernel::Point_3 Point;
 typedef CGAL::Surface_mesh<Point> Surface;
 namespace tubular = CGAL::Tubular_meshing;
-typedef tubular::Tubular_model<Point> Model;
+typedef tubular::Tubular_model Model;
 
 int threads = 1;
 
@@ -70,10 +70,9 @@ struct Copy {
 
 void measure(benchmark::State& state, const Model& model, double points) {
   const auto np = tubular::parameters::number_of_threads(threads);
-  const tubular::Centerline_sizing_field<Point> size(
-      tubular::Centerline_field<Point>(model.centerlines),
-      tubular::Wall_distance<Point>(model.surface, model.patch, tubular::labels::wall),
-      tubular::parameters::points_per_circumference(points));
+  const tubular::Centerline_sizing_field size(tubular::Centerline_field(model.centerlines),
+                                              tubular::Wall_distance(model.surface, model.patch, tubular::labels::wall),
+                                              tubular::parameters::points_per_circumference(points));
   double cutting = 0, mapping = 0, meshing = 0;
   std::size_t patches = 0, triangles = 0;
   for (auto _ : state) {
@@ -103,7 +102,7 @@ void measure(benchmark::State& state, const Model& model, double points) {
 
 // A tree of so many branches.
 void tree(benchmark::State& state) {
-  const auto skeleton = tubular::bronchial_tree<Point>(std::size_t(state.range(0)));
+  const auto skeleton = tubular::bronchial_tree(std::size_t(state.range(0)));
   Surface surface;
   tubular::generate_tubular_surface(skeleton, surface, tubular::parameters::points_per_circumference(16));
   measure(state, tubular::make_tubular_model(surface, tubular::centerlines_of(skeleton)), 12);

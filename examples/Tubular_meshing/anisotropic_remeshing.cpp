@@ -45,7 +45,7 @@ int main(int argc, char* argv[]) {
     return EXIT_FAILURE;
   }
   try {
-    TM::Mixed_mesh<Point_3> mesh;
+    TM::Mixed_mesh mesh;
     TM::IO::read_mesh(argv[1], mesh);
     CGAL::Bbox_3 box;
     for (const Point_3& p : mesh.points)

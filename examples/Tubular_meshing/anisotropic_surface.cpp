@@ -29,13 +29,13 @@ typedef Kernel::Vector_3 Vector_3;
 typedef CGAL::Surface_mesh<Point_3> Surface;
 namespace tubular = CGAL::Tubular_meshing;
 
-void write(const std::string& file, const tubular::Remeshed_surface<Point_3>& remeshed) {
+void write(const std::string& file, const tubular::Remeshed_surface& remeshed) {
   const tubular::Metric_fit fit = tubular::metric_surface_report(remeshed).wall;
   std::cout << file << ": " << remeshed.surface.number_of_faces()
             << " triangles; on the wall their shape in the metric "
             << "is " << fit.shape.mean() << " on average, and " << 100 * fit.share_of_unit_edges()
             << " % of the edges have unit length\n";
-  tubular::Mixed_mesh<Point_3> mesh;
+  tubular::Mixed_mesh mesh;
   tubular::surface_to_mixed_mesh(remeshed, mesh);
   tubular::IO::write_mesh(file, mesh);
 }
@@ -51,7 +51,7 @@ int main(int argc, char* argv[]) {
     auto model = tubular::make_tubular_model(surface);
     write(argv[2], tubular::make_anisotropic_surface_mesh(model, tubular::parameters::first_height(0.02)));
 
-    const tubular::Centerline_field<Point_3> lines(model.centerlines);
+    const tubular::Centerline_field lines(model.centerlines);
     const auto metric = [&](const Point_3& p) {
       const auto frame = lines.frame(p);
       const double around = 2 * CGAL_PI * lines.radius(p) / 20;

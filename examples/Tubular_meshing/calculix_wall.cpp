@@ -34,10 +34,10 @@ int main(int argc, char* argv[]) {
     const double points = argc > 3 ? std::atof(argv[3]) : 20;
     const auto quads = TM::make_quad_surface_mesh(model, TM::parameters::points_per_circumference(points));
 
-    const TM::Centerline_field<Point_3> centerlines(model.centerlines);
-    TM::Layer_report<Point_3> report;
-    const TM::Mixed_mesh<Point_3> wall = TM::extrude_wall(quads.surface, quads.patch, centerlines,
-                                                          TM::parameters::wall_thickness(0.2).wall_layers(4), &report);
+    const TM::Centerline_field centerlines(model.centerlines);
+    TM::Layer_report report;
+    const TM::Mixed_mesh wall = TM::extrude_wall(quads.surface, quads.patch, centerlines,
+                                                 TM::parameters::wall_thickness(0.2).wall_layers(4), &report);
     std::cout << wall.hexahedra.size() << " hexahedra. " << report.text() << "\n";
     TM::IO::write_mesh(argv[2], wall);
   } catch (const TM::Error& e) {

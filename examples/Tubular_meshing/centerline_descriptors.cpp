@@ -26,11 +26,11 @@ int main(int argc, char* argv[]) {
   try {
     CGAL::Surface_mesh<Point> surface;
     TM::IO::read_surface(argv[1], surface);
-    TM::Centerline_polylines<Point> lines;
+    TM::Centerline_polylines lines;
     TM::IO::read_centerlines(argv[2], lines);
 
-    TM::Centerline_graph<Point> graph;
-    TM::build_centerline_graph(lines, TM::Wall_distance<Point>(surface), graph);
+    TM::Centerline_graph graph;
+    TM::build_centerline_graph(lines, TM::Wall_distance(surface), graph);
     std::cout << "branch\tfrom\tto\tlength\tradius\taspect ratio\n";
     for (std::size_t i = 0; i < graph.branches().size(); ++i) {
       const auto& b = graph.branches()[i];
@@ -38,7 +38,7 @@ int main(int argc, char* argv[]) {
                 << b.max_radius << '\t' << graph.aspect_ratio(i) << '\n';
     }
 
-    const TM::Centerline_field<Point> field(graph);
+    const TM::Centerline_field field(graph);
     const Point x = argc == 6 ? Point(std::atof(argv[3]), std::atof(argv[4]), std::atof(argv[5]))
                               : surface.point(*surface.vertices().begin());
     const auto [at, frame] = field.descriptors_and_frame(x);

@@ -24,12 +24,12 @@ typedef CGAL::Surface_mesh<Point_3> Surface;
 
 namespace Tubular = CGAL::Tubular_meshing;
 
-void print(const std::vector<Tubular::Opening<Point_3>>& openings) {
+void print(const std::vector<Tubular::Opening>& openings) {
   const Tubular::Label_names names = Tubular::lumen_patch_names(static_cast<int>(openings.size()));
   std::cout << std::left << std::setw(7) << "patch" << std::setw(12) << "name" << std::setw(14) << "radius"
             << std::setw(14) << "area"
             << "center\n";
-  for (const Tubular::Opening<Point_3>& o : openings)
+  for (const Tubular::Opening& o : openings)
     std::cout << std::setw(7) << o.patch << std::setw(12) << names.at(o.patch) << std::setw(14) << o.radius
               << std::setw(14) << o.area << o.center << "\n";
 }
@@ -42,7 +42,7 @@ int main(int argc, char* argv[]) {
   Surface surface;
   try {
     Tubular::IO::read_surface(argv[1], surface);
-    std::vector<Tubular::Opening<Point_3>> openings = Tubular::find_openings(surface);
+    std::vector<Tubular::Opening> openings = Tubular::find_openings(surface);
     auto patch = surface.add_property_map<Surface::Face_index, int>("f:patch", 0).first;
     Tubular::close_openings(surface, openings, patch);
     print(openings);

@@ -28,7 +28,7 @@
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef Kernel::Point_3 Point_3;
 typedef CGAL::Surface_mesh<Point_3> Surface;
-typedef CGAL::Tubular_meshing::Centerline_graph<Point_3> Graph;
+typedef CGAL::Tubular_meshing::Centerline_graph Graph;
 namespace tubular = CGAL::Tubular_meshing;
 
 namespace {
@@ -65,7 +65,7 @@ Surface mended_surface(const Options& o) {
 // Seeds tell where lines begin and end, also on a surface that has openings: these are closed first, if it is open.
 Graph centerlines_between_seeds(const Options& o, Surface& surface, const std::vector<Point_3>& seeds) {
   if (!CGAL::is_closed(surface)) {
-    std::vector<tubular::Opening<Point_3>> openings = tubular::find_openings(surface);
+    std::vector<tubular::Opening> openings = tubular::find_openings(surface);
     const auto patch = surface.add_property_map<Surface::Face_index, int>("f:patch", 0).first;
     tubular::close_openings(surface, openings, patch);
   }
@@ -75,7 +75,7 @@ Graph centerlines_between_seeds(const Options& o, Surface& surface, const std::v
 }
 
 Graph centerlines_between_openings(const Options& o, Surface& surface) {
-  std::vector<tubular::Opening<Point_3>> openings =
+  std::vector<tubular::Opening> openings =
       o.inlet.empty()
           ? tubular::find_openings(surface)
           : tubular::find_openings(surface, tubular::parameters::inlet(command_line::point_of<Point_3>(o.inlet)));

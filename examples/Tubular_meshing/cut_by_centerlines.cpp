@@ -47,7 +47,7 @@ const char* name_of(tubular::Patch_kind kind) {
   }
 }
 
-void print(const tubular::Surface_cut<Point_3>& cut) {
+void print(const tubular::Surface_cut& cut) {
   std::printf("patch  kind      triangles  aspect ratio  neighbours\n");
   for (std::size_t i = 0; i < cut.patches.size(); ++i) {
     const auto& patch = cut.patches[i];
@@ -62,8 +62,8 @@ void print(const tubular::Surface_cut<Point_3>& cut) {
     std::printf("%s\n", problem.message().c_str());
 }
 
-typedef tubular::Tubular_model<Point_3> Model;
-typedef tubular::Surface_cut<Point_3> Cut;
+typedef tubular::Tubular_model Model;
+typedef tubular::Surface_cut Cut;
 
 Cut cut_model(const Options& o, Model& model) {
   return tubular::cut_by_centerlines(model.surface, model.centerlines, model.patch,
@@ -74,7 +74,7 @@ Cut cut_model(const Options& o, Model& model) {
 bool add_seeds(const Cut& cut, std::vector<Point_3>& seeds) {
   const std::size_t before = seeds.size();
   for (const auto& problem : cut.problems)
-    if (problem.kind == tubular::Cut_problem<Point_3>::no_centerline)
+    if (problem.kind == tubular::Cut_problem::no_centerline)
       seeds.push_back(problem.point);
   return seeds.size() > before;
 }

@@ -47,7 +47,7 @@ int main(int argc, char* argv[]) {
   try {
     Surface surface;
     Tubular::IO::read_surface(argv[1], surface);
-    std::vector<Tubular::Opening<Point_3>> openings = Tubular::find_openings(surface);
+    std::vector<Tubular::Opening> openings = Tubular::find_openings(surface);
     const std::vector<double> lengths =
         Tubular::add_flow_extensions(surface, openings,
                                      Tubular::parameters::extension_length(length).extended_openings(

@@ -24,7 +24,7 @@ typedef CGAL::Simple_cartesian<double> Kernel;
 typedef Kernel::Point_3 Point_3;
 typedef CGAL::Surface_mesh<Point_3> Surface;
 namespace tubular = CGAL::Tubular_meshing;
-typedef tubular::Tubular_skeleton<Point_3> Skeleton;
+typedef tubular::Tubular_skeleton Skeleton;
 
 namespace {
 
@@ -38,16 +38,16 @@ struct Options {
 
 Skeleton skeleton_of(const Options& o) {
   if (o.shape == "tube")
-    return tubular::straight_tube<Point_3>();
+    return tubular::straight_tube();
   if (o.shape == "curved")
-    return tubular::curved_tube<Point_3>();
+    return tubular::curved_tube();
   if (o.shape == "y")
-    return tubular::y_bifurcation<Point_3>();
+    return tubular::y_bifurcation();
   if (o.shape == "arch")
-    return tubular::aortic_arch<Point_3>();
+    return tubular::aortic_arch();
   if (o.shape == "willis")
-    return tubular::willis_loop<Point_3>();
-  return tubular::bronchial_tree<Point_3>(o.branches);
+    return tubular::willis_loop();
+  return tubular::bronchial_tree(o.branches);
 }
 
 void generate(const Options& o) {

@@ -31,11 +31,11 @@ int main(int argc, char* argv[]) {
     std::cout << TM::repair_surface(surface).text();
 
     const auto np = TM::parameters::points_per_circumference(16).gradation(1.2);
-    TM::Mixed_mesh<Point_3> mesh;
+    TM::Mixed_mesh mesh;
     if (argc == 3) {
       mesh = TM::make_isotropic_mesh(surface, np);
     } else {
-      TM::Centerline_polylines<Point_3> lines;
+      TM::Centerline_polylines lines;
       TM::IO::read_centerlines(argv[3], lines);
       mesh = TM::make_isotropic_mesh(surface, lines, np);
     }

@@ -27,7 +27,7 @@ typedef CGAL::Polyhedral_mesh_domain_3<Surface, Kernel> Domain;
 typedef CGAL::Mesh_triangulation_3<Domain>::type Triangulation;
 typedef CGAL::Mesh_complex_3_in_triangulation_3<Triangulation> C3t3;
 namespace TM = CGAL::Tubular_meshing;
-typedef TM::Centerline_metric_field<Point_3> Metric_field;
+typedef TM::Centerline_metric_field Metric_field;
 typedef TM::Metric_mesh_criteria_3<Triangulation, Metric_field> Criteria;
 
 // The longest edge of the mesh in the metric.
@@ -48,10 +48,10 @@ int main(int argc, char* argv[]) {
     return 1;
   }
   Surface surface;
-  TM::Centerline_polylines<Point_3> lines;
+  TM::Centerline_polylines lines;
   TM::IO::read_surface(argv[1], surface);
   TM::IO::read_centerlines(argv[2], lines);
-  const TM::Tubular_model<Point_3> model = TM::make_tubular_model(surface, lines);
+  const TM::Tubular_model model = TM::make_tubular_model(surface, lines);
 
   const Metric_field metric(model.surface, model.patch, model.centerlines,
                             TM::parameters::first_height(0.15).max_anisotropy(3.));

@@ -33,15 +33,14 @@ int main(int argc, char* argv[]) {
     return 1;
   }
   Surface surface;
-  TM::Centerline_polylines<Point_3> lines;
+  TM::Centerline_polylines lines;
   TM::IO::read_surface(argv[1], surface);
   TM::IO::read_centerlines(argv[2], lines);
-  const TM::Tubular_model<Point_3> model = TM::make_tubular_model(surface, lines);
+  const TM::Tubular_model model = TM::make_tubular_model(surface, lines);
 
-  const TM::Centerline_sizing_field<Point_3> size(
-      TM::Centerline_field<Point_3>(model.centerlines),
-      TM::Wall_distance<Point_3>(model.surface, model.patch, TM::labels::wall),
-      TM::parameters::points_per_circumference(20));
+  const TM::Centerline_sizing_field size(TM::Centerline_field(model.centerlines),
+                                         TM::Wall_distance(model.surface, model.patch, TM::labels::wall),
+                                         TM::parameters::points_per_circumference(20));
   const Domain domain(model.surface);
   const CGAL::Mesh_criteria_3<Triangulation> criteria(
       CGAL::parameters::facet_angle = 25, CGAL::parameters::facet_size = size, CGAL::parameters::cell_size = size);

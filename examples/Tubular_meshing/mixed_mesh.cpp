@@ -29,7 +29,7 @@ int main(int argc, char* argv[]) {
     TM::IO::read_surface(argv[1], surface);
     std::cout << TM::repair_surface(surface).text();
 
-    const TM::Mixed_mesh<Point_3> mesh =
+    const TM::Mixed_mesh mesh =
         TM::make_mixed_mesh(surface, TM::parameters::points_per_circumference(20).wall_thickness(0.2).wall_layers(4));
 
     const TM::Quality_report quality = TM::quality_report(mesh);

@@ -31,7 +31,7 @@ typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef Kernel::Point_3 Point_3;
 typedef CGAL::Surface_mesh<Point_3> Surface;
 namespace tubular = CGAL::Tubular_meshing;
-typedef tubular::Patch_parameterization<Point_3> Map;
+typedef tubular::Patch_parameterization Map;
 
 namespace {
 

@@ -37,9 +37,9 @@ int main(int argc, char* argv[]) {
     const auto cut = tubular::cut_by_centerlines(model.surface, model.centerlines, model.patch);
     const auto maps = tubular::parameterize_patches(model.surface, cut);
 
-    const tubular::Centerline_sizing_field<Point_3> by_radius(
-        tubular::Centerline_field<Point_3>(model.centerlines),
-        tubular::Wall_distance<Point_3>(model.surface, model.patch, tubular::labels::wall),
+    const tubular::Centerline_sizing_field by_radius(
+        tubular::Centerline_field(model.centerlines),
+        tubular::Wall_distance(model.surface, model.patch, tubular::labels::wall),
         tubular::parameters::points_per_circumference(20));
     const auto& inlet = model.openings.front();
     const auto size = [&](const Point_3& p) {

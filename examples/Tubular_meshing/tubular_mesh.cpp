@@ -115,7 +115,7 @@ void check(const Options& o) {
   }
 }
 
-typedef tubular::Remeshed_surface<Point_3> Remeshed_surface;
+typedef tubular::Remeshed_surface Remeshed_surface;
 
 void write_surface(tubular::IO::Output_file& file, const Remeshed_surface& surface) {
   const auto labels = tubular::parameters::face_patch_map(surface.patch).surface_patch_map(surface.patch_of_face);
@@ -127,8 +127,8 @@ void write_surface(tubular::IO::Output_file& file, const Remeshed_surface& surfa
 }
 
 // Writes everything that was asked for; nothing gets its name before all of it is whole.
-void write(const Options& o, const tubular::Tubular_model<Point_3>& model, const Remeshed_surface& surface,
-           const tubular::Mixed_mesh<Point_3>& mesh, run_report::Json& report, Stage_clock& clock) {
+void write(const Options& o, const tubular::Tubular_model& model, const Remeshed_surface& surface,
+           const tubular::Mixed_mesh& mesh, run_report::Json& report, Stage_clock& clock) {
   std::vector<std::unique_ptr<tubular::IO::Output_file>> files;
   const auto open = [&](const std::string& name) -> tubular::IO::Output_file& {
     files.emplace_back(new tubular::IO::Output_file(name));
@@ -152,8 +152,8 @@ void write(const Options& o, const tubular::Tubular_model<Point_3>& model, const
 }
 
 // The surface as a mesh that has no cells yet, for the report.
-tubular::Mixed_mesh<Point_3> without_cells(const Remeshed_surface& surface, std::size_t number_of_openings) {
-  tubular::Mixed_mesh<Point_3> mesh;
+tubular::Mixed_mesh without_cells(const Remeshed_surface& surface, std::size_t number_of_openings) {
+  tubular::Mixed_mesh mesh;
   tubular::surface_to_mixed_mesh(surface, mesh);
   mesh.patch_names = tubular::lumen_patch_names(int(number_of_openings));
   return mesh;
@@ -163,12 +163,12 @@ void run(const Options& o) {
   check(o);
   Stage_clock clock(o.quiet);
   Surface input;
-  const tubular::Repair_report<Point_3> repairs = read_surface(o, input, clock);
+  const tubular::Repair_report repairs = read_surface(o, input, clock);
   const Flow_extensions extensions = extend_openings(o, input, clock);
-  const tubular::Tubular_model<Point_3> model = prepare(o, input, extensions, clock);
+  const tubular::Tubular_model model = prepare(o, input, extensions, clock);
   Remeshed_surface surface;
-  tubular::Mixed_mesh<Point_3> mesh;
-  tubular::Layer_report<Point_3> wall, boundary_layer;
+  tubular::Mixed_mesh mesh;
+  tubular::Layer_report wall, boundary_layer;
   if (o.makes_surface_only()) {
     surface = make_surface_mesh(o, model, clock);
     mesh = without_cells(surface, model.openings.size());

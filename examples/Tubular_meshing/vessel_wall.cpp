@@ -38,16 +38,16 @@ int main(int argc, char* argv[]) {
     tubular::IO::read_surface(argv[1], input);
     const auto model = tubular::make_tubular_model(input);
     const auto surface = tubular::make_isotropic_surface_mesh(model);
-    const tubular::Centerline_field<Point_3> centerlines(model.centerlines);
+    const tubular::Centerline_field centerlines(model.centerlines);
 
     // the lumen: seven layers of prisms along the wall, tetrahedra inside of them
     auto lumen = tubular::extrude_boundary_layer(surface.surface, surface.patch, centerlines);
-    const tubular::Centerline_sizing_field<Point_3> size(
-        centerlines, tubular::Wall_distance<Point_3>(model.surface, model.patch, tubular::labels::wall));
-    tubular::Mixed_mesh<Point_3> inside;
+    const tubular::Centerline_sizing_field size(
+        centerlines, tubular::Wall_distance(model.surface, model.patch, tubular::labels::wall));
+    tubular::Mixed_mesh inside;
     tubular::fill_with_tetgen(lumen.inner, lumen.patch, size, inside);
     tubular::optimize_tetrahedra(inside, lumen.inner, lumen.patch, tubular::parameters::keep_boundary(true));
-    tubular::Mixed_mesh<Point_3>& mesh = lumen.layers;
+    tubular::Mixed_mesh& mesh = lumen.layers;
     tubular::append_mesh(mesh, inside, lumen.mesh_points);
 
     // the wall: media and adventitia

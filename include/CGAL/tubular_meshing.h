@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_H
 #define CGAL_TUBULAR_MESHING_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Centerlines/Centerline_field.h>
 #include <CGAL/Tubular_meshing/Fields/Centerline_sizing_field.h>
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
@@ -33,20 +34,19 @@ namespace Tubular_meshing {
 namespace internal {
 
 /* Meshes the surface patch by patch, and fills it; all in the model's frame. Returns the surface. */
-template <class Point_3, class NamedParameters>
-Remeshed_surface<Point_3> make_isotropic_mesh_in_frame(Model_in_its_frame<Point_3>& framed, Mixed_mesh<Point_3>& mesh,
-                                                       const NamedParameters& np) {
+template <class NamedParameters>
+Remeshed_surface make_isotropic_mesh_in_frame(Model_in_its_frame& framed, Mixed_mesh& mesh, const NamedParameters& np) {
   typedef Named_parameters<bool, internal_np::keep_boundary_t, NamedParameters> With_boundary;
-  typedef Centerline_sizing_field<Point_3> Sizing_field;
+  typedef Centerline_sizing_field Sizing_field;
   const auto observer = stage_observer(np);
   const Volume_mesher mesher = choose(np, internal_np::volume_mesher, default_volume_mesher());
   const Sizing_field size = framed.sizing_field(np);
   check_memory(size.estimated_number_of_tetrahedra());
-  Remeshed_surface<Point_3> surface = remesh_in_frame(framed, size, np);
+  Remeshed_surface surface = remesh_in_frame(framed, size, np);
   if (wants_boundary_layer(np) && mesher == Volume_mesher::mesh_3)
     throw Meshing_error("Layers inside the lumen need a mesher that keeps their sides: build this program where CMake "
                         "finds TetGen (libtet1.5-dev), or CGAL 6.1 or later, and choose one of these.");
-  const auto fill = [&](const auto& closed, const auto& patch, Mixed_mesh<Point_3>& filling) {
+  const auto fill = [&](const auto& closed, const auto& patch, Mixed_mesh& filling) {
     observer("tetrahedra");
     if (mesher == Volume_mesher::tetgen)
       fill_with_tetgen(closed, patch, size, filling, np);
@@ -92,17 +92,17 @@ Remeshed_surface<Point_3> make_isotropic_mesh_in_frame(Model_in_its_frame<Point_
  * \throws Parameter_error if a parameter is out of its range
  * \throws Meshing_error if no valid mesh comes out, or the mesh would not fit into memory
  */
-template <class Point_3, class NamedParameters = CGAL::parameters::Default_named_parameters>
-Mixed_mesh<Point_3> make_isotropic_mesh(const Tubular_model<Point_3>& model,
-                                        const NamedParameters& np = CGAL::parameters::default_values()) {
-  typedef Centerline_sizing_field<Point_3> Sizing_field;
+template <class NamedParameters = CGAL::parameters::Default_named_parameters>
+Mixed_mesh make_isotropic_mesh(const Tubular_model& model,
+                               const NamedParameters& np = CGAL::parameters::default_values()) {
+  typedef Centerline_sizing_field Sizing_field;
   const auto observer = internal::stage_observer(np);
 
   observer("size field");
-  const internal::Model_in_its_frame<Point_3> framed(model);
+  const internal::Model_in_its_frame framed(model);
   const Sizing_field size = framed.sizing_field(np);
   internal::check_memory(size.estimated_number_of_tetrahedra());
-  Mixed_mesh<Point_3> mesh;
+  Mixed_mesh mesh;
   std::string differences;
   for (double factor : {1., 0.7, 0.5}) {
     observer("tetrahedra");
@@ -150,12 +150,12 @@ Mixed_mesh<Point_3> make_isotropic_mesh(const Tubular_model<Point_3>& model,
  * \throws Parameter_error if a parameter is out of its range
  * \throws Meshing_error if the surface cannot be meshed, or TetGen or Mesh_3 fail on it
  */
-template <class Point_3, class NamedParameters = CGAL::parameters::Default_named_parameters>
-Mixed_mesh<Point_3> make_isotropic_mesh(const Tubular_model<Point_3>& model, Remeshed_surface<Point_3>& surface,
-                                        const NamedParameters& np = CGAL::parameters::default_values()) {
+template <class NamedParameters = CGAL::parameters::Default_named_parameters>
+Mixed_mesh make_isotropic_mesh(const Tubular_model& model, Remeshed_surface& surface,
+                               const NamedParameters& np = CGAL::parameters::default_values()) {
   internal::stage_observer(np)("size field");
-  internal::Model_in_its_frame<Point_3> framed(model);
-  Mixed_mesh<Point_3> mesh;
+  internal::Model_in_its_frame framed(model);
+  Mixed_mesh mesh;
   surface = internal::make_isotropic_mesh_in_frame(framed, mesh, np);
   internal::check_differences(mesh, model);
   framed.bring_back(mesh);
@@ -168,9 +168,9 @@ Mixed_mesh<Point_3> make_isotropic_mesh(const Tubular_model<Point_3>& model, Rem
  *
  * the same, from a surface and its centerlines; takes the named parameters of make_tubular_model() as well.
  */
-template <class Point_3, class TriangleMesh, class NamedParameters = CGAL::parameters::Default_named_parameters>
-Mixed_mesh<Point_3> make_isotropic_mesh(const TriangleMesh& surface, const Centerline_polylines<Point_3>& lines,
-                                        const NamedParameters& np = CGAL::parameters::default_values()) {
+template <class TriangleMesh, class NamedParameters = CGAL::parameters::Default_named_parameters>
+Mixed_mesh make_isotropic_mesh(const TriangleMesh& surface, const Centerline_polylines& lines,
+                               const NamedParameters& np = CGAL::parameters::default_values()) {
   return make_isotropic_mesh(make_tubular_model(surface, lines, np), np);
 }
 
@@ -178,13 +178,13 @@ Mixed_mesh<Point_3> make_isotropic_mesh(const TriangleMesh& surface, const Cente
  *
  * the same, from a surface alone, whose centerlines are computed.
  */
-template <class Point_3, class T, class Tag, class Base>
-Mixed_mesh<Point_3> make_isotropic_mesh(const CGAL::Surface_mesh<Point_3>& surface,
-                                        const CGAL::Named_function_parameters<T, Tag, Base>& np) {
+template <class T, class Tag, class Base>
+Mixed_mesh make_isotropic_mesh(const CGAL::Surface_mesh<Point_3>& surface,
+                               const CGAL::Named_function_parameters<T, Tag, Base>& np) {
   return make_isotropic_mesh(make_tubular_model(surface, np), np);
 }
 
-template <class Point_3> Mixed_mesh<Point_3> make_isotropic_mesh(const CGAL::Surface_mesh<Point_3>& surface) {
+inline Mixed_mesh make_isotropic_mesh(const CGAL::Surface_mesh<Point_3>& surface) {
   return make_isotropic_mesh(surface, CGAL::parameters::default_values());
 }
 
@@ -214,16 +214,16 @@ template <class Point_3> Mixed_mesh<Point_3> make_isotropic_mesh(const CGAL::Sur
  * \throws Parameter_error if a parameter is out of its range
  * \throws Meshing_error if no valid mesh comes out
  */
-template <class Point_3, class NamedParameters = CGAL::parameters::Default_named_parameters>
-Mixed_mesh<Point_3> make_anisotropic_mesh(const Tubular_model<Point_3>& model,
-                                          const NamedParameters& np = CGAL::parameters::default_values()) {
+template <class NamedParameters = CGAL::parameters::Default_named_parameters>
+Mixed_mesh make_anisotropic_mesh(const Tubular_model& model,
+                                 const NamedParameters& np = CGAL::parameters::default_values()) {
   const auto observer = internal::stage_observer(np);
   observer("size field");
-  internal::Model_in_its_frame<Point_3> framed(model);
-  Mixed_mesh<Point_3> mesh;
+  internal::Model_in_its_frame framed(model);
+  Mixed_mesh mesh;
   internal::make_isotropic_mesh_in_frame(framed, mesh, np);
   observer("metric field");
-  const Centerline_metric_field<Point_3> metric = framed.metric_field(np);
+  const Centerline_metric_field metric = framed.metric_field(np);
   observer("anisotropic remeshing");
   typedef Named_parameters<std::vector<int>, internal_np::boundary_layer_patches_t, NamedParameters> With_layer;
   anisotropic_tetrahedral_remeshing(mesh, framed.surface(), framed.patch(), metric,

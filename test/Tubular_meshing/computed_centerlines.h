@@ -25,9 +25,9 @@ namespace computed_centerlines {
 
 using namespace test_surfaces;
 namespace tubular = CGAL::Tubular_meshing;
-typedef tubular::Centerline_graph<Point> Graph;
-typedef tubular::Tubular_skeleton<Point> Skeleton;
-typedef tubular::Opening<Point> Opening;
+typedef tubular::Centerline_graph Graph;
+typedef tubular::Tubular_skeleton Skeleton;
+typedef tubular::Opening Opening;
 
 inline double distance(const Point& p, const Point& q) {
   return std::sqrt(CGAL::squared_distance(p, q));

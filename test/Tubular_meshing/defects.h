@@ -59,7 +59,7 @@ struct Clean_surface {
   long handles = 0;
   unsigned draw = 0; ///< vertex() gives others for another one
 
-  Clean_surface(const std::string& name, const tubular::Tubular_skeleton<Point>& skeleton)
+  Clean_surface(const std::string& name, const tubular::Tubular_skeleton& skeleton)
       : name(name)
       , openings(skeleton.number_of_openings())
       , handles(long(skeleton.number_of_loops())) {
@@ -146,8 +146,8 @@ private:
 
 inline const std::vector<Clean_surface>& clean_surfaces() {
   static const std::vector<Clean_surface> all = {
-      Clean_surface("tube", tubular::straight_tube<Point>(10, 1)), Clean_surface("y", tubular::y_bifurcation<Point>()),
-      Clean_surface("arch", tubular::aortic_arch<Point>()), Clean_surface("loop", tubular::willis_loop<Point>())};
+      Clean_surface("tube", tubular::straight_tube(10, 1)), Clean_surface("y", tubular::y_bifurcation()),
+      Clean_surface("arch", tubular::aortic_arch()), Clean_surface("loop", tubular::willis_loop())};
   return all;
 }
 

@@ -18,9 +18,9 @@
 /* A box of n[0] × n[1] × n[2] cells, of six tetrahedra each, all of region 1. `point(i, j, k)` is called once for each
  * vertex, k first; `label(axis, end)` is the patch of a side, 0 for none. */
 template <class Make_point, class Label>
-CGAL::Tubular_meshing::Mixed_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3>
-grid_of_tetrahedra(const std::array<int, 3>& n, const Make_point& point, const Label& label) {
-  CGAL::Tubular_meshing::Mixed_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3> m;
+CGAL::Tubular_meshing::Mixed_mesh grid_of_tetrahedra(const std::array<int, 3>& n, const Make_point& point,
+                                                     const Label& label) {
+  CGAL::Tubular_meshing::Mixed_mesh m;
   std::vector<std::array<int, 3>> place;
   const auto at = [&](int i, int j, int k) { return std::uint32_t((i * (n[1] + 1) + j) * (n[2] + 1) + k); };
   for (int i = 0; i <= n[0]; ++i)

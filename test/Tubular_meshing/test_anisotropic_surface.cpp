@@ -41,8 +41,8 @@ namespace {
 using namespace test_surfaces;
 namespace tubular = CGAL::Tubular_meshing;
 namespace PMP = CGAL::Polygon_mesh_processing;
-typedef tubular::Tubular_model<Point> Model;
-typedef tubular::Remeshed_surface<Point> Remeshed;
+typedef tubular::Tubular_model Model;
+typedef tubular::Remeshed_surface Remeshed;
 typedef tubular::Metric_tensor_2 Metric_2;
 typedef tubular::Metric_tensor_3 Metric_3;
 typedef tubular::internal::Vector_3d V;
@@ -51,14 +51,14 @@ const double pi = 3.14159265358979323846;
 
 // --- models and metrics ---
 
-Model model_of(const tubular::Tubular_skeleton<Point>& skeleton, double points = 24) {
+Model model_of(const tubular::Tubular_skeleton& skeleton, double points = 24) {
   Mesh mesh;
   tubular::generate_tubular_surface(skeleton, mesh, tubular::parameters::points_per_circumference(points).noise(0.));
   return tubular::make_tubular_model(mesh, tubular::centerlines_of(skeleton));
 }
 
 Model straight_tube(double points = 24) {
-  return model_of(tubular::straight_tube<Point>(10, 1), points);
+  return model_of(tubular::straight_tube(10, 1), points);
 }
 
 template <class Size> Remeshed remesh(Model&& model, const Size& size, int threads = 0) {
@@ -300,9 +300,9 @@ TEST(Anisotropic_surface, Is_refined_piece_by_piece) {
   const auto cut = tubular::cut_by_centerlines(model.surface, model.centerlines, model.patch);
   const auto maps = tubular::parameterize_patches(model.surface, cut);
   const auto metric = tube_metric(thin_at_wall, 0.2, 0.8, straight);
-  typedef tubular::internal::Metric_sizes<Point, decltype(metric)> Sizes;
+  typedef tubular::internal::Metric_sizes<decltype(metric)> Sizes;
   const Sizes sizes(model.surface, cut, maps, metric);
-  tubular::internal::Piece_mesher<Point, Sizes> mesher(model.surface, cut, maps, sizes, false, 1);
+  tubular::internal::Piece_mesher<Sizes> mesher(model.surface, cut, maps, sizes, false, 1);
   mesher.mesh_all();
   const std::size_t before = mesher.pieces()[0].triangles.size();
   mesher.mesh_finer({0});
@@ -343,7 +343,7 @@ std::size_t number_of_labels(const Remeshed& r) {
 }
 
 TEST(Anisotropic_surface, Of_a_bifurcation_is_long_along_the_vessels) {
-  const Model model = model_of(tubular::y_bifurcation<Point>());
+  const Model model = model_of(tubular::y_bifurcation());
   const Remeshed r = tubular::make_anisotropic_surface_mesh(model);
   expect_good(model.surface, r);
   EXPECT_EQ(number_of_labels(r), 1 + model.openings.size());
@@ -352,7 +352,7 @@ TEST(Anisotropic_surface, Of_a_bifurcation_is_long_along_the_vessels) {
   EXPECT_NEAR(PMP::volume(r.surface), PMP::volume(model.surface), 0.02 * PMP::volume(model.surface));
 
   // Where sizes differ much on the wall, away from the junction, the longest edge of a triangle is along the vessel.
-  const tubular::Centerline_field<Point> lines(model.centerlines);
+  const tubular::Centerline_field lines(model.centerlines);
   double cosines = 0;
   std::size_t number = 0;
   for (auto f : r.surface.faces()) {
@@ -402,7 +402,7 @@ TEST(Anisotropic_surface, Has_the_layers_on_its_caps) {
 TEST(Anisotropic_surface, Does_not_depend_on_unit_position_and_direction) {
   const Transformation t =
       rotation(1) * Transformation(CGAL::TRANSLATION, Vector(5, -3, 2)) * Transformation(CGAL::SCALING, 0.001);
-  const auto skeleton = tubular::y_bifurcation<Point>(); // whose principal axes are distinct
+  const auto skeleton = tubular::y_bifurcation(); // whose principal axes are distinct
   Mesh mesh;
   tubular::generate_tubular_surface(skeleton, mesh, tubular::parameters::points_per_circumference(16.).noise(0.));
   auto lines = tubular::centerlines_of(skeleton);
@@ -446,7 +446,7 @@ TEST(Anisotropic_surface, Is_measured_in_its_metric) {
 
 TEST(Anisotropic_surface, Takes_its_metric_to_a_mesh) {
   const Remeshed r = remesh(straight_tube(), tube_metric(as_around, 0.3, 0.9, straight));
-  tubular::Mixed_mesh<Point> mesh;
+  tubular::Mixed_mesh mesh;
   tubular::surface_to_mixed_mesh(r, mesh);
   EXPECT_EQ(mesh.triangles.size(), r.surface.number_of_faces());
   ASSERT_EQ(mesh.point_arrays.size(), 1u);
@@ -470,7 +470,7 @@ void remesh_real(const std::string& surface, const std::string& centerlines) {
   Mesh mesh;
   tubular::IO::read_surface(folder + surface, mesh);
   tubular::repair_surface(mesh);
-  tubular::Centerline_polylines<Point> lines;
+  tubular::Centerline_polylines lines;
   tubular::IO::read_centerlines(folder + centerlines, lines);
   const Model model = tubular::make_tubular_model(mesh, lines);
   const Remeshed r = tubular::make_anisotropic_surface_mesh(model);

@@ -30,9 +30,9 @@ typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef Kernel::Point_3 Point;
 typedef Kernel::Vector_3 Vector;
 typedef CGAL::Surface_mesh<Point> Mesh;
-typedef CGAL::Tubular_meshing::Centerline_polylines<Point> Polylines;
-typedef CGAL::Tubular_meshing::Centerline_graph<Point> Graph;
-typedef CGAL::Tubular_meshing::Centerline_field<Point> Field;
+typedef CGAL::Tubular_meshing::Centerline_polylines Polylines;
+typedef CGAL::Tubular_meshing::Centerline_graph Graph;
+typedef CGAL::Tubular_meshing::Centerline_field Field;
 using CGAL::Tubular_meshing::build_centerline_graph;
 using CGAL::Tubular_meshing::Input_error;
 
@@ -318,7 +318,7 @@ TEST(Build_centerline_graph, refuses_what_it_cannot_use) {
 
 TEST(Wall_distance, is_the_distance_to_faces_and_leaves_caps_out) {
   Mesh mesh = tube(10, true);
-  const CGAL::Tubular_meshing::Wall_distance<Point> all(mesh);
+  const CGAL::Tubular_meshing::Wall_distance all(mesh);
   EXPECT_NEAR(all(Point(0, 0.25, 0)), 0.25, 1e-9); // the cap
   auto patch = mesh.add_property_map<Mesh::Face_index, int>("f:patch", 1).first;
   for (Mesh::Face_index f : faces(mesh)) {
@@ -327,11 +327,11 @@ TEST(Wall_distance, is_the_distance_to_faces_and_leaves_caps_out) {
       levels.insert(mesh.point(v).y());
     patch[f] = levels.size() == 1 ? 2 : 1;
   }
-  const CGAL::Tubular_meshing::Wall_distance<Point> wall(mesh, patch, 1);
+  const CGAL::Tubular_meshing::Wall_distance wall(mesh, patch, 1);
   EXPECT_NEAR(wall(Point(0, 0.25, 0)), std::cos(pi / 64), 1e-9);
   EXPECT_NEAR(wall.closest_point(Point(0, 0.25, 0)).y(), 0.25, 1e-9);
-  EXPECT_THROW((CGAL::Tubular_meshing::Wall_distance<Point>(mesh, patch, 77)), Input_error);
-  EXPECT_THROW(CGAL::Tubular_meshing::Wall_distance<Point>{Mesh()}, Input_error);
+  EXPECT_THROW((CGAL::Tubular_meshing::Wall_distance(mesh, patch, 77)), Input_error);
+  EXPECT_THROW(CGAL::Tubular_meshing::Wall_distance{Mesh()}, Input_error);
 }
 
 TEST(Check_centerlines, finds_those_of_another_geometry) {
@@ -345,7 +345,7 @@ TEST(Check_centerlines, finds_those_of_another_geometry) {
 }
 
 TEST(Clip_to_openings, cuts_extensions_and_reaches_centres) {
-  typedef CGAL::Tubular_meshing::Opening<Point> Opening;
+  typedef CGAL::Tubular_meshing::Opening Opening;
   std::vector<Opening> openings(3);
   for (int i = 0; i < 3; ++i)
     openings[i].radius = 1;
@@ -467,7 +467,7 @@ TEST_P(Paper_centerlines, become_the_branches_of_the_anatomy) {
   CGAL::Tubular_meshing::IO::read_surface(folder + e.surface, mesh);
   Polylines polylines;
   CGAL::Tubular_meshing::IO::read_centerlines(folder + e.centerlines, polylines);
-  const CGAL::Tubular_meshing::Wall_distance<Point> wall(mesh);
+  const CGAL::Tubular_meshing::Wall_distance wall(mesh);
   for (double tolerance : {0.05, 0.1, 0.2}) {
     Graph g;
     build_centerline_graph(polylines, wall, g, CGAL::Tubular_meshing::parameters::merge_tolerance(tolerance));

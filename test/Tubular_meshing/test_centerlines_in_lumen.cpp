@@ -89,19 +89,19 @@ Graph expect_in_lumen(const Mesh& open, bool loops = false) {
 // --- generated shapes ---
 
 TEST(Centerlines_in_lumen, tight_bend) {
-  expect_in_lumen(surface_of(tubular::curved_tube<Point>(1.5, CGAL_PI)));
+  expect_in_lumen(surface_of(tubular::curved_tube(1.5, CGAL_PI)));
 }
 
 TEST(Centerlines_in_lumen, noisy_bifurcation) {
-  expect_in_lumen(surface_of(tubular::y_bifurcation<Point>(), 16, 0.1));
+  expect_in_lumen(surface_of(tubular::y_bifurcation(), 16, 0.1));
 }
 
 TEST(Centerlines_in_lumen, loop) {
-  expect_in_lumen(surface_of(tubular::willis_loop<Point>(), 16), true);
+  expect_in_lumen(surface_of(tubular::willis_loop(), 16), true);
 }
 
 TEST(Centerlines_in_lumen, tree) {
-  expect_in_lumen(surface_of(tubular::bronchial_tree<Point>(61), 12));
+  expect_in_lumen(surface_of(tubular::bronchial_tree(61), 12));
 }
 
 /* A tube of radius 1 that comes up, goes round a wide turn and back down beside itself: over a length of six radii the

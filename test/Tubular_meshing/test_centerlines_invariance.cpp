@@ -79,10 +79,10 @@ void expect_invariance_of(const std::string& file, bool loops = false) {
 }
 
 TEST(Centerlines_invariance, arch) {
-  expect_invariance(surface_of(tubular::aortic_arch<Point>()));
+  expect_invariance(surface_of(tubular::aortic_arch()));
 }
 TEST(Centerlines_invariance, loop) {
-  expect_invariance(surface_of(tubular::willis_loop<Point>(), 12), true);
+  expect_invariance(surface_of(tubular::willis_loop(), 12), true);
 }
 TEST(Centerlines_invariance, carotid) {
   expect_invariance_of("paper/carotid.stl");

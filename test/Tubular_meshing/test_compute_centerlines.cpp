@@ -55,11 +55,11 @@ Error error_of(const Graph& graph, const Skeleton& skeleton) {
       line.push_back(graph.points()[p]);
     add_samples(line, smallest / 5, ours);
   }
-  const tubular::Centerline_field<Point> there(Graph(points, radii, branches)), here(graph);
+  const tubular::Centerline_field there(Graph(points, radii, branches)), here(graph);
   Error e;
   double sum = 0, radius_sum = 0;
   std::size_t number = 0, number_of_truth = 0;
-  const auto measure = [&](const Point& p, const tubular::Centerline_field<Point>& other, bool is_ours) {
+  const auto measure = [&](const Point& p, const tubular::Centerline_field& other, bool is_ours) {
     const double r = there.radius(p);
     for (const Point& node : skeleton.nodes)
       if (distance(p, node) < r || distance(p, node) < there.radius(node))
@@ -99,56 +99,56 @@ void expect_close_to_truth(const Skeleton& skeleton, double points = 24, double 
 // --- against the truth ---
 
 TEST(Compute_centerlines, straight_tube) {
-  const auto s = tubular::straight_tube<Point>();
+  const auto s = tubular::straight_tube();
   expect_close_to_truth(s);
 }
 
 TEST(Compute_centerlines, bend) {
-  const auto s = tubular::curved_tube<Point>();
+  const auto s = tubular::curved_tube();
   expect_close_to_truth(s);
 }
 
 TEST(Compute_centerlines, tight_bend) {
-  const auto s = tubular::curved_tube<Point>(2.5, CGAL_PI);
+  const auto s = tubular::curved_tube(2.5, CGAL_PI);
   expect_close_to_truth(s);
 }
 
 TEST(Compute_centerlines, bifurcation) {
-  const auto s = tubular::y_bifurcation<Point>();
+  const auto s = tubular::y_bifurcation();
   expect_close_to_truth(s);
 }
 
 TEST(Compute_centerlines, arch) {
-  const auto s = tubular::aortic_arch<Point>();
+  const auto s = tubular::aortic_arch();
   expect_close_to_truth(s);
 }
 
 TEST(Compute_centerlines, noisy_surface) {
-  const auto s = tubular::y_bifurcation<Point>();
+  const auto s = tubular::y_bifurcation();
   expect_close_to_truth(s, 24, 0.03);
 }
 
 TEST(Compute_centerlines, loop_keeps_all_branches_if_asked_to) {
-  const auto s = tubular::willis_loop<Point>();
+  const auto s = tubular::willis_loop();
   expect_close_to_truth(s, 24, 0, true);
   EXPECT_EQ(centerlines_of(surface_of(s), &s.nodes[s.inlet]).branches().size(), 2 * s.number_of_openings() - 3);
 }
 
 // Its symmetry makes vertices of the Voronoi diagram coincide, among which a path may go round in circles.
 TEST(Compute_centerlines, smooth_loop) {
-  const auto s = tubular::willis_loop<Point>();
+  const auto s = tubular::willis_loop();
   expect_close_to_truth(s, 30, 0, true);
 }
 
 TEST(Compute_centerlines, tree_of_305_branches) {
-  const auto s = tubular::bronchial_tree<Point>(305);
+  const auto s = tubular::bronchial_tree(305);
   expect_close_to_truth(s, 16);
 }
 
 // --- ends ---
 
 TEST(Compute_centerlines, ends_are_the_centres_of_the_caps_and_the_root_is_the_inlet) {
-  const auto s = tubular::y_bifurcation<Point>();
+  const auto s = tubular::y_bifurcation();
   Closed closed(surface_of(s), &s.nodes[2]);
   Graph graph;
   tubular::compute_centerlines(closed.mesh, closed.patch, closed.openings, graph);
@@ -217,7 +217,7 @@ TEST(Compute_centerlines, coarse_prism_is_sampled_finely_enough) {
 // --- VMTK's arrays ---
 
 TEST(Branched_centerlines, cut_each_line_into_branches_and_bifurcations_by_turns) {
-  const auto s = tubular::y_bifurcation<Point>();
+  const auto s = tubular::y_bifurcation();
   const auto c = tubular::branched_centerlines(centerlines_of(surface_of(s), &s.nodes[0]));
   EXPECT_EQ(c.centerline_ids, (std::vector<int>{0, 0, 0, 1, 1, 1}));
   EXPECT_EQ(c.tract_ids, (std::vector<int>{0, 1, 2, 0, 1, 2}));
@@ -230,12 +230,12 @@ TEST(Branched_centerlines, cut_each_line_into_branches_and_bifurcations_by_turns
 }
 
 TEST(Branched_centerlines, are_written_and_read_back) {
-  const auto s = tubular::y_bifurcation<Point>();
+  const auto s = tubular::y_bifurcation();
   const auto c = tubular::branched_centerlines(centerlines_of(surface_of(s), &s.nodes[0]));
   for (const std::string extension : {"vtp", "vtk"}) {
     const std::string file = TUBULAR_MESHING_SCRATCH "/branched." + extension;
     tubular::IO::write_centerlines(file, c);
-    tubular::Centerline_polylines<Point> lines;
+    tubular::Centerline_polylines lines;
     tubular::IO::read_centerlines(file, lines);
     EXPECT_EQ(lines.lines, c.lines.lines);
     EXPECT_EQ(lines.points, c.lines.points);

@@ -29,17 +29,17 @@ namespace {
 
 using namespace test_surfaces;
 namespace tubular = CGAL::Tubular_meshing;
-typedef tubular::Centerline_graph<Point> Graph;
-typedef tubular::Tubular_model<Point> Model;
-typedef tubular::Surface_cut<Point> Cut;
-typedef tubular::Cut_curve<Point> Curve;
-typedef tubular::Surface_patch<Point> Patch;
+typedef tubular::Centerline_graph Graph;
+typedef tubular::Tubular_model Model;
+typedef tubular::Surface_cut Cut;
+typedef tubular::Cut_curve Curve;
+typedef tubular::Surface_patch Patch;
 typedef tubular::Patch_kind Kind;
-typedef tubular::Cut_problem<Point> Problem;
+typedef tubular::Cut_problem Problem;
 
 // --- models ---
 
-Model model_of(const tubular::Tubular_skeleton<Point>& skeleton, double points = 24, double noise = 0) {
+Model model_of(const tubular::Tubular_skeleton& skeleton, double points = 24, double noise = 0) {
   Mesh mesh;
   tubular::generate_tubular_surface(skeleton, mesh, tubular::parameters::points_per_circumference(points).noise(noise));
   return tubular::make_tubular_model(mesh, tubular::centerlines_of(skeleton));
@@ -47,7 +47,7 @@ Model model_of(const tubular::Tubular_skeleton<Point>& skeleton, double points =
 
 // A tube along z, closed by caps, and its centerline.
 Model tube_model(const Tube& tube) {
-  tubular::Centerline_polylines<Point> line;
+  tubular::Centerline_polylines line;
   line.lines.emplace_back();
   for (int i = 0; i <= 40; ++i) {
     line.lines[0].push_back(line.points.size());
@@ -62,7 +62,7 @@ Model wall_model(const Mesh& mesh, const std::vector<Point>& points, const std::
   model.surface += mesh;
   for (auto f : model.surface.faces())
     model.patch[f] = tubular::labels::wall;
-  const tubular::Wall_distance<Point> wall(model.surface);
+  const tubular::Wall_distance wall(model.surface);
   std::vector<double> radii;
   for (const Point& p : points)
     radii.push_back(wall(p));
@@ -264,7 +264,7 @@ Flatness flatness(const Model& model, const Curve& curve) {
 // --- tubes ---
 
 TEST(Cut, Leaves_a_short_tube_whole) {
-  Model model = model_of(tubular::straight_tube<Point>(7.9, 1));
+  Model model = model_of(tubular::straight_tube(7.9, 1));
   const std::size_t faces = model.surface.number_of_faces();
   const Cut c = cut(model);
   expect_good(model, c);
@@ -275,7 +275,7 @@ TEST(Cut, Leaves_a_short_tube_whole) {
 }
 
 TEST(Cut, Divides_a_tube_into_equal_parts) {
-  Model model = model_of(tubular::straight_tube<Point>(20, 1));
+  Model model = model_of(tubular::straight_tube(20, 1));
   const Cut c = cut(model);
   expect_good(model, c);
   ASSERT_EQ(c.patches.size(), 3u);
@@ -300,7 +300,7 @@ TEST(Cut, Divides_a_tube_into_equal_parts) {
 
 TEST(Cut, Takes_the_aspect_ratio_wanted) {
   for (double wanted : {1., 2., 7.}) {
-    Model model = model_of(tubular::straight_tube<Point>(20, 1));
+    Model model = model_of(tubular::straight_tube(20, 1));
     const Cut c = cut(model, wanted);
     expect_good(model, c, wanted);
     EXPECT_GE(c.patches.size(), std::size_t(std::ceil(10 / wanted)));
@@ -376,7 +376,7 @@ TEST(Cut, Keeps_a_sac_with_its_tube) {
     const double bulge = 1 + 2 * side * side * std::exp(-along * along * along * along);
     mesh.point(v) = Point(bulge * p.x(), bulge * p.y(), p.z());
   }
-  tubular::Centerline_polylines<Point> lines;
+  tubular::Centerline_polylines lines;
   lines.lines.emplace_back();
   for (int i = 0; i <= 64; ++i) {
     lines.lines[0].push_back(lines.points.size());
@@ -393,7 +393,7 @@ TEST(Cut, Keeps_a_sac_with_its_tube) {
 // --- trees ---
 
 TEST(Cut, Parts_a_bifurcation_from_its_branches) {
-  Model model = model_of(tubular::y_bifurcation<Point>());
+  Model model = model_of(tubular::y_bifurcation());
   const Cut c = cut(model);
   expect_good(model, c);
   EXPECT_EQ(kinds(c)[Kind::junction], 1u);
@@ -410,9 +410,9 @@ TEST(Cut, Parts_a_bifurcation_from_its_branches) {
 
 TEST(Cut, Cuts_across_the_branches) {
   for (int i = 0; i < 3; ++i) {
-    Model model = model_of(i == 0   ? tubular::y_bifurcation<Point>()
-                           : i == 1 ? tubular::aortic_arch<Point>()
-                                    : tubular::willis_loop<Point>());
+    Model model = model_of(i == 0   ? tubular::y_bifurcation()
+                           : i == 1 ? tubular::aortic_arch()
+                                    : tubular::willis_loop());
     const Cut c = cut(model);
     expect_good(model, c);
     for (const Curve& curve : c.curves) {
@@ -427,7 +427,7 @@ TEST(Cut, Cuts_across_the_branches) {
 }
 
 TEST(Cut, Numbers_patches_along_the_centerlines) {
-  Model model = model_of(tubular::aortic_arch<Point>());
+  Model model = model_of(tubular::aortic_arch());
   const Cut c = cut(model);
   expect_good(model, c);
   EXPECT_EQ(kinds(c)[Kind::junction], 3u);
@@ -442,14 +442,14 @@ TEST(Cut, Numbers_patches_along_the_centerlines) {
 }
 
 TEST(Cut, Cuts_loops_of_vessels) {
-  Model model = model_of(tubular::willis_loop<Point>());
+  Model model = model_of(tubular::willis_loop());
   const Cut c = cut(model);
   expect_good(model, c);
   EXPECT_EQ(kinds(c)[Kind::junction], 7u);
 }
 
 TEST(Cut, Cuts_a_bronchial_tree) {
-  Model model = model_of(tubular::bronchial_tree<Point>(63), 16);
+  Model model = model_of(tubular::bronchial_tree(63), 16);
   const Cut c = cut(model);
   expect_good(model, c);
   EXPECT_GE(kinds(c)[Kind::junction], 25u); // of 31 bifurcations, some of which may share a patch
@@ -459,7 +459,7 @@ TEST(Cut, Cuts_a_bronchial_tree) {
 TEST(Cut, Cuts_a_coarse_and_noisy_tree) {
   for (double points : {8., 12.})
     for (double noise : {0., 0.1}) {
-      Model model = model_of(tubular::bronchial_tree<Point>(15), points, noise);
+      Model model = model_of(tubular::bronchial_tree(15), points, noise);
       const Cut c = cut(model);
       expect_good(model, c);
       EXPECT_GE(c.patches.size(), 15u);
@@ -469,7 +469,7 @@ TEST(Cut, Cuts_a_coarse_and_noisy_tree) {
 // --- what stays as it is ---
 
 TEST(Cut, Keeps_the_shape) {
-  Model model = model_of(tubular::aortic_arch<Point>(), 20, 0.05);
+  Model model = model_of(tubular::aortic_arch(), 20, 0.05);
   const Mesh before = model.surface;
   double worst_before = 1, worst_new = 1;
   for (auto f : before.faces())
@@ -490,7 +490,7 @@ TEST(Cut, Keeps_the_shape) {
 }
 
 TEST(Cut, Does_not_depend_on_unit_position_and_direction) {
-  Model model = model_of(tubular::aortic_arch<Point>(), 20, 0.05);
+  Model model = model_of(tubular::aortic_arch(), 20, 0.05);
   const Transformation moves[] = {Transformation(CGAL::SCALING, 1e-3), rotation(1),
                                   Transformation(CGAL::TRANSLATION, Vector(1e4, -2e4, 3e4)),
                                   rotation(2.2) * Transformation(CGAL::SCALING, 1e3)};
@@ -512,7 +512,7 @@ TEST(Cut, Does_not_depend_on_unit_position_and_direction) {
 }
 
 TEST(Cut, Is_the_same_each_time) {
-  Model a = model_of(tubular::willis_loop<Point>()), b = model_of(tubular::willis_loop<Point>());
+  Model a = model_of(tubular::willis_loop()), b = model_of(tubular::willis_loop());
   const Cut x = cut(a), y = cut(b);
   ASSERT_EQ(x.curves.size(), y.curves.size());
   for (std::size_t i = 0; i < x.curves.size(); ++i)
@@ -550,7 +550,7 @@ TEST(Cut, Reports_what_cannot_be_cut) {
 }
 
 TEST(Cut, Reports_a_vessel_between_branches_without_centerline) {
-  Model model = model_of(tubular::willis_loop<Point>());
+  Model model = model_of(tubular::willis_loop());
   // the ring without one of its arcs: a tree
   std::vector<Graph::Polyline> branches;
   bool left_out = false;
@@ -571,7 +571,7 @@ TEST(Cut, Reports_a_vessel_between_branches_without_centerline) {
 
 // The third branch of a bifurcation closed at its end, and without a centerline; a seed there mends it.
 TEST(Cut, Reports_a_blind_vessel_without_centerline) {
-  Model model = model_of(tubular::y_bifurcation<Point>());
+  Model model = model_of(tubular::y_bifurcation());
   const Point end = model.openings.back().center;
   for (auto f : model.surface.faces())
     if (model.patch[f] == model.openings.back().patch)
@@ -586,7 +586,7 @@ TEST(Cut, Reports_a_blind_vessel_without_centerline) {
 }
 
 TEST(Cut, Refuses_unusable_input) {
-  Model model = model_of(tubular::straight_tube<Point>());
+  Model model = model_of(tubular::straight_tube());
   EXPECT_THROW(cut(model, 0.5), tubular::Parameter_error);
   EXPECT_THROW(cut(model, std::nan("")), tubular::Parameter_error);
   EXPECT_THROW(tubular::cut_by_centerlines(model.surface, Graph(), model.patch), tubular::Input_error);

@@ -29,8 +29,8 @@ namespace tubular = CGAL::Tubular_meshing;
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef Kernel::Point_3 Point;
 typedef Kernel::Vector_3 Vector;
-typedef tubular::Patch_parameterization<Point> Map;
-typedef tubular::Elliptic_grid<Point> Grid;
+typedef tubular::Patch_parameterization Map;
+typedef tubular::Elliptic_grid Grid;
 typedef std::array<std::vector<tubular::Patch_location>, 2> Loop_points;
 
 const double pi = 3.14159265358979323846;
@@ -41,7 +41,7 @@ typedef std::function<Point(double, double)> Shape; // of the angle, and of the 
 
 Map tube(const Shape& shape, int sides, int rings,
          tubular::Parameterization_method method = tubular::Parameterization_method::conformal) {
-  tubular::Indexed_patch<Point> patch;
+  tubular::Indexed_patch patch;
   for (int k = 0; k <= rings; ++k)
     for (int i = 0; i < sides; ++i)
       patch.points.push_back(shape(2 * pi * i / sides, double(k) / rings));

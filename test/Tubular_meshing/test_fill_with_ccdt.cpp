@@ -106,7 +106,7 @@ TEST(Fill_with_ccdt, KeepsTheSurfaceBitForBit) {
   shape.tilt = 0.3;
   Surface surface = test_surfaces::make_tube(shape);
   auto patch = surface.add_property_map<Surface::Face_index, int>("f:patch", 5).first;
-  tubular::Mixed_mesh<Point> mesh;
+  tubular::Mixed_mesh mesh;
   if (!tubular::has_ccdt()) {
     try {
       tubular::fill_with_ccdt(surface, patch, Constant_size{0.5}, mesh);

@@ -30,7 +30,7 @@ typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef Kernel::Point_3 Point;
 typedef CGAL::Surface_mesh<Point> Surface;
 typedef Surface::Vertex_index Vertex;
-typedef tubular::Mixed_mesh<Point> Mesh;
+typedef tubular::Mixed_mesh Mesh;
 
 class Fill_with_pyramids : public ::testing::Test {
 protected:

@@ -38,7 +38,7 @@ using tubular::internal::Child_ending;
 using tubular::internal::Vector_3d;
 typedef CGAL::Surface_mesh<Point> Surface;
 typedef Surface::Property_map<Surface::Face_index, int> Patch_map;
-typedef tubular::Mixed_mesh<Point> Mesh;
+typedef tubular::Mixed_mesh Mesh;
 
 #ifdef REAL
 #error "TetGen's macros must not leak"
@@ -495,7 +495,7 @@ TEST(Unit_frame, BringsPointsToUnitExtentAndBack) {
     const auto x = frame.to_frame(p);
     for (double c : x)
       EXPECT_LE(std::abs(c), 0.5);
-    const Point back = frame.from_frame<Point>(x);
+    const Point back = frame.from_frame(x);
     EXPECT_NEAR(back.x(), p.x(), 1e-9);
     EXPECT_NEAR(back.y(), p.y(), 1e-9);
   }

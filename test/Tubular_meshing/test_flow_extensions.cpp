@@ -38,7 +38,7 @@ using namespace CGAL::Tubular_meshing;
 namespace params = CGAL::Tubular_meshing::parameters;
 
 using namespace test_surfaces;
-typedef std::vector<Opening<Point>> Openings;
+typedef std::vector<Opening> Openings;
 
 struct Extended {
   Mesh before, mesh;
@@ -101,7 +101,7 @@ double smallest_angle(const std::vector<Point>& t) {
 // The far ends: plane circles where the openings say.
 void check_ends(const Extended& e) {
   for (std::size_t i = 0; i < e.openings.size(); ++i) {
-    const Opening<Point>&o = e.openings[i], &before = e.openings_before[i];
+    const Opening &o = e.openings[i], &before = e.openings_before[i];
     EXPECT_EQ(o.patch, before.patch);
     if (e.lengths[i] == 0) {
       EXPECT_EQ(o.center, before.center);
@@ -129,7 +129,7 @@ void check_ends(const Extended& e) {
     ++found[nearest];
     if (e.lengths[nearest] == 0)
       continue;
-    const Opening<Point>& o = e.openings[nearest];
+    const Opening& o = e.openings[nearest];
     const double tolerance = 1e-9 * (o.radius + distance(o.center, Point(0, 0, 0)));
     for (auto h : CGAL::halfedges_around_face(first, e.mesh)) {
       const Vector v = e.mesh.point(e.mesh.target(h)) - o.center;
@@ -384,7 +384,7 @@ TEST(Flow_extensions, SomeOpeningsOnly) {
 TEST(Flow_extensions, YBifurcationInsideOutAndTurned) {
   const Mesh mesh = [] {
     Mesh m;
-    generate_tubular_surface(y_bifurcation<Point>(), m);
+    generate_tubular_surface(y_bifurcation(), m);
     return m;
   }();
   const Extended e = extend(mesh);
@@ -404,7 +404,7 @@ TEST(Flow_extensions, YBifurcationInsideOutAndTurned) {
 
 TEST(Flow_extensions, SameTwice) {
   Mesh mesh;
-  generate_tubular_surface(y_bifurcation<Point>(), mesh);
+  generate_tubular_surface(y_bifurcation(), mesh);
   const Extended a = extend(mesh), b = extend(mesh);
   ASSERT_EQ(a.mesh.number_of_vertices(), b.mesh.number_of_vertices());
   for (auto v : a.mesh.vertices())
@@ -485,7 +485,7 @@ TEST(Flow_extensions, SmallThingInside) { // does not touch the tube's own trian
 
 TEST(Flow_extensions, Hook) { // 300 degrees of a circle: each end looks at the other's wall
   Mesh mesh;
-  generate_tubular_surface(curved_tube<Point>(4, 5.2, 1), mesh);
+  generate_tubular_surface(curved_tube(4, 5.2, 1), mesh);
   const Extended e = extend(mesh, params::extension_length(8.).min_extension_length(0.));
   check_extended(e);
 }

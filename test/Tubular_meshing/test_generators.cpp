@@ -29,8 +29,8 @@ typedef Kernel::Vector_3 Vector_3;
 typedef CGAL::Surface_mesh<Point_3> Surface;
 namespace tubular = CGAL::Tubular_meshing;
 namespace pmp = CGAL::Polygon_mesh_processing;
-typedef tubular::Tubular_skeleton<Point_3> Skeleton;
-typedef tubular::Tubular_distance_function<Point_3> Function;
+typedef tubular::Tubular_skeleton Skeleton;
+typedef tubular::Tubular_distance_function Function;
 using tubular::parameters::points_per_circumference;
 
 template <class... NamedParameters> Surface generate(const Skeleton& s, const NamedParameters&... np) {
@@ -134,10 +134,9 @@ struct Shape {
 };
 
 std::vector<Shape> shapes() {
-  return {
-      {"tube", tubular::straight_tube<Point_3>(), 1, 2, 0},  {"curved", tubular::curved_tube<Point_3>(), 1, 2, 0},
-      {"y", tubular::y_bifurcation<Point_3>(), 3, 3, 0},     {"arch", tubular::aortic_arch<Point_3>(), 7, 5, 0},
-      {"willis", tubular::willis_loop<Point_3>(), 14, 7, 1}, {"tree", tubular::bronchial_tree<Point_3>(15), 15, 9, 0}};
+  return {{"tube", tubular::straight_tube(), 1, 2, 0},  {"curved", tubular::curved_tube(), 1, 2, 0},
+          {"y", tubular::y_bifurcation(), 3, 3, 0},     {"arch", tubular::aortic_arch(), 7, 5, 0},
+          {"willis", tubular::willis_loop(), 14, 7, 1}, {"tree", tubular::bronchial_tree(15), 15, 9, 0}};
 }
 
 } // namespace
@@ -178,7 +177,7 @@ TEST(Tubular_skeleton, Centerlines_of_a_tree_run_from_the_inlet_to_each_outlet) 
 }
 
 TEST(Tubular_skeleton, Inconsistent_ones_are_refused_by_name) {
-  Skeleton s = tubular::y_bifurcation<Point_3>();
+  Skeleton s = tubular::y_bifurcation();
   s.branches[2].radius[1] = std::numeric_limits<double>::quiet_NaN();
   try {
     generate(s);
@@ -186,18 +185,18 @@ TEST(Tubular_skeleton, Inconsistent_ones_are_refused_by_name) {
   } catch (const tubular::Input_error& e) {
     EXPECT_NE(std::string(e.what()).find("branch 2"), std::string::npos) << e.what();
   }
-  s = tubular::y_bifurcation<Point_3>();
+  s = tubular::y_bifurcation();
   s.inlet = 1;
   EXPECT_THROW(generate(s), tubular::Input_error);
-  s = tubular::y_bifurcation<Point_3>();
+  s = tubular::y_bifurcation();
   s.nodes[2] = Point_3(1, 1, 1);
   EXPECT_THROW(generate(s), tubular::Input_error);
-  EXPECT_THROW(tubular::bronchial_tree<Point_3>(0), tubular::Parameter_error);
-  EXPECT_THROW(tubular::bronchial_tree<Point_3>(304), tubular::Parameter_error);
+  EXPECT_THROW(tubular::bronchial_tree(0), tubular::Parameter_error);
+  EXPECT_THROW(tubular::bronchial_tree(304), tubular::Parameter_error);
 }
 
 TEST(Bronchial_tree, Radii_shrink_as_Weibel_says_and_branches_keep_apart) {
-  const Skeleton s = tubular::bronchial_tree<Point_3>(305);
+  const Skeleton s = tubular::bronchial_tree(305);
   ASSERT_EQ(s.branches.size(), 305u);
   EXPECT_EQ(s.number_of_openings(), 154u);
   std::vector<std::size_t> into(s.nodes.size(), 305);
@@ -242,8 +241,8 @@ TEST(Generate_tubular_surface, Capped_shapes_are_closed_and_oriented_outwards) {
 
 TEST(Generate_tubular_surface, Volumes_and_areas_approach_the_closed_forms_quadratically) {
   const double r = 1.5, length = 9, bend = 6, angle = 2;
-  const Skeleton tube = tubular::straight_tube<Point_3>(length, r);
-  const Skeleton curved = tubular::curved_tube<Point_3>(bend, angle, r);
+  const Skeleton tube = tubular::straight_tube(length, r);
+  const Skeleton curved = tubular::curved_tube(bend, angle, r);
   const double tube_volume = CGAL_PI * r * r * length, curved_volume = CGAL_PI * r * r * bend * angle;
   const double tube_area = 2 * CGAL_PI * r * length;
   for (double n : {16., 32., 64.}) {
@@ -262,7 +261,7 @@ TEST(Generate_tubular_surface, Volumes_and_areas_approach_the_closed_forms_quadr
 }
 
 TEST(Generate_tubular_surface, Edges_are_as_long_as_the_points_round_the_circumference_ask) {
-  const Skeleton arch = tubular::aortic_arch<Point_3>();
+  const Skeleton arch = tubular::aortic_arch();
   const Function function(arch);
   for (double n : {12., 24., 40.}) {
     const Surface surface = generate(arch, points_per_circumference(n));
@@ -282,7 +281,7 @@ TEST(Generate_tubular_surface, Edges_are_as_long_as_the_points_round_the_circumf
 }
 
 TEST(Generate_tubular_surface, Size_and_place_of_the_model_do_not_matter) {
-  const Skeleton y = tubular::y_bifurcation<Point_3>();
+  const Skeleton y = tubular::y_bifurcation();
   const double faces = double(generate(y).number_of_faces());
   for (double scale : {1e-3, 1e6}) {
     const Skeleton other = moved_and_scaled(y, scale, scale * Vector_3(1500, -900, 700));
@@ -293,7 +292,7 @@ TEST(Generate_tubular_surface, Size_and_place_of_the_model_do_not_matter) {
 }
 
 TEST(Generate_tubular_surface, The_same_options_give_the_same_surface) {
-  const Skeleton y = tubular::y_bifurcation<Point_3>();
+  const Skeleton y = tubular::y_bifurcation();
   const auto options = points_per_circumference(16.).noise(0.03).noise_seed(7u);
   const Surface a = generate(y, options), b = generate(y, options);
   ASSERT_EQ(a.number_of_vertices(), b.number_of_vertices());
@@ -305,7 +304,7 @@ TEST(Generate_tubular_surface, The_same_options_give_the_same_surface) {
 }
 
 TEST(Generate_tubular_surface, Noise_has_its_amplitude_and_leaves_rims_planar) {
-  const Skeleton tube = tubular::straight_tube<Point_3>(12, 2);
+  const Skeleton tube = tubular::straight_tube(12, 2);
   const double amplitude = 0.04;
   const Surface noisy = generate(tube, points_per_circumference(24.).noise(amplitude).noise_seed(3u));
   const Surface other = generate(tube, points_per_circumference(24.).noise(amplitude).noise_seed(4u));
@@ -327,7 +326,7 @@ TEST(Generate_tubular_surface, Noise_has_its_amplitude_and_leaves_rims_planar) {
 }
 
 TEST(Generate_tubular_surface, Sagging_rims_leave_their_planes_and_the_wall_follows_within_two_radii) {
-  const Skeleton tube = tubular::straight_tube<Point_3>(12, 2);
+  const Skeleton tube = tubular::straight_tube(12, 2);
   const Surface straight = generate(tube);
   for (auto shape : {tubular::Sag_shape::saddle, tubular::Sag_shape::tilt}) {
     const Surface sagging = generate(tube, tubular::parameters::sag(0.3).sag_shape(shape));
@@ -354,7 +353,7 @@ TEST(Generate_tubular_surface, Sagging_rims_leave_their_planes_and_the_wall_foll
 }
 
 TEST(Generate_tubular_surface, Values_out_of_range_are_refused) {
-  const Skeleton tube = tubular::straight_tube<Point_3>();
+  const Skeleton tube = tubular::straight_tube();
   EXPECT_THROW(generate(tube, points_per_circumference(2.)), tubular::Parameter_error);
   EXPECT_THROW(generate(tube, points_per_circumference(std::nan(""))), tubular::Parameter_error);
   EXPECT_THROW(generate(tube, tubular::parameters::noise(-0.1)), tubular::Parameter_error);
@@ -362,7 +361,7 @@ TEST(Generate_tubular_surface, Values_out_of_range_are_refused) {
 }
 
 TEST(Generate_tubular_surface, A_tree_of_305_branches) {
-  const Skeleton tree = tubular::bronchial_tree<Point_3>(305);
+  const Skeleton tree = tubular::bronchial_tree(305);
   const Surface surface = generate(tree, points_per_circumference(10.));
   expect_manifold_of_the_skeleton(surface, tree, false);
   expect_vertices_at_the_radius(surface, tree);
@@ -388,7 +387,7 @@ bool is_same(const Surface& a, const Surface& b) {
 } // namespace
 
 TEST(Trim_by_plane, Leaves_one_planar_rim_and_no_slivers) {
-  const Surface tube = generate(tubular::straight_tube<Point_3>(12, 2));
+  const Surface tube = generate(tubular::straight_tube(12, 2));
   for (int i = 0; i < 60; ++i) {
     Surface s = tube;
     const Point_3 origin(0, 0, 6 + 0.05 * i);
@@ -412,7 +411,7 @@ TEST(Trim_by_plane, Leaves_one_planar_rim_and_no_slivers) {
 }
 
 TEST(Trim_by_plane, Opens_a_rough_wall_in_one_loop) {
-  const Skeleton tube = tubular::straight_tube<Point_3>(12, 2);
+  const Skeleton tube = tubular::straight_tube(12, 2);
   for (unsigned seed = 0; seed < 20; ++seed) {
     Surface s = generate(tube, points_per_circumference(20.).noise(0.05).noise_seed(seed).sag(0.2));
     const auto rim = tubular::internal::trim_by_plane(s, Point_3(0, 0, 11), Vector_3(0, 0.1, 2), upper_rim(s));
@@ -425,7 +424,7 @@ TEST(Trim_by_plane, Opens_a_rough_wall_in_one_loop) {
 }
 
 TEST(Trim_by_plane, Opens_a_closed_surface_at_a_vertex) {
-  Surface s = generate(tubular::straight_tube<Point_3>(12, 2), tubular::parameters::capped_ends(true));
+  Surface s = generate(tubular::straight_tube(12, 2), tubular::parameters::capped_ends(true));
   const double volume = pmp::volume(s);
   auto tip = *std::find_if(s.vertices().begin(), s.vertices().end(),
                            [&](Surface::Vertex_index v) { return s.point(v).z() > 11.9; });
@@ -445,11 +444,11 @@ TEST(Trim_by_plane, Opens_a_closed_surface_at_a_vertex) {
 }
 
 TEST(Trim_by_plane, Leaves_the_surface_as_it_is_when_the_cut_is_no_single_loop) {
-  const Surface y = generate(tubular::y_bifurcation<Point_3>());
+  const Surface y = generate(tubular::y_bifurcation());
   Surface s = y;
   const auto null = Surface::null_halfedge();
   // through the rim
-  const Skeleton skeleton = tubular::y_bifurcation<Point_3>();
+  const Skeleton skeleton = tubular::y_bifurcation();
   const auto end = skeleton.ends()[1];
   auto rim = upper_rim(s);
   EXPECT_EQ(
@@ -468,7 +467,7 @@ TEST(Trim_by_plane, Leaves_the_surface_as_it_is_when_the_cut_is_no_single_loop) 
 }
 
 TEST(Trim_by_plane, A_rim_in_the_plane_stays) {
-  const Surface tube = generate(tubular::straight_tube<Point_3>(12, 2));
+  const Surface tube = generate(tubular::straight_tube(12, 2));
   Surface s = tube;
   const auto rim = tubular::internal::trim_by_plane(s, Point_3(0, 0, 12), Vector_3(0, 0, 1), upper_rim(s));
   ASSERT_NE(rim, Surface::null_halfedge());

@@ -39,8 +39,8 @@ namespace TM = CGAL::Tubular_meshing;
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef Kernel::Point_3 Point;
 typedef CGAL::Surface_mesh<Point> Surface;
-typedef TM::Mixed_mesh<Point> Mesh;
-typedef TM::Centerline_polylines<Point> Centerlines;
+typedef TM::Mixed_mesh Mesh;
+typedef TM::Centerline_polylines Centerlines;
 typedef std::vector<std::array<std::size_t, 3>> Triangles;
 
 // A directory of its own for each test, which goes with it.
@@ -454,7 +454,7 @@ TEST_F(IO, Centerlines_are_read_back_equal) {
     EXPECT_EQ(c.radius, back.radius);
     EXPECT_EQ(c.lines, back.lines);
   }
-  TM::IO::write_centerlines(path("g.vtp"), TM::Centerline_graph<Point>());
+  TM::IO::write_centerlines(path("g.vtp"), TM::Centerline_graph());
   EXPECT_THROW(TM::IO::read_centerlines(path("g.vtp"), back), TM::Input_error);
 }
 

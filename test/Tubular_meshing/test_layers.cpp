@@ -42,7 +42,7 @@ using test_surfaces::Point;
 using tubular::internal::Vector_3d;
 typedef CGAL::Surface_mesh<Point> Surface;
 typedef Surface::Property_map<Surface::Face_index, int> Patch_map;
-typedef tubular::Mixed_mesh<Point> Mesh;
+typedef tubular::Mixed_mesh Mesh;
 
 double one(const Point&) {
   return 1;
@@ -149,7 +149,7 @@ Mesh split_quads(const Mesh& mesh) {
 
 // A generated bifurcation, capped; the openings are told by their plane.
 Mesh bifurcation(double points = 16) {
-  const auto skeleton = tubular::y_bifurcation<Point>();
+  const auto skeleton = tubular::y_bifurcation();
   Surface surface;
   tubular::generate_tubular_surface(skeleton, surface, parameters::points_per_circumference(points).capped_ends(true));
   Mesh mesh;
@@ -282,7 +282,7 @@ TEST(Extrude_wall, of_a_torus_has_no_ends) {
   Labelled_surface s;
   s.surface = torus;
   s.patch = s.surface.add_property_map<Surface::Face_index, int>("f:patch", labels::wall).first;
-  tubular::Layer_report<Point> report;
+  tubular::Layer_report report;
   const Mesh mesh = tubular::extrude_wall(s.surface, s.patch, one, parameters::wall_thickness(0.4), &report);
   const auto validity = tubular::validity_report(mesh);
   EXPECT_TRUE(validity.is_valid()) << validity.defects();

@@ -32,7 +32,7 @@ namespace tubular = CGAL::Tubular_meshing;
 namespace parameters = tubular::parameters;
 using test_surfaces::Point;
 typedef CGAL::Surface_mesh<Point> Surface;
-typedef tubular::Mixed_mesh<Point> Mesh;
+typedef tubular::Mixed_mesh Mesh;
 
 struct Vessel {
   const char *name, *surface, *centerlines;
@@ -42,14 +42,14 @@ struct Vessel {
 class Layers_on_data : public ::testing::TestWithParam<Vessel> {};
 
 #ifdef TUBULAR_MESHING_SHARED_DATA
-tubular::Tubular_model<Point> model_of(const Vessel& vessel) {
+tubular::Tubular_model model_of(const Vessel& vessel) {
   const std::string folder = TUBULAR_MESHING_SHARED_DATA;
   Surface surface;
   tubular::IO::read_surface(folder + vessel.surface, surface);
   tubular::repair_surface(surface);
   if (!vessel.centerlines)
     return tubular::make_tubular_model(surface);
-  tubular::Centerline_polylines<Point> lines;
+  tubular::Centerline_polylines lines;
   tubular::IO::read_centerlines(folder + vessel.centerlines, lines);
   return tubular::make_tubular_model(surface, lines);
 }
@@ -64,10 +64,10 @@ TEST_P(Layers_on_data, are_valid) {
   const auto model = model_of(GetParam());
   const auto surface =
       tubular::make_isotropic_surface_mesh(model, parameters::points_per_circumference(GetParam().points));
-  const tubular::Centerline_field<Point> centerlines(model.centerlines);
+  const tubular::Centerline_field centerlines(model.centerlines);
 
   for (double thickness : {0.2, 0.5}) { // the wall alone
-    tubular::Layer_report<Point> report;
+    tubular::Layer_report report;
     const Mesh wall = tubular::extrude_wall(surface.surface, surface.patch, centerlines,
                                             parameters::wall_thickness(thickness), &report);
     const auto validity = tubular::validity_report(wall);
@@ -83,9 +83,9 @@ TEST_P(Layers_on_data, are_valid) {
   Mesh& mesh = lumen.layers;
   if (!tubular::has_tetgen())
     return;
-  const tubular::Centerline_sizing_field<Point> size(
-      centerlines, tubular::Wall_distance<Point>(model.surface, model.patch, tubular::labels::wall),
-      parameters::points_per_circumference(GetParam().points));
+  const tubular::Centerline_sizing_field size(centerlines,
+                                              tubular::Wall_distance(model.surface, model.patch, tubular::labels::wall),
+                                              parameters::points_per_circumference(GetParam().points));
   Mesh inside;
   tubular::fill_with_tetgen(lumen.inner, lumen.patch, size, inside);
   tubular::optimize_tetrahedra(inside, lumen.inner, lumen.patch, parameters::keep_boundary(true));

@@ -26,13 +26,13 @@ namespace {
 
 namespace tubular = CGAL::Tubular_meshing;
 using namespace test_surfaces;
-typedef tubular::Centerline_metric_field<Point> Field;
+typedef tubular::Centerline_metric_field Field;
 typedef tubular::Metric_tensor_3 Metric;
-typedef tubular::Tubular_model<Point> Model;
+typedef tubular::Tubular_model Model;
 
 const double pi = 3.14159265358979323846;
 
-Model model_of(const tubular::Tubular_skeleton<Point>& skeleton, double points = 40, double noise = 0) {
+Model model_of(const tubular::Tubular_skeleton& skeleton, double points = 40, double noise = 0) {
   Mesh mesh;
   tubular::generate_tubular_surface(skeleton, mesh, tubular::parameters::points_per_circumference(points).noise(noise));
   return tubular::make_tubular_model(mesh, tubular::centerlines_of(skeleton));
@@ -46,15 +46,15 @@ Field field_of(const Model& m) {
 }
 
 const Model& straight() {
-  static const Model model = model_of(tubular::straight_tube<Point>(12));
+  static const Model model = model_of(tubular::straight_tube(12));
   return model;
 }
 const Model& bent() { // of radius 1, bent with a radius of 5
-  static const Model model = model_of(tubular::curved_tube<Point>());
+  static const Model model = model_of(tubular::curved_tube());
   return model;
 }
 const Model& bifurcation() {
-  static const Model model = model_of(tubular::y_bifurcation<Point>(), 28, 0.02);
+  static const Model model = model_of(tubular::y_bifurcation(), 28, 0.02);
   return model;
 }
 
@@ -185,13 +185,13 @@ TEST(Metric_field, DoesNotSeeCaps) {
 TEST(Metric_field, LayersASacByItsOwnRadius) {
   // a bulge on one side of a straight tube, of which the centerline knows nothing
   Mesh mesh;
-  tubular::generate_tubular_surface(tubular::straight_tube<Point>(20), mesh);
+  tubular::generate_tubular_surface(tubular::straight_tube(20), mesh);
   for (auto v : mesh.vertices()) {
     const Point p = mesh.point(v);
     const double bulge = 1 + 2 * std::exp(-(p.z() - 10) * (p.z() - 10) / 4) * (std::max)(0., p.x());
     mesh.point(v) = Point(p.x() * bulge, p.y() * bulge, p.z());
   }
-  const Model model = tubular::make_tubular_model(mesh, tubular::centerlines_of(tubular::straight_tube<Point>(20)));
+  const Model model = tubular::make_tubular_model(mesh, tubular::centerlines_of(tubular::straight_tube(20)));
   const Field metric = field_of(model);
   EXPECT_GT(metric.radius(Point(2.9, 0, 10)), 0.85 * 3);
   EXPECT_GT(metric(Point(2.98, 0, 10)).size_along(Vector(1, 0, 0)), 0.85 * 3 * 0.015);
@@ -206,14 +206,14 @@ TEST(Metric_field, DoesNotDependOnUnits) {
       model.patch[f] = bent().patch[f];
     std::vector<Point> points;
     std::vector<double> radii;
-    std::vector<tubular::Centerline_graph<Point>::Polyline> branches;
+    std::vector<tubular::Centerline_graph::Polyline> branches;
     for (const Point& p : bent().centerlines.points())
       points.push_back(CGAL::ORIGIN + scale * (p - CGAL::ORIGIN));
     for (double r : bent().centerlines.radii())
       radii.push_back(scale * r);
     for (const auto& b : bent().centerlines.branches())
       branches.push_back(b.points);
-    model.centerlines = tubular::Centerline_graph<Point>(points, radii, branches);
+    model.centerlines = tubular::Centerline_graph(points, radii, branches);
     const Field unit = field_of(bent()), scaled = field_of(model);
     for (double x : {4.02, 4.2, 4.6, 5.1, 5.9})
       EXPECT_LT(jump((scale * scale) * scaled(Point(scale * x, 0, scale * 1.1)), unit(Point(x, 0, 1.1))), 1e-3);
@@ -254,7 +254,7 @@ TEST(Metric_field, RefusesSenselessOptions) {
   for (auto f : no_wall.surface.faces())
     no_wall.patch[f] = tubular::labels::inlet;
   EXPECT_THROW(Field(no_wall.surface, no_wall.patch, straight().centerlines), tubular::Input_error);
-  EXPECT_THROW(Field(straight().surface, straight().patch, tubular::Centerline_graph<Point>()), tubular::Input_error);
+  EXPECT_THROW(Field(straight().surface, straight().patch, tubular::Centerline_graph()), tubular::Input_error);
 }
 
 class Metric_field_of_real_vessels : public ::testing::TestWithParam<std::pair<const char*, const char*>> {};
@@ -265,7 +265,7 @@ TEST_P(Metric_field_of_real_vessels, IsPositiveDefiniteAndContinuous) {
 #else
   const std::string folder = std::string(TUBULAR_MESHING_SHARED_DATA) + "/paper/";
   Mesh mesh;
-  tubular::Centerline_polylines<Point> lines;
+  tubular::Centerline_polylines lines;
   tubular::IO::read_surface(folder + GetParam().first, mesh);
   tubular::IO::read_centerlines(folder + GetParam().second, lines);
   const Model model = tubular::make_tubular_model(mesh, lines);

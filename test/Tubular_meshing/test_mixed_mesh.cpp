@@ -30,8 +30,8 @@ using test_surfaces::Mesh;
 using test_surfaces::Point;
 namespace tubular = CGAL::Tubular_meshing;
 namespace parameters = tubular::parameters;
-typedef tubular::Tubular_model<Point> Model;
-typedef tubular::Mixed_mesh<Point> Mixed;
+typedef tubular::Tubular_model Model;
+typedef tubular::Mixed_mesh Mixed;
 
 class Mixed_mesh_test : public ::testing::Test {
 protected:
@@ -42,7 +42,7 @@ protected:
 };
 
 Model bifurcation() {
-  const auto skeleton = tubular::y_bifurcation<Point>();
+  const auto skeleton = tubular::y_bifurcation();
   Mesh mesh;
   tubular::generate_tubular_surface(skeleton, mesh, parameters::points_per_circumference(24));
   return tubular::make_tubular_model(mesh, tubular::centerlines_of(skeleton));

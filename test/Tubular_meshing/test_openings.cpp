@@ -37,11 +37,11 @@ using namespace CGAL::Tubular_meshing;
 namespace params = CGAL::Tubular_meshing::parameters;
 
 using namespace test_surfaces;
-typedef std::vector<Opening<Point>> Openings;
+typedef std::vector<Opening> Openings;
 
 // --- centerlines ---
 
-typedef Centerline_graph<Point> Graph;
+typedef Centerline_graph Graph;
 
 Graph line_graph(const Point& from, const Point& to, double radius, std::size_t root = 0) {
   std::vector<Point> points;
@@ -99,7 +99,7 @@ void check_closed(const Closed& closed) {
     if (label == labels::wall)
       continue;
     const std::size_t i = label - labels::inlet;
-    const Opening<Point>& o = closed.openings[i];
+    const Opening& o = closed.openings[i];
     EXPECT_EQ(o.patch, label);
     const Vector n = normal(f, mesh);
     const double length = std::sqrt(n.squared_length());
@@ -478,10 +478,10 @@ TEST_P(Real_centerlines, end_at_the_openings) {
     GTEST_SKIP() << "needs shared/data/" << GetParam().centerlines;
   Mesh mesh;
   CGAL::Tubular_meshing::IO::read_surface(folder + GetParam().surface, mesh);
-  Centerline_polylines<Point> lines;
+  Centerline_polylines lines;
   CGAL::Tubular_meshing::IO::read_centerlines(folder + GetParam().centerlines, lines);
   Graph graph;
-  build_centerline_graph(lines, Wall_distance<Point>(mesh), graph);
+  build_centerline_graph(lines, Wall_distance(mesh), graph);
 
   const Openings open = find_openings(mesh, params::centerline_graph(std::cref(graph)));
   std::vector<std::size_t> nodes;
@@ -647,7 +647,7 @@ TEST_P(Real_surface, is_closed_by_planar_caps) {
   const Openings again = find_openings(closed.mesh);
   EXPECT_EQ(again.size(), closed.openings.size());
   for (const auto& o : again)
-    EXPECT_TRUE(std::any_of(closed.openings.begin(), closed.openings.end(), [&](const Opening<Point>& c) {
+    EXPECT_TRUE(std::any_of(closed.openings.begin(), closed.openings.end(), [&](const Opening& c) {
       return CGAL::squared_distance(o.center, c.center) < CGAL::square(1e-6 * c.radius);
     })) << o.center;
 #endif

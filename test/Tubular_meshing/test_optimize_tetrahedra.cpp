@@ -29,7 +29,7 @@ namespace {
 
 typedef CGAL::Exact_predicates_inexact_constructions_kernel::Point_3 Point;
 typedef CGAL::Surface_mesh<Point> Surface;
-typedef CGAL::Tubular_meshing::Mixed_mesh<Point> Mesh;
+typedef CGAL::Tubular_meshing::Mixed_mesh Mesh;
 namespace tubular = CGAL::Tubular_meshing;
 using tubular::internal::Tetrahedron_store;
 using tubular::internal::Vector_3d;

@@ -32,8 +32,8 @@ namespace tubular = CGAL::Tubular_meshing;
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef Kernel::Point_3 Point;
 typedef Kernel::Point_2 Point_2;
-typedef tubular::Indexed_patch<Point> Patch;
-typedef tubular::Patch_parameterization<Point> Map;
+typedef tubular::Indexed_patch Patch;
+typedef tubular::Patch_parameterization Map;
 typedef tubular::Parameterization_method Method;
 
 const double pi = 3.14159265358979323846;
@@ -708,13 +708,13 @@ TEST(Parameterization, Patches_that_are_no_spheres_with_holes_are_refused) {
 
 TEST(Parameterization, Patches_of_a_cut_surface_share_their_curves) {
   typedef CGAL::Surface_mesh<Point> Mesh;
-  typedef tubular::Cut_curve<Point> Curve;
+  typedef tubular::Cut_curve Curve;
   const int sides = 24, rings = 40, middle = 17;
   const Patch whole = tube(cylinder(8), sides, rings);
   Mesh mesh;
   for (const Point& p : whole.points)
     mesh.add_vertex(p);
-  tubular::Surface_cut<Point> cut;
+  tubular::Surface_cut cut;
   cut.patches.resize(2);
   for (std::size_t t = 0; t < whole.triangles.size(); ++t) {
     const auto& c = whole.triangles[t];

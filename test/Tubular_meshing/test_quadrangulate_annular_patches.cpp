@@ -32,11 +32,11 @@ namespace tubular = CGAL::Tubular_meshing;
 const double pi = 3.14159265358979323846;
 
 struct Cut_tree {
-  tubular::Tubular_model<Point> model;
-  tubular::Surface_cut<Point> cut;
-  std::vector<tubular::Patch_parameterization<Point>> maps;
+  tubular::Tubular_model model;
+  tubular::Surface_cut cut;
+  std::vector<tubular::Patch_parameterization> maps;
 
-  explicit Cut_tree(const tubular::Tubular_skeleton<Point>& skeleton, double points = 24) {
+  explicit Cut_tree(const tubular::Tubular_skeleton& skeleton, double points = 24) {
     Mesh mesh;
     tubular::generate_tubular_surface(skeleton, mesh, tubular::parameters::points_per_circumference(points));
     model = tubular::make_tubular_model(mesh, tubular::centerlines_of(skeleton));
@@ -44,7 +44,7 @@ struct Cut_tree {
     maps = tubular::parameterize_patches(model.surface, cut);
   }
 
-  template <class Size> tubular::Annular_quads<Point> quads(const Size& size, int threads = 0) const {
+  template <class Size> tubular::Annular_quads quads(const Size& size, int threads = 0) const {
     return tubular::quadrangulate_annular_patches(model.surface, cut, maps, size,
                                                   tubular::parameters::number_of_threads(threads));
   }
@@ -56,7 +56,7 @@ auto constant(double h) {
 }
 
 // The worst and the mean quality.
-std::array<double, 2> quality(const tubular::Annular_quads<Point>& quads) {
+std::array<double, 2> quality(const tubular::Annular_quads& quads) {
   double least = 1, sum = 0;
   std::size_t n = 0;
   for (const auto& grid : quads.grids)
@@ -71,15 +71,14 @@ std::array<double, 2> quality(const tubular::Annular_quads<Point>& quads) {
 }
 
 // Relative to the distance of two points.
-double farthest_from_locations(const tubular::Elliptic_grid<Point>& grid,
-                               const tubular::Patch_parameterization<Point>& map) {
+double farthest_from_locations(const tubular::Elliptic_grid& grid, const tubular::Patch_parameterization& map) {
   double far = 0;
   for (std::size_t i = 0; i < grid.points.size(); ++i)
     far = (std::max)(far, CGAL::squared_distance(grid.points[i], map.point(grid.locations[i])));
   return grid.points.empty() ? 0 : std::sqrt(far / CGAL::squared_distance(grid.points[0], grid.points[1]));
 }
 
-void expect_grids_on_tubes(const Cut_tree& tree, const tubular::Annular_quads<Point>& quads) {
+void expect_grids_on_tubes(const Cut_tree& tree, const tubular::Annular_quads& quads) {
   ASSERT_EQ(quads.grids.size(), tree.cut.patches.size());
   ASSERT_EQ(quads.curve_points.size(), tree.cut.curves.size());
   for (const auto& points : quads.curve_points)
@@ -102,7 +101,7 @@ void expect_grids_on_tubes(const Cut_tree& tree, const tubular::Annular_quads<Po
 }
 
 TEST(Quadrangulate_annular_patches, of_a_long_tube_is_one_grid_without_twist) {
-  const Cut_tree tree(tubular::straight_tube<Point>(20, 1), 60); // a tube nearly round
+  const Cut_tree tree(tubular::straight_tube(20, 1), 60); // a tube nearly round
   ASSERT_GE(tree.cut.patches.size(), 3u);
   const auto quads = tree.quads(constant(2 * pi / 20));
   expect_grids_on_tubes(tree, quads);
@@ -121,9 +120,9 @@ TEST(Quadrangulate_annular_patches, of_a_long_tube_is_one_grid_without_twist) {
 }
 
 TEST(Quadrangulate_annular_patches, has_good_quads_on_trees) {
-  for (const auto& skeleton : {tubular::y_bifurcation<Point>(), tubular::aortic_arch<Point>()}) {
+  for (const auto& skeleton : {tubular::y_bifurcation(), tubular::aortic_arch()}) {
     const Cut_tree tree(skeleton);
-    const tubular::Centerline_field<Point> centerlines(tree.model.centerlines);
+    const tubular::Centerline_field centerlines(tree.model.centerlines);
     const auto size = [&](const Point& p) { return 2 * pi / 24 * centerlines.descriptors(p).radius; };
     const auto quads = tree.quads(size);
     expect_grids_on_tubes(tree, quads);
@@ -134,7 +133,7 @@ TEST(Quadrangulate_annular_patches, has_good_quads_on_trees) {
 }
 
 TEST(Quadrangulate_annular_patches, does_not_depend_on_threads) {
-  const Cut_tree tree(tubular::y_bifurcation<Point>());
+  const Cut_tree tree(tubular::y_bifurcation());
   const auto one = tree.quads(constant(0.2), 1), several = tree.quads(constant(0.2), 4);
   EXPECT_EQ(one.curve_points, several.curve_points);
   for (std::size_t k = 0; k < one.grids.size(); ++k)
@@ -142,7 +141,7 @@ TEST(Quadrangulate_annular_patches, does_not_depend_on_threads) {
 }
 
 TEST(Quadrangulate_annular_patches, refuses_maps_of_something_else) {
-  Cut_tree tree(tubular::straight_tube<Point>(6, 1));
+  Cut_tree tree(tubular::straight_tube(6, 1));
   tree.maps.pop_back();
   EXPECT_THROW(tree.quads(constant(0.3)), tubular::Input_error);
 }

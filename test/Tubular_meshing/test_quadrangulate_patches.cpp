@@ -39,12 +39,12 @@ using namespace test_surfaces;
 namespace tubular = CGAL::Tubular_meshing;
 namespace internal = tubular::internal;
 namespace PMP = CGAL::Polygon_mesh_processing;
-typedef tubular::Tubular_model<Point> Model;
-typedef tubular::Remeshed_surface<Point> Remeshed;
+typedef tubular::Tubular_model Model;
+typedef tubular::Remeshed_surface Remeshed;
 
 // --- models ---
 
-Model model_of(const tubular::Tubular_skeleton<Point>& skeleton, double points = 24, double noise = 0) {
+Model model_of(const tubular::Tubular_skeleton& skeleton, double points = 24, double noise = 0) {
   Mesh mesh;
   tubular::generate_tubular_surface(skeleton, mesh, tubular::parameters::points_per_circumference(points).noise(noise));
   return tubular::make_tubular_model(mesh, tubular::centerlines_of(skeleton));
@@ -143,7 +143,7 @@ Wall expect_good(const Model& model, const Remeshed& r, double least_eta, double
 // --- whole surfaces ---
 
 TEST(Quad_surface, Of_a_tube_is_one_grid) {
-  const Model model = model_of(tubular::straight_tube<Point>(6, 1), 48);
+  const Model model = model_of(tubular::straight_tube(6, 1), 48);
   const Remeshed r = quads_of(model, 20);
   expect_good(model, r, 0.9, 0.97);
   EXPECT_EQ(r.quads.unstructured_quads, 0u);
@@ -153,7 +153,7 @@ TEST(Quad_surface, Of_a_tube_is_one_grid) {
 }
 
 TEST(Quad_surface, Of_trees_has_good_quads) {
-  for (const auto& skeleton : {tubular::y_bifurcation<Point>(), tubular::aortic_arch<Point>()}) {
+  for (const auto& skeleton : {tubular::y_bifurcation(), tubular::aortic_arch()}) {
     const Model model = model_of(skeleton);
     const Remeshed r = quads_of(model, 20);
     expect_good(model, r, 0.5, 0.9);
@@ -164,28 +164,28 @@ TEST(Quad_surface, Of_trees_has_good_quads) {
 }
 
 TEST(Quad_surface, Of_vessels_that_split_and_rejoin) {
-  const Model model = model_of(tubular::willis_loop<Point>(), 16);
+  const Model model = model_of(tubular::willis_loop(), 16);
   expect_good(model, quads_of(model, 12), 0.45, 0.88);
 }
 
 TEST(Quad_surface, Of_a_noisy_tree) {
-  const Model model = model_of(tubular::y_bifurcation<Point>(), 24, 0.03);
+  const Model model = model_of(tubular::y_bifurcation(), 24, 0.03);
   expect_good(model, quads_of(model, 16), 0.4, 0.85);
 }
 
 TEST(Quad_surface, Of_many_branches) {
-  const Model model = model_of(tubular::bronchial_tree<Point>(21), 12);
+  const Model model = model_of(tubular::bronchial_tree(21), 12);
   expect_good(model, quads_of(model, 10), 0.4, 0.85);
 }
 
 TEST(Quad_surface, Is_finer_or_coarser_than_the_old_one) {
-  const Model model = model_of(tubular::y_bifurcation<Point>(), 16);
+  const Model model = model_of(tubular::y_bifurcation(), 16);
   expect_good(model, quads_of(model, 6), 0.4, 0.75, 0.78); // a hexagon has 0.83 of its circle
   expect_good(model, quads_of(model, 40), 0.4, 0.9);
 }
 
 TEST(Quad_surface, Has_quads_on_caps_if_wanted) {
-  const Model model = model_of(tubular::y_bifurcation<Point>(), 24);
+  const Model model = model_of(tubular::y_bifurcation(), 24);
   const Remeshed r = quads_of(model, 16, true);
   expect_good(model, r, 0.5, 0.88);
   EXPECT_EQ(r.quads.cap_triangles, 0u);
@@ -211,7 +211,7 @@ TEST(Quad_surface, Of_a_vessel_that_ends_blind) {
 }
 
 TEST(Quad_surface, Does_not_depend_on_the_number_of_threads) {
-  const Model model = model_of(tubular::aortic_arch<Point>());
+  const Model model = model_of(tubular::aortic_arch());
   const Remeshed one = quads_of(model, 14, false, 1), several = quads_of(model, 14, false, 3);
   ASSERT_EQ(one.surface.number_of_vertices(), several.surface.number_of_vertices());
   for (auto v : one.surface.vertices())
@@ -220,7 +220,7 @@ TEST(Quad_surface, Does_not_depend_on_the_number_of_threads) {
 
 TEST(Quad_surface, Does_not_depend_on_unit_position_and_direction) {
   Mesh mesh;
-  const auto skeleton = tubular::y_bifurcation<Point>();
+  const auto skeleton = tubular::y_bifurcation();
   tubular::generate_tubular_surface(skeleton, mesh, tubular::parameters::points_per_circumference(20));
   auto lines = tubular::centerlines_of(skeleton);
   const Remeshed here = quads_of(tubular::make_tubular_model(mesh, lines), 14);
@@ -237,15 +237,15 @@ TEST(Quad_surface, Does_not_depend_on_unit_position_and_direction) {
 }
 
 TEST(Quad_surface, Of_a_labelled_surface_and_a_graph) {
-  Model model = model_of(tubular::y_bifurcation<Point>());
-  const Model original = model_of(tubular::y_bifurcation<Point>());
+  Model model = model_of(tubular::y_bifurcation());
+  const Model original = model_of(tubular::y_bifurcation());
   const Remeshed r = tubular::quadrangulate_patches(model.surface, model.patch, model.centerlines,
                                                     tubular::parameters::points_per_circumference(16));
   expect_good(original, r, 0.5, 0.88);
 }
 
 TEST(Quad_surface, Needs_a_map_of_each_patch) {
-  Model model = model_of(tubular::straight_tube<Point>(10, 1));
+  Model model = model_of(tubular::straight_tube(10, 1));
   const auto cut = tubular::cut_by_centerlines(model.surface, model.centerlines, model.patch);
   auto maps = tubular::parameterize_patches(model.surface, cut);
   maps.pop_back();
@@ -256,7 +256,7 @@ TEST(Quad_surface, Needs_a_map_of_each_patch) {
 // --- files ---
 
 TEST(Quad_surface, Is_written_and_read) {
-  const Model model = model_of(tubular::straight_tube<Point>(6, 1), 24);
+  const Model model = model_of(tubular::straight_tube(6, 1), 24);
   const Remeshed r = quads_of(model, 12);
   const std::size_t triangles = 2 * r.quads.wall_quads() + r.quads.cap_triangles;
   for (const char* extension : {"off", "obj", "ply", "vtp", "vtk", "msh", "stl"}) {
@@ -272,7 +272,7 @@ TEST(Quad_surface, Is_written_and_read) {
 }
 
 TEST(Quad_surface, Keeps_its_quads_in_files) {
-  const Model model = model_of(tubular::straight_tube<Point>(6, 1), 24);
+  const Model model = model_of(tubular::straight_tube(6, 1), 24);
   const Remeshed r = quads_of(model, 12);
   const std::string file = testing::TempDir() + "quads.off";
   tubular::IO::write_surface(file, r.surface);

@@ -19,7 +19,7 @@
 namespace {
 
 typedef CGAL::Exact_predicates_inexact_constructions_kernel::Point_3 Point;
-typedef CGAL::Tubular_meshing::Mixed_mesh<Point> Mesh;
+typedef CGAL::Tubular_meshing::Mixed_mesh Mesh;
 namespace tubular = CGAL::Tubular_meshing;
 
 const double eps = 1e-12;

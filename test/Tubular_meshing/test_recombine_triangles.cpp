@@ -110,7 +110,7 @@ double eta(const std::vector<Point>& points, const Quad& q) {
   return plane_eta({{points[q[0]], points[q[1]], points[q[2]], points[q[3]]}});
 }
 
-double cost(const tubular::Recombined_triangles<Point>& mesh) {
+double cost(const tubular::Recombined_triangles& mesh) {
   double sum = 0;
   for (const Quad& q : mesh.quads)
     sum += 1 - eta(mesh.points, q);
@@ -184,7 +184,7 @@ template <class Polygons> void count_sides(const Polygons& polygons, std::map<Ed
 template <class Mesh> std::set<Edge> border(const Mesh& mesh) {
   std::map<Edge, int> sides;
   count_sides(mesh.triangles, sides);
-  if constexpr (std::is_same<Mesh, tubular::Recombined_triangles<Point>>::value)
+  if constexpr (std::is_same<Mesh, tubular::Recombined_triangles>::value)
     count_sides(mesh.quads, sides);
   std::set<Edge> result;
   for (const auto& s : sides) {
@@ -205,7 +205,7 @@ double area(const std::vector<Point>& points, const Quad& q) {
 }
 
 // All quads, valid, of the same area and border as the triangles.
-void expect_all_quads(const Triangles& mesh, const tubular::Recombined_triangles<Point>& result, double whole) {
+void expect_all_quads(const Triangles& mesh, const tubular::Recombined_triangles& result, double whole) {
   EXPECT_TRUE(result.triangles.empty());
   EXPECT_EQ(result.quads.size(), mesh.triangles.size() / 2 + result.report.split_vertices);
   EXPECT_EQ(result.points.size(), mesh.points.size() + result.report.split_vertices);

@@ -36,14 +36,14 @@ namespace {
 using namespace test_surfaces;
 namespace tubular = CGAL::Tubular_meshing;
 namespace PMP = CGAL::Polygon_mesh_processing;
-typedef tubular::Tubular_model<Point> Model;
-typedef tubular::Remeshed_surface<Point> Remeshed;
+typedef tubular::Tubular_model Model;
+typedef tubular::Remeshed_surface Remeshed;
 
 const double pi = 3.14159265358979323846;
 
 // --- models ---
 
-Model model_of(const tubular::Tubular_skeleton<Point>& skeleton, double points = 24, double noise = 0) {
+Model model_of(const tubular::Tubular_skeleton& skeleton, double points = 24, double noise = 0) {
   Mesh mesh;
   tubular::generate_tubular_surface(skeleton, mesh, tubular::parameters::points_per_circumference(points).noise(noise));
   return tubular::make_tubular_model(mesh, tubular::centerlines_of(skeleton));
@@ -113,8 +113,8 @@ std::map<int, std::array<long, 2>> topology_of_patches(const Remeshed& r) {
 
 // --- curves ---
 
-typedef tubular::internal::Curve_divider<Point> Divider;
-typedef tubular::internal::Curve_position<Point> Position;
+typedef tubular::internal::Curve_divider Divider;
+typedef tubular::internal::Curve_position Position;
 
 std::vector<Point> circle(int n, double radius) {
   std::vector<Point> points;
@@ -265,7 +265,7 @@ TEST(Peaks, Beside_a_higher_one_count_from_the_pass) {
 // --- surfaces ---
 
 TEST(Remeshed_surface, Of_a_tube_has_the_size_wanted) {
-  const Model model = model_of(tubular::straight_tube<Point>(10, 1), 60);
+  const Model model = model_of(tubular::straight_tube(10, 1), 60);
   for (double n : {12., 20., 32.}) {
     const Remeshed r = remesh(model, n);
     expect_good(model, r, 0.6, 0.97);
@@ -284,7 +284,7 @@ TEST(Remeshed_surface, Of_a_tube_has_the_size_wanted) {
 }
 
 TEST(Remeshed_surface, Keeps_volume_and_caps) {
-  const Model model = model_of(tubular::curved_tube<Point>(), 60);
+  const Model model = model_of(tubular::curved_tube(), 60);
   const Remeshed r = remesh(model, 40);
   expect_good(model, r, 0.6, 0.97);
   EXPECT_NEAR(PMP::volume(r.surface) / PMP::volume(model.surface), 1, 0.01);
@@ -298,7 +298,7 @@ TEST(Remeshed_surface, Keeps_volume_and_caps) {
 }
 
 TEST(Remeshed_surface, Of_a_bifurcation_has_its_patches) {
-  const Model model = model_of(tubular::y_bifurcation<Point>());
+  const Model model = model_of(tubular::y_bifurcation());
   const Remeshed r = remesh(model, 20);
   expect_good(model, r);
   const auto patches = topology_of_patches(r);
@@ -313,7 +313,7 @@ TEST(Remeshed_surface, Of_a_bifurcation_has_its_patches) {
 }
 
 TEST(Remeshed_surface, Has_edges_along_all_curves) {
-  const Model model = model_of(tubular::aortic_arch<Point>());
+  const Model model = model_of(tubular::aortic_arch());
   const Remeshed r = remesh(model, 16);
   expect_good(model, r);
   std::size_t edges_between_patches = 0, edges_on_curves = 0;
@@ -329,7 +329,7 @@ TEST(Remeshed_surface, Has_edges_along_all_curves) {
 }
 
 TEST(Remeshed_surface, Has_even_curves_if_wanted) {
-  const Model model = model_of(tubular::aortic_arch<Point>());
+  const Model model = model_of(tubular::aortic_arch());
   const Remeshed r =
       tubular::make_isotropic_surface_mesh(model, tubular::parameters::points_per_circumference(15).even_curves(true));
   expect_good(model, r);
@@ -338,17 +338,17 @@ TEST(Remeshed_surface, Has_even_curves_if_wanted) {
 }
 
 TEST(Remeshed_surface, Of_vessels_that_split_and_rejoin) {
-  const Model model = model_of(tubular::willis_loop<Point>());
+  const Model model = model_of(tubular::willis_loop());
   expect_good(model, remesh(model, 16));
 }
 
 TEST(Remeshed_surface, Of_a_noisy_tree) {
-  const Model model = model_of(tubular::bronchial_tree<Point>(31), 14, 0.02);
+  const Model model = model_of(tubular::bronchial_tree(31), 14, 0.02);
   expect_good(model, remesh(model, 14));
 }
 
 TEST(Remeshed_surface, Is_finer_or_coarser_than_the_old_one) {
-  const Model model = model_of(tubular::y_bifurcation<Point>(), 24);
+  const Model model = model_of(tubular::y_bifurcation(), 24);
   const std::size_t coarse = remesh(model, 8).surface.number_of_faces();
   const Remeshed fine = remesh(model, 60);
   expect_good(model, fine, 0.5, 0.97);
@@ -356,7 +356,7 @@ TEST(Remeshed_surface, Is_finer_or_coarser_than_the_old_one) {
 }
 
 TEST(Remeshed_surface, Does_not_depend_on_the_number_of_threads) {
-  const Model model = model_of(tubular::aortic_arch<Point>());
+  const Model model = model_of(tubular::aortic_arch());
   const auto run = [&](int threads) {
     return tubular::make_isotropic_surface_mesh(model, tubular::parameters::number_of_threads(threads));
   };
@@ -368,7 +368,7 @@ TEST(Remeshed_surface, Does_not_depend_on_the_number_of_threads) {
 
 TEST(Remeshed_surface, Does_not_depend_on_unit_position_and_direction) {
   Mesh mesh;
-  tubular::generate_tubular_surface(tubular::aortic_arch<Point>(), mesh);
+  tubular::generate_tubular_surface(tubular::aortic_arch(), mesh);
   const Remeshed r = remesh(tubular::make_tubular_model(mesh), 14);
   const double c = std::cos(1.), s = std::sin(1.), k = 1e-3;
   const Transformation t(k * c, -k * s, 0, 50 * k, k * s, k * c, 0, -20 * k, 0, 0, k, 70 * k);
@@ -410,7 +410,7 @@ TEST(Tubular_model, Has_centerlines_in_blind_vessels) {
 // A blind vessel that the centerlines leave out shrinks to a spot in the plane, but must not be lost.
 TEST(Remeshed_surface, Has_blind_vessels_without_centerline_too) {
   const Mesh mesh = tube_with_finger();
-  tubular::Centerline_polylines<Point> line;
+  tubular::Centerline_polylines line;
   line.lines.emplace_back();
   for (int i = 0; i <= 40; ++i) {
     line.lines[0].push_back(line.points.size());
@@ -451,14 +451,14 @@ TEST(Remeshed_surface, Does_not_close_gaps_narrower_than_its_triangles) {
 
 // What is done where triangles do cross: the piece, its curves and its neighbours are meshed again.
 TEST(Remeshed_surface, Is_refined_piece_by_piece) {
-  Model model = model_of(tubular::straight_tube<Point>(20, 1));
+  Model model = model_of(tubular::straight_tube(20, 1));
   const auto cut = tubular::cut_by_centerlines(model.surface, model.centerlines, model.patch);
   const auto maps = tubular::parameterize_patches(model.surface, cut);
   ASSERT_GE(maps.size(), 3u);
   const auto size = [](const Point&) { return 0.4; };
-  typedef tubular::internal::Isotropic_sizes<Point, decltype(size)> Sizes;
+  typedef tubular::internal::Isotropic_sizes<decltype(size)> Sizes;
   const Sizes sizes(model.surface, cut, maps, size);
-  tubular::internal::Piece_mesher<Point, Sizes> mesher(model.surface, cut, maps, sizes, false, 1);
+  tubular::internal::Piece_mesher<Sizes> mesher(model.surface, cut, maps, sizes, false, 1);
   mesher.mesh_all();
   const auto before = mesher.pieces();
   const auto curves_before = mesher.curve_points();
@@ -481,7 +481,7 @@ TEST(Remeshed_surface, Is_refined_piece_by_piece) {
 }
 
 TEST(Remeshed_surface, Needs_a_map_of_each_patch) {
-  Model model = model_of(tubular::straight_tube<Point>(10, 1));
+  Model model = model_of(tubular::straight_tube(10, 1));
   const auto cut = tubular::cut_by_centerlines(model.surface, model.centerlines, model.patch);
   auto maps = tubular::parameterize_patches(model.surface, cut);
   maps.pop_back();

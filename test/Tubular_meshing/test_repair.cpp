@@ -34,7 +34,7 @@ using defects::Soup;
 using defects::Triangle;
 using tubular::Repair_mode;
 using tubular::Surface_defect;
-typedef tubular::Repair_report<Point> Report;
+typedef tubular::Repair_report Report;
 
 long euler_characteristic(const Mesh& m) {
   return long(m.number_of_vertices()) - long(m.number_of_edges()) + long(m.number_of_faces());
@@ -47,7 +47,7 @@ template <class... NamedParameters> Report repair(const Soup& soup, Mesh& mesh, 
 /* The surface closed, as all that follows will see it. */
 struct Closed_surface {
   Mesh mesh;
-  std::vector<tubular::Opening<Point>> openings;
+  std::vector<tubular::Opening> openings;
 
   explicit Closed_surface(const Mesh& open)
       : mesh(open) {
@@ -137,8 +137,8 @@ double hausdorff_distance(const Clean_surface& clean, const Mesh& mesh) {
 }
 
 // The openings of a repaired surface are those of the clean one, each within a fraction of its radius.
-void expect_openings(const std::vector<tubular::Opening<Point>>& found,
-                     const std::vector<tubular::Opening<Point>>& expected, double tolerance) {
+void expect_openings(const std::vector<tubular::Opening>& found, const std::vector<tubular::Opening>& expected,
+                     double tolerance) {
   EXPECT_EQ(found.size(), expected.size());
   for (const auto& e : expected) {
     const auto nearest = std::min_element(found.begin(), found.end(), [&](const auto& a, const auto& b) {
@@ -382,7 +382,7 @@ TEST(Repair_surface, Smoothing_takes_noise_and_keeps_volume_and_rims) {
   repair(noisy, rough);
   const Report report = repair(noisy, smooth, tubular::parameters::smooth(true));
   EXPECT_EQ(report.repairs.back().defect, Surface_defect::noise);
-  const tubular::Wall_distance<Point> wall(clean.mesh);
+  const tubular::Wall_distance wall(clean.mesh);
   double before = 0, after = 0;
   for (auto v : rough.vertices())
     before += CGAL::square(wall(rough.point(v)));

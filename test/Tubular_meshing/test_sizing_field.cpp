@@ -24,14 +24,14 @@ namespace {
 
 namespace tubular = CGAL::Tubular_meshing;
 using namespace test_surfaces;
-typedef tubular::Centerline_sizing_field<Point> Sizing_field;
+typedef tubular::Centerline_sizing_field Sizing_field;
 
 const double pi = 3.14159265358979323846;
 
 /* A tube along z whose radius is a function of z, with its axis. */
 struct Round_tube {
   Mesh mesh;
-  tubular::Centerline_polylines<Point> axis;
+  tubular::Centerline_polylines axis;
 
   Round_tube(double length, const std::function<double(double)>& radius, double scale = 1, int sides = 48,
              int rings = 200) {
@@ -56,10 +56,10 @@ struct Round_tube {
   }
 
   template <class NamedParameters> Sizing_field field(const NamedParameters& np) const {
-    const tubular::Wall_distance<Point> wall(mesh);
-    tubular::Centerline_graph<Point> graph;
+    const tubular::Wall_distance wall(mesh);
+    tubular::Centerline_graph graph;
     tubular::build_centerline_graph(axis, wall, graph);
-    return Sizing_field(tubular::Centerline_field<Point>(graph), wall, np);
+    return Sizing_field(tubular::Centerline_field(graph), wall, np);
   }
 };
 

@@ -406,7 +406,7 @@ TEST_F(Tool, Takes_points_for_the_ends_of_a_surface_without_any) {
 }
 
 TEST_F(Tool, Keeps_all_branches_of_a_loop_where_asked_to) {
-  const Sample s = sample_of(tubular::willis_loop<Point>());
+  const Sample s = sample_of(tubular::willis_loop());
   const Arguments common = {make("loop.off", s.surface), "-n", "10", "-o", out("mesh.vtu"), "--report", out("r.json")};
   succeed(common + Arguments{"-c", make("lines.vtk", s.lines)});
   const Json given = json_in(out("r.json"));
@@ -671,7 +671,7 @@ double distance_to_mesh(const std::string& surface_file, const Mesh& mesh) {
   typedef Surface::Vertex_index Vertex;
   for (const auto& t : mesh.triangles.vertices)
     boundary.add_face(Vertex(t[0]), Vertex(t[1]), Vertex(t[2]));
-  const tubular::Wall_distance<Point> distance(boundary);
+  const tubular::Wall_distance distance(boundary);
   double largest = 0;
   for (auto v : surface.vertices())
     largest = (std::max)(largest, distance(surface.point(v)));

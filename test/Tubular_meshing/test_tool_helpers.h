@@ -45,8 +45,8 @@ typedef nlohmann::json Json;
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef Kernel::Point_3 Point;
 typedef CGAL::Surface_mesh<Point> Surface;
-typedef tubular::Mixed_mesh<Point> Mesh;
-typedef tubular::Centerline_polylines<Point> Centerlines;
+typedef tubular::Mixed_mesh Mesh;
+typedef tubular::Centerline_polylines Centerlines;
 typedef std::vector<std::string> Arguments;
 
 inline Arguments operator+(Arguments a, const Arguments& b) {
@@ -268,7 +268,7 @@ struct Sample {
   Centerlines lines;
 };
 
-inline Sample sample_of(const tubular::Tubular_skeleton<Point>& skeleton) {
+inline Sample sample_of(const tubular::Tubular_skeleton& skeleton) {
   Sample s;
   tubular::generate_tubular_surface(skeleton, s.surface, tubular::parameters::points_per_circumference(16));
   s.lines = tubular::centerlines_of(skeleton);
@@ -277,11 +277,11 @@ inline Sample sample_of(const tubular::Tubular_skeleton<Point>& skeleton) {
 
 // The cheapest there is: meshed in a tenth of a second.
 inline Sample tube() {
-  return sample_of(tubular::straight_tube<Point>(6, 1));
+  return sample_of(tubular::straight_tube(6, 1));
 }
 
 inline Sample bifurcation() {
-  return sample_of(tubular::y_bifurcation<Point>());
+  return sample_of(tubular::y_bifurcation());
 }
 
 template <class Transformation> Sample transformed(Sample s, const Transformation& move) {

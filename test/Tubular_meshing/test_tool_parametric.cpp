@@ -154,7 +154,7 @@ TEST_F(Tool, Makes_an_anisotropic_mesh) {
 
 // By the paper's parameters, on a smooth wall.
 TEST_F(Tool, Lays_the_first_layer_along_the_wall) {
-  const auto skeleton = tubular::y_bifurcation<Point>();
+  const auto skeleton = tubular::y_bifurcation();
   Sample s;
   tubular::generate_tubular_surface(skeleton, s.surface, tubular::parameters::points_per_circumference(32));
   const Outcome outcome =

@@ -17,7 +17,7 @@
  *   next. Where it jumps no mesh can follow it.
  *
  * \cgalHasModelsBegin
- * \cgalHasModels{CGAL::Tubular_meshing::Centerline_metric_field<Point_3>}
+ * \cgalHasModels{CGAL::Tubular_meshing::Centerline_metric_field}
  * \cgalHasModelsEnd
  *
  * A user's own field is a class of a few lines:

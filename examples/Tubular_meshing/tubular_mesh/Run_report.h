@@ -42,7 +42,7 @@ template <class Point> Json vector_of(const Point& p) {
   return {p.x(), p.y(), p.z()};
 }
 
-template <class Point> Json repairs(const tubular::Repair_report<Point>& report) {
+inline Json repairs(const tubular::Repair_report& report) {
   Json list = Json::array();
   for (const auto& r : report.repairs) {
     Json entry = {{"defect", tubular::name_of(r.defect)}, {"count", r.count}, {"size", r.size}};
@@ -53,8 +53,7 @@ template <class Point> Json repairs(const tubular::Repair_report<Point>& report)
   return list;
 }
 
-template <class Point>
-Json openings(const tubular::Tubular_model<Point>& model, const tubular::Mixed_mesh<Point>& mesh) {
+inline Json openings(const tubular::Tubular_model& model, const tubular::Mixed_mesh& mesh) {
   std::map<int, std::size_t> triangles, quads;
   for (int label : mesh.triangles.label)
     ++triangles[label];
@@ -71,17 +70,16 @@ Json openings(const tubular::Tubular_model<Point>& model, const tubular::Mixed_m
                   {"radius", o.radius},
                   {"triangles", triangles[o.patch]},
                   {"quads", quads[o.patch]}};
-    entry["branch"] = o.branch == tubular::Opening<Point>::no_branch ? Json() : Json(o.branch);
+    entry["branch"] = o.branch == tubular::Opening::no_branch ? Json() : Json(o.branch);
     list.push_back(entry);
   }
   return list;
 }
 
-template <class Point>
-Json branches(const tubular::Tubular_model<Point>& model, const tubular::Mixed_mesh<Point>& mesh) {
+inline Json branches(const tubular::Tubular_model& model, const tubular::Mixed_mesh& mesh) {
   const auto& graph = model.centerlines;
   const std::vector<double> points =
-      tubular::points_per_circumference(mesh, tubular::Centerline_field<Point>(graph), graph.branches().size());
+      tubular::points_per_circumference(mesh, tubular::Centerline_field(graph), graph.branches().size());
   Json list = Json::array();
   for (std::size_t b = 0; b < graph.branches().size(); ++b) {
     const auto& branch = graph.branches()[b];
@@ -107,10 +105,9 @@ inline Json qualities(const tubular::Quality_report& quality) {
   return q;
 }
 
-template <class Point>
-Json make(const Options& options, const std::string& version, const tubular::Repair_report<Point>& repair_report,
-          const std::vector<double>& flow_extensions, const tubular::Tubular_model<Point>& model,
-          const tubular::Mixed_mesh<Point>& mesh) {
+inline Json make(const Options& options, const std::string& version, const tubular::Repair_report& repair_report,
+          const std::vector<double>& flow_extensions, const tubular::Tubular_model& model,
+          const tubular::Mixed_mesh& mesh) {
   const tubular::Validity_report validity = tubular::validity_report(mesh);
   const tubular::Quality_report quality = tubular::quality_report(mesh);
   Json report = {{"program", "tubular_mesh " + version},
@@ -138,7 +135,7 @@ Json make(const Options& options, const std::string& version, const tubular::Rep
 }
 
 // How the surface was cut, and its patches were mapped.
-template <class Point> void add_patches(Json& report, const tubular::Remeshed_surface<Point>& surface) {
+inline void add_patches(Json& report, const tubular::Remeshed_surface& surface) {
   const tubular::Patch_report& r = surface.report;
   const auto number = [&](tubular::Patch_kind kind) {
     const auto found = r.kinds.find(kind);
@@ -169,7 +166,7 @@ inline void add_quads(Json& report, const tubular::Quad_report& quads) {
 }
 
 // Of a surface alone, the validity is its own.
-template <class Point> void describe_surface(Json& report, const tubular::Remeshed_surface<Point>& surface) {
+inline void describe_surface(Json& report, const tubular::Remeshed_surface& surface) {
   const auto& mesh = surface.surface;
   report["valid"] = CGAL::is_closed(mesh) && mesh.is_valid();
   report["boundary_euler"] =
@@ -192,7 +189,7 @@ inline void print_patches(const Json& p) {
 }
 
 // Where layers had to give way.
-template <class Point> void add_layers(Json& report, const char* name, const tubular::Layer_report<Point>& layers) {
+inline void add_layers(Json& report, const char* name, const tubular::Layer_report& layers) {
   report[name] = {{"vertices", layers.vertices},
                   {"reduced_vertices", layers.reduced_vertices},
                   {"min_ratio", layers.min_ratio},
@@ -202,9 +199,7 @@ template <class Point> void add_layers(Json& report, const char* name, const tub
 }
 
 // Of a mesh in a metric, with layers at the wall.
-template <class Point>
-void add_metric_quality(Json& report, const tubular::Tubular_model<Point>& model,
-                        const tubular::Mixed_mesh<Point>& mesh) {
+inline void add_metric_quality(Json& report, const tubular::Tubular_model& model, const tubular::Mixed_mesh& mesh) {
   const tubular::Quality_report quality = tubular::quality_report(mesh, tubular::labels::lumen);
   report["quality"]["Q_tau"] = statistics(quality.Q_tau);
   report["quality"]["Q_tau"]["share_below_3"] = quality.Q_tau.share_below(3);
@@ -217,7 +212,7 @@ void add_metric_quality(Json& report, const tubular::Tubular_model<Point>& model
 }
 
 // Of the triangles of a surface in a metric.
-template <class Point> void add_metric_quality(Json& report, const tubular::Remeshed_surface<Point>& surface) {
+inline void add_metric_quality(Json& report, const tubular::Remeshed_surface& surface) {
   const tubular::Metric_surface_report fit = tubular::metric_surface_report(surface);
   const auto json = [](const tubular::Metric_fit& f) {
     return Json({{"shape", statistics(f.shape)},

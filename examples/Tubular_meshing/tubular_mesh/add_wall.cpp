@@ -6,11 +6,11 @@
 #include <CGAL/Tubular_meshing/Centerlines/Centerline_field.h>
 #include <CGAL/Tubular_meshing/Layers/extrude_wall.h>
 
-tubular::Layer_report<Point_3> add_wall(const Options& o, const tubular::Tubular_model<Point_3>& model,
-                                        tubular::Mixed_mesh<Point_3>& mesh, Stage_clock& clock) {
+tubular::Layer_report add_wall(const Options& o, const tubular::Tubular_model& model, tubular::Mixed_mesh& mesh,
+                               Stage_clock& clock) {
   clock.begin("wall");
   const auto or_as_the_wall = [](auto given, auto of_the_wall) { return given > 0 ? given : of_the_wall; };
-  return tubular::extrude_wall(mesh, tubular::Centerline_field<Point_3>(model.centerlines),
+  return tubular::extrude_wall(mesh, tubular::Centerline_field(model.centerlines),
                                tubular::parameters::wall_thickness(o.wall.thickness)
                                    .wall_layers(o.wall.number)
                                    .wall_growth(o.wall.growth)

@@ -5,7 +5,6 @@
 
 #include <CGAL/tubular_meshing.h>
 
-tubular::Mixed_mesh<Point_3> make_anisotropic_mesh(const Options& o, const tubular::Tubular_model<Point_3>& model,
-                                                   Stage_clock& clock) {
+tubular::Mixed_mesh make_anisotropic_mesh(const Options& o, const tubular::Tubular_model& model, Stage_clock& clock) {
   return tubular::make_anisotropic_mesh(model, metric_parameters(o, clock).volume_mesher(volume_mesher(o)));
 }

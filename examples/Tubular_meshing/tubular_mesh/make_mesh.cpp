@@ -37,9 +37,8 @@ std::string why_not_filled_by(const std::string& volume_mesher) {
   return "";
 }
 
-tubular::Mixed_mesh<Point_3> make_mesh(const Options& o, const tubular::Tubular_model<Point_3>& model,
-                                       tubular::Remeshed_surface<Point_3>& surface,
-                                       tubular::Layer_report<Point_3>& boundary_layer, Stage_clock& clock) {
+tubular::Mixed_mesh make_mesh(const Options& o, const tubular::Tubular_model& model, tubular::Remeshed_surface& surface,
+                              tubular::Layer_report& boundary_layer, Stage_clock& clock) {
   if (!o.is_anisotropic() && !o.meshes_patches())
     return tubular::make_isotropic_mesh(model, meshing_parameters(o, clock));
   try {

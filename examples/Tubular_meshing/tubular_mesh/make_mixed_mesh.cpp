@@ -5,8 +5,8 @@
 
 #include <CGAL/Tubular_meshing/Pipelines/make_mixed_mesh.h>
 
-tubular::Mixed_mesh<Point_3> make_mixed_mesh(const Options& o, const tubular::Tubular_model<Point_3>& model,
-                                             tubular::Remeshed_surface<Point_3>& surface,
-                                             tubular::Layer_report<Point_3>& boundary_layer, Stage_clock& clock) {
+tubular::Mixed_mesh make_mixed_mesh(const Options& o, const tubular::Tubular_model& model,
+                                    tubular::Remeshed_surface& surface, tubular::Layer_report& boundary_layer,
+                                    Stage_clock& clock) {
   return tubular::make_mixed_mesh(model, surface, lumen_parameters(o, boundary_layer, clock));
 }

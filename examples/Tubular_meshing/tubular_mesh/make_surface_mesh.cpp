@@ -7,8 +7,7 @@
 #include <CGAL/Tubular_meshing/Pipelines/make_isotropic_surface_mesh.h>
 #include <CGAL/Tubular_meshing/Pipelines/make_quad_surface_mesh.h>
 
-tubular::Remeshed_surface<Point_3> make_surface_mesh(const Options& o, const tubular::Tubular_model<Point_3>& model,
-                                                     Stage_clock& clock) {
+tubular::Remeshed_surface make_surface_mesh(const Options& o, const tubular::Tubular_model& model, Stage_clock& clock) {
   if (o.is_anisotropic_surface())
     return tubular::make_anisotropic_surface_mesh(model, metric_parameters(o, clock));
   const auto np = meshing_parameters(o, clock);

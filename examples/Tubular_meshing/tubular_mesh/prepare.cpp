@@ -24,8 +24,8 @@ std::vector<Point_3> seeds_of(const Options& o) {
   return seeds;
 }
 
-tubular::Tubular_model<Point_3> with_computed_centerlines(const Options& o, const Surface& surface,
-                                                          const Flow_extensions& extensions) {
+tubular::Tubular_model with_computed_centerlines(const Options& o, const Surface& surface,
+                                                 const Flow_extensions& extensions) {
   const auto np = tubular::parameters::loops(o.loops).seeds(seeds_of(o));
   if (!extensions.openings.empty()) // the inlet has moved
     return tubular::make_tubular_model(surface, np.inlet(extensions.openings.front().center));
@@ -34,8 +34,8 @@ tubular::Tubular_model<Point_3> with_computed_centerlines(const Options& o, cons
   return tubular::make_tubular_model(surface, np);
 }
 
-tubular::Tubular_model<Point_3> with_given_centerlines(const Options& o, const Surface& surface,
-                                                       const tubular::Centerline_polylines<Point_3>& lines) {
+tubular::Tubular_model with_given_centerlines(const Options& o, const Surface& surface,
+                                              const tubular::Centerline_polylines& lines) {
   if (o.inlet.empty())
     return tubular::make_tubular_model(surface, lines);
   return tubular::make_tubular_model(surface, lines,
@@ -44,13 +44,13 @@ tubular::Tubular_model<Point_3> with_given_centerlines(const Options& o, const S
 
 } // namespace
 
-tubular::Tubular_model<Point_3> prepare(const Options& o, const Surface& surface, const Flow_extensions& extensions,
-                                        Stage_clock& clock) {
+tubular::Tubular_model prepare(const Options& o, const Surface& surface, const Flow_extensions& extensions,
+                               Stage_clock& clock) {
   if (o.centerlines.empty()) {
     clock.begin("centerlines");
     return with_computed_centerlines(o, surface, extensions);
   }
-  tubular::Centerline_polylines<Point_3> lines;
+  tubular::Centerline_polylines lines;
   tubular::IO::read_centerlines(o.centerlines, lines);
   clock.begin("branches, openings");
   return with_given_centerlines(o, surface, lines);

@@ -19,7 +19,7 @@ tubular::Repair_mode repair_mode(const Options& o) {
 
 } // namespace
 
-tubular::Repair_report<Point_3> read_surface(const Options& o, Surface& surface, Stage_clock& clock) {
+tubular::Repair_report read_surface(const Options& o, Surface& surface, Stage_clock& clock) {
   clock.begin("read");
   std::vector<Point_3> points;
   std::vector<std::array<std::size_t, 3>> triangles;

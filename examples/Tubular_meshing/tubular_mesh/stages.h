@@ -27,40 +27,37 @@ typedef CGAL::Surface_mesh<Point_3> Surface;
 namespace tubular = CGAL::Tubular_meshing;
 
 // The surface, mended.
-tubular::Repair_report<Point_3> read_surface(const Options& o, Surface& surface, Stage_clock& clock);
+tubular::Repair_report read_surface(const Options& o, Surface& surface, Stage_clock& clock);
 
 /* Straight tubes at the openings. The list is of the openings where they are now, the inlet first, and of the tubes'
  * lengths; empty where none were asked for. */
 struct Flow_extensions {
-  std::vector<tubular::Opening<Point_3>> openings;
+  std::vector<tubular::Opening> openings;
   std::vector<double> lengths;
 };
 Flow_extensions extend_openings(const Options& o, Surface& surface, Stage_clock& clock);
 
 // The surface with its openings, and its centerlines, given or computed.
-tubular::Tubular_model<Point_3> prepare(const Options& o, const Surface& surface, const Flow_extensions& extensions,
-                                        Stage_clock& clock);
+tubular::Tubular_model prepare(const Options& o, const Surface& surface, const Flow_extensions& extensions,
+                               Stage_clock& clock);
 
 // The surface mesh alone.
-tubular::Remeshed_surface<Point_3> make_surface_mesh(const Options& o, const tubular::Tubular_model<Point_3>& model,
-                                                     Stage_clock& clock);
+tubular::Remeshed_surface make_surface_mesh(const Options& o, const tubular::Tubular_model& model, Stage_clock& clock);
 
 // The cells of the lumen; with the parametric surface mesher, `surface` becomes the surface mesh. `boundary_layer` is
 // told of layers of prisms or hexahedra.
-tubular::Mixed_mesh<Point_3> make_mesh(const Options& o, const tubular::Tubular_model<Point_3>& model,
-                                       tubular::Remeshed_surface<Point_3>& surface,
-                                       tubular::Layer_report<Point_3>& boundary_layer, Stage_clock& clock);
+tubular::Mixed_mesh make_mesh(const Options& o, const tubular::Tubular_model& model, tubular::Remeshed_surface& surface,
+                              tubular::Layer_report& boundary_layer, Stage_clock& clock);
 
 // What this is for the types that need another mesher.
-tubular::Mixed_mesh<Point_3> make_anisotropic_mesh(const Options& o, const tubular::Tubular_model<Point_3>& model,
-                                                   Stage_clock& clock);
-tubular::Mixed_mesh<Point_3> make_mixed_mesh(const Options& o, const tubular::Tubular_model<Point_3>& model,
-                                             tubular::Remeshed_surface<Point_3>& surface,
-                                             tubular::Layer_report<Point_3>& boundary_layer, Stage_clock& clock);
+tubular::Mixed_mesh make_anisotropic_mesh(const Options& o, const tubular::Tubular_model& model, Stage_clock& clock);
+tubular::Mixed_mesh make_mixed_mesh(const Options& o, const tubular::Tubular_model& model,
+                                    tubular::Remeshed_surface& surface, tubular::Layer_report& boundary_layer,
+                                    Stage_clock& clock);
 
 // The walls around it.
-tubular::Layer_report<Point_3> add_wall(const Options& o, const tubular::Tubular_model<Point_3>& model,
-                                        tubular::Mixed_mesh<Point_3>& mesh, Stage_clock& clock);
+tubular::Layer_report add_wall(const Options& o, const tubular::Tubular_model& model, tubular::Mixed_mesh& mesh,
+                               Stage_clock& clock);
 
 // The mesher that was asked for, or the default.
 tubular::Volume_mesher volume_mesher(const Options& o);
@@ -89,7 +86,7 @@ inline auto metric_parameters(const Options& o, Stage_clock& clock) {
 }
 
 // Those of the lumen's cells between a surface that is kept.
-inline auto lumen_parameters(const Options& o, tubular::Layer_report<Point_3>& boundary_layer, Stage_clock& clock) {
+inline auto lumen_parameters(const Options& o, tubular::Layer_report& boundary_layer, Stage_clock& clock) {
   return meshing_parameters(o, clock)
       .volume_mesher(volume_mesher(o))
       .boundary_layer_prisms(o.boundary_layer_prisms)

@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_CENTERLINES_CENTERLINE_FIELD_H
 #define CGAL_TUBULAR_MESHING_CENTERLINES_CENTERLINE_FIELD_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Centerlines/Centerline_graph.h>
 #include <CGAL/Tubular_meshing/base/Nearest_tree.h>
 #include <CGAL/Tubular_meshing/Centerlines/internal/branch_axes.h>
@@ -28,13 +29,13 @@ namespace Tubular_meshing {
  * Built in O(n log n) for a graph of n points, of which it keeps what it needs; a query is O(log n) near the
  * centerlines, allocates nothing, and is safe from several threads. Copies share the search tree.
  *
- * \tparam Point_3_ a model of `Point_3`
+ * \tparam Point_3 a model of `Point_3`
  */
-template <class Point_3_> class Centerline_field {
+class Centerline_field {
 public:
-  typedef Point_3_ Point_3;
+  typedef Tubular_meshing::Point_3 Point_3;
   typedef typename Kernel_traits<Point_3>::Kernel::Vector_3 Vector_3;
-  typedef Centerline_graph<Point_3> Graph;
+  typedef Centerline_graph Graph;
   typedef std::size_t size_type;
 
   /// What the centerlines are like where they are nearest to a point.

@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_CENTERLINES_CENTERLINE_GRAPH_H
 #define CGAL_TUBULAR_MESHING_CENTERLINES_CENTERLINE_GRAPH_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 
 #include <CGAL/number_utils.h>
@@ -24,7 +25,7 @@ namespace Tubular_meshing {
  *
  * Centerlines as they come from a file: polylines that may overlap, be cut into single segments, or lack radii.
  */
-template <class Point_3> struct Centerline_polylines {
+struct Centerline_polylines {
   std::vector<Point_3> points;
   std::vector<double> radius;                  ///< one a point, or empty: MaximumInscribedSphereRadius
   std::vector<std::vector<std::size_t>> lines; ///< indices of points, two or more a line
@@ -39,11 +40,11 @@ template <class Point_3> struct Centerline_polylines {
  * Branches that meet share the index of the point where they do. All of a graph's lengths are in the unit of its
  * points. build_centerline_graph() makes one from the polylines of a file.
  *
- * \tparam Point_3_ a model of `Point_3` with Cartesian coordinates
+ * \tparam Point_3 a model of `Point_3` with Cartesian coordinates
  */
-template <class Point_3_> class Centerline_graph {
+class Centerline_graph {
 public:
-  typedef Point_3_ Point_3;
+  typedef Tubular_meshing::Point_3 Point_3;
   typedef std::size_t size_type;
   typedef std::vector<size_type> Polyline; ///< indices of points
 

@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_CENTERLINES_WALL_DISTANCE_H
 #define CGAL_TUBULAR_MESHING_CENTERLINES_WALL_DISTANCE_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/base/Nearest_tree.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 #include <CGAL/Tubular_meshing/base/parameters.h>
@@ -29,11 +30,11 @@ namespace Tubular_meshing {
  * Built once in O(n log n) in the faces; a query is O(log n), allocates nothing, and is safe from several threads.
  * Copies share the tree. The mesh need not outlive the object.
  *
- * \tparam Point_3_ a model of `Point_3`
+ * \tparam Point_3 a model of `Point_3`
  */
-template <class Point_3_> class Wall_distance {
+class Wall_distance {
 public:
-  typedef Point_3_ Point_3;
+  typedef Tubular_meshing::Point_3 Point_3;
 
   /*! The distance to all faces of a triangle mesh.
    * \param mesh a triangle mesh

@@ -19,21 +19,21 @@ namespace Tubular_meshing {
  * Centerlines in the manner of VMTK's branch extractor: each line from the inlet to an outlet is cut into tracts, which
  * run along a branch or through a bifurcation, by turns.
  */
-template <class Point_3> struct Branched_centerlines {
-  Centerline_polylines<Point_3> lines; ///< one a tract
-  std::vector<int> centerline_ids;     ///< of each tract: the line that it is part of
-  std::vector<int> tract_ids;          ///< its number along that line, from 0
-  std::vector<int> group_ids;          ///< equal for tracts along the same branch, or through the same bifurcation
-  std::vector<int> blanking;           ///< 1 for tracts through a bifurcation, else 0
+struct Branched_centerlines {
+  Centerline_polylines lines;      ///< one a tract
+  std::vector<int> centerline_ids; ///< of each tract: the line that it is part of
+  std::vector<int> tract_ids;      ///< its number along that line, from 0
+  std::vector<int> group_ids;      ///< equal for tracts along the same branch, or through the same bifurcation
+  std::vector<int> blanking;       ///< 1 for tracts through a bifurcation, else 0
 };
 
 namespace internal {
 
 /* Cuts paths of branches into tracts. A bifurcation reaches one local radius from its node into each branch, but no
  * further than to a third of the branch's length. */
-template <class Point_3> class Tract_cutter {
+class Tract_cutter {
 public:
-  typedef Centerline_graph<Point_3> Graph;
+  typedef Centerline_graph Graph;
 
   explicit Tract_cutter(const Graph& graph)
       : graph_(graph) {}
@@ -55,7 +55,7 @@ public:
     ++line_;
   }
 
-  Branched_centerlines<Point_3> result() { return std::move(result_); }
+  Branched_centerlines result() { return std::move(result_); }
 
 private:
   typedef std::vector<std::size_t> Polyline;
@@ -77,7 +77,7 @@ private:
   }
 
   void add_tract(const Polyline& points, int tract, int group, int blanking) {
-    Centerline_polylines<Point_3>& lines = result_.lines;
+    Centerline_polylines& lines = result_.lines;
     lines.lines.emplace_back();
     for (std::size_t p : points) {
       lines.lines.back().push_back(lines.points.size());
@@ -93,7 +93,7 @@ private:
   const Graph& graph_;
   int line_ = 0;
   Polyline through_; // the bifurcation that is being passed
-  Branched_centerlines<Point_3> result_;
+  Branched_centerlines result_;
 };
 
 // The paths from the root along the branches' directions: to each end, and one through each branch that no other uses.
@@ -138,8 +138,8 @@ template <class Graph> std::vector<std::vector<std::size_t>> paths_from_root(con
  * The lines from the root of a graph to each of its other ends (and, where branches rejoin, through each branch that
  * these leave out), cut into tracts with the identifiers that VMTK's users feed on. Linear in the result.
  */
-template <class Point_3> Branched_centerlines<Point_3> branched_centerlines(const Centerline_graph<Point_3>& graph) {
-  internal::Tract_cutter<Point_3> cutter(graph);
+inline Branched_centerlines branched_centerlines(const Centerline_graph& graph) {
+  internal::Tract_cutter cutter(graph);
   if (!graph.empty())
     for (const std::vector<std::size_t>& path : internal::paths_from_root(graph))
       cutter.add_line(path);
@@ -150,8 +150,8 @@ template <class Point_3> Branched_centerlines<Point_3> branched_centerlines(cons
  *
  * The same lines in one piece each, as VMTK's vmtkcenterlines writes them. Linear in the result.
  */
-template <class Point_3> Centerline_polylines<Point_3> centerlines_from_root(const Centerline_graph<Point_3>& graph) {
-  Centerline_polylines<Point_3> result;
+inline Centerline_polylines centerlines_from_root(const Centerline_graph& graph) {
+  Centerline_polylines result;
   if (graph.empty())
     return result;
   for (const std::vector<std::size_t>& path : internal::paths_from_root(graph)) {

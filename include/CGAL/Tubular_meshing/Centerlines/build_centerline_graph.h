@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_CENTERLINES_BUILD_CENTERLINE_GRAPH_H
 #define CGAL_TUBULAR_MESHING_CENTERLINES_BUILD_CENTERLINE_GRAPH_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Centerlines/Centerline_graph.h>
 #include <CGAL/Tubular_meshing/Centerlines/internal/Line_merger.h>
 #include <CGAL/Tubular_meshing/Centerlines/internal/Sampled_line.h>
@@ -24,8 +25,7 @@ namespace CGAL {
 namespace Tubular_meshing {
 namespace internal {
 
-template <class Point_3>
-std::vector<Double_kernel::Point_3> checked_points(const Centerline_polylines<Point_3>& polylines) {
+inline std::vector<Double_kernel::Point_3> checked_points(const Centerline_polylines& polylines) {
   std::vector<Double_kernel::Point_3> points;
   points.reserve(polylines.points.size());
   for (const Point_3& p : polylines.points) {
@@ -94,8 +94,7 @@ inline void sort_by_length(std::vector<Sampled_line>& lines) {
   lines.swap(sorted);
 }
 
-template <class Point_3>
-Centerline_graph<Point_3> graph_of(const std::vector<Line_point>& vertices, std::vector<Vertex_path> branches) {
+inline Centerline_graph graph_of(const std::vector<Line_point>& vertices, std::vector<Vertex_path> branches) {
   const std::size_t unused = std::size_t(-1);
   std::vector<std::size_t> renumbered(vertices.size(), unused);
   std::vector<Point_3> points;
@@ -109,14 +108,13 @@ Centerline_graph<Point_3> graph_of(const std::vector<Line_point>& vertices, std:
       }
       v = renumbered[v];
     }
-  return Centerline_graph<Point_3>(std::move(points), std::move(radii), std::move(branches));
+  return Centerline_graph(std::move(points), std::move(radii), std::move(branches));
 }
 
 // radius: one a point of the polylines; refined_radius(p, r): that of a new point p, where interpolation gives r.
-template <class Point_3, class Radius>
-Centerline_graph<Point_3>
-merged_graph(const Centerline_polylines<Point_3>& polylines, const std::vector<Double_kernel::Point_3>& points,
-             const std::vector<double>& radius, const Radius& refined_radius, double tolerance) {
+template <class Radius>
+Centerline_graph merged_graph(const Centerline_polylines& polylines, const std::vector<Double_kernel::Point_3>& points,
+                              const std::vector<double>& radius, const Radius& refined_radius, double tolerance) {
   if (!(tolerance > 0 && tolerance <= 0.5))
     throw Parameter_error("merge_tolerance is " + std::to_string(tolerance) +
                           "; it is a fraction of the local radius, more than 0 and at most 0.5.");
@@ -143,8 +141,8 @@ merged_graph(const Centerline_polylines<Point_3>& polylines, const std::vector<D
     merger.insert(line);
   const std::vector<Line_point>& vertices = merger.vertices();
   Branch_tracer tracer(vertices.size(), without_spurs(merger.edges(), vertices, Line_merger::out_of_vessel));
-  Centerline_graph<Point_3> graph =
-      graph_of<Point_3>(vertices, without_short_inner_branches(tracer.branches(), vertices, tolerance));
+  Centerline_graph graph =
+      graph_of(vertices, without_short_inner_branches(tracer.branches(), vertices, tolerance));
   graph.direct_from(choose_root(graph, lines));
   return graph;
 }
@@ -172,10 +170,9 @@ merged_graph(const Centerline_polylines<Point_3>& polylines, const std::vector<D
  *
  * \throws Input_error if there are no lines, or a line is broken; Parameter_error if the tolerance is out of range
  */
-template <class Point_3, class RadiusFunction, class NamedParameters = CGAL::parameters::Default_named_parameters>
-void build_centerline_graph(const Centerline_polylines<Point_3>& polylines, const RadiusFunction& radius,
-                            Centerline_graph<Point_3>& graph,
-                            const NamedParameters& np = CGAL::parameters::default_values()) {
+template <class RadiusFunction, class NamedParameters = CGAL::parameters::Default_named_parameters>
+void build_centerline_graph(const Centerline_polylines& polylines, const RadiusFunction& radius,
+                            Centerline_graph& graph, const NamedParameters& np = CGAL::parameters::default_values()) {
   const std::vector<internal::Double_kernel::Point_3> points = internal::checked_points(polylines);
   const auto radius_at = [&](const internal::Double_kernel::Point_3& p, double = 0) {
     return double(radius(Point_3(p.x(), p.y(), p.z())));
@@ -195,8 +192,8 @@ void build_centerline_graph(const Centerline_polylines<Point_3>& polylines, cons
  *
  * \throws Input_error also if there is not one finite radius a point
  */
-template <class Point_3, class NamedParameters = CGAL::parameters::Default_named_parameters>
-void build_centerline_graph(const Centerline_polylines<Point_3>& polylines, Centerline_graph<Point_3>& graph,
+template <class NamedParameters = CGAL::parameters::Default_named_parameters>
+void build_centerline_graph(const Centerline_polylines& polylines, Centerline_graph& graph,
                             const NamedParameters& np = CGAL::parameters::default_values()) {
   const std::vector<internal::Double_kernel::Point_3> points = internal::checked_points(polylines);
   if (polylines.radius.size() != points.size())

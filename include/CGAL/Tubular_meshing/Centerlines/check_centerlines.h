@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_CENTERLINES_CHECK_CENTERLINES_H
 #define CGAL_TUBULAR_MESHING_CENTERLINES_CHECK_CENTERLINES_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Centerlines/Centerline_graph.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 
@@ -31,7 +32,7 @@ inline std::string to_string(const CGAL::Bbox_3& b) {
 }
 
 // Points at equal distances along the graph.
-template <class Point_3> std::vector<Point_3> evenly_spaced_points(const Centerline_graph<Point_3>& graph, int number) {
+inline std::vector<Point_3> evenly_spaced_points(const Centerline_graph& graph, int number) {
   std::vector<Point_3> result;
   const double step = graph.length() / number;
   double next = 0.5 * step, before = 0; // along the branches, one after the other
@@ -60,8 +61,8 @@ template <class Point_3> std::vector<Point_3> evenly_spaced_points(const Centerl
  * \param surface a closed triangle mesh
  * \throws Input_error, with both bounding boxes, if none, or less than half, of the centerlines is inside
  */
-template <class Point_3, class TriangleMesh>
-void check_centerlines_inside(const Centerline_graph<Point_3>& graph, const TriangleMesh& surface) {
+template <class TriangleMesh>
+void check_centerlines_inside(const Centerline_graph& graph, const TriangleMesh& surface) {
   typedef typename Kernel_traits<Point_3>::Kernel Kernel;
   const int number = 256;
   const CGAL::Side_of_triangle_mesh<TriangleMesh, Kernel> side(surface);

@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_CENTERLINES_CLIP_TO_OPENINGS_H
 #define CGAL_TUBULAR_MESHING_CENTERLINES_CLIP_TO_OPENINGS_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Centerlines/Centerline_graph.h>
 #include <CGAL/Tubular_meshing/base/Nearest_tree.h>
 #include <CGAL/Tubular_meshing/Centerlines/graph_segments.h>
@@ -21,11 +22,11 @@ namespace internal {
 
 /* Cuts or extends one end of a branch at an opening. The path is the branch's points, from its other node to this end.
  */
-template <class Point_3> class End_clipper {
+class End_clipper {
 public:
   typedef std::vector<std::size_t> Path;
 
-  End_clipper(std::vector<Point_3>& points, std::vector<double>& radii, const Opening<Point_3>& opening)
+  End_clipper(std::vector<Point_3>& points, std::vector<double>& radii, const Opening& opening)
       : points_(points)
       , radii_(radii)
       , opening_(opening) {}
@@ -77,13 +78,12 @@ private:
 
   std::vector<Point_3>& points_;
   std::vector<double>& radii_;
-  const Opening<Point_3>& opening_;
+  const Opening& opening_;
 };
 
 /* Drops points that no branch uses. Returns the new number of each old point. */
-template <class Point_3>
-std::vector<std::size_t> compact(std::vector<Point_3>& points, std::vector<double>& radii,
-                                 std::vector<std::vector<std::size_t>>& branches) {
+inline std::vector<std::size_t> compact(std::vector<Point_3>& points, std::vector<double>& radii,
+                                        std::vector<std::vector<std::size_t>>& branches) {
   const std::size_t unused = std::size_t(-1);
   std::vector<std::size_t> number(points.size(), unused);
   std::vector<Point_3> kept_points;
@@ -118,7 +118,7 @@ public:
     tree_ = Nearest_tree<Double_kernel::Segment_3>(std::move(all.segments));
   }
 
-  template <class Point_3> End end_at(const Opening<Point_3>& opening) const {
+  End end_at(const Opening& opening) const {
     const std::size_t found = tree_.nearest(to_double_point(opening.center)).index;
     const typename Graph::Branch& b = graph_.branches()[places_[found].branch];
     const Double_kernel::Vector_3 along = tree_.shape(found).to_vector();
@@ -145,11 +145,9 @@ private:
  *
  * \returns for each opening the node of the graph that lies there now, or `Opening::no_branch`
  */
-template <class Point_3>
-std::vector<std::size_t> clip_to_openings(Centerline_graph<Point_3>& graph,
-                                          const std::vector<Opening<Point_3>>& openings) {
-  typedef Centerline_graph<Point_3> Graph;
-  const std::size_t none = Opening<Point_3>::no_branch;
+inline std::vector<std::size_t> clip_to_openings(Centerline_graph& graph, const std::vector<Opening>& openings) {
+  typedef Centerline_graph Graph;
+  const std::size_t none = Opening::no_branch;
   std::vector<std::size_t> nodes(openings.size(), none);
   if (graph.empty())
     return nodes;
@@ -172,7 +170,7 @@ std::vector<std::size_t> clip_to_openings(Centerline_graph<Point_3>& graph,
     std::vector<std::size_t>& path = branches[end.branch];
     if (!end.is_target)
       std::reverse(path.begin(), path.end());
-    if (internal::End_clipper<Point_3>(points, radii, openings[i]).clip(path)) {
+    if (internal::End_clipper(points, radii, openings[i]).clip(path)) {
       taken[end.node] = true;
       nodes[i] = end.node;
       node_points[end.node] = path.back();

@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_CENTERLINES_COMPUTE_CENTERLINES_H
 #define CGAL_TUBULAR_MESHING_CENTERLINES_COMPUTE_CENTERLINES_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Centerlines/Centerline_graph.h>
 #include <CGAL/Tubular_meshing/Centerlines/build_centerline_graph.h>
 #include <CGAL/Tubular_meshing/base/Canonical_frame.h>
@@ -28,7 +29,7 @@ namespace CGAL {
 namespace Tubular_meshing {
 namespace internal {
 
-template <class Point_3> void check_closed_surface(const CGAL::Surface_mesh<Point_3>& surface) {
+inline void check_closed_surface(const CGAL::Surface_mesh<Point_3>& surface) {
   if (surface.is_empty())
     throw Input_error("The surface is empty; it has no centerlines.");
   if (!CGAL::is_triangle_mesh(surface) || !CGAL::is_closed(surface))
@@ -42,28 +43,27 @@ template <class Point_3> void check_closed_surface(const CGAL::Surface_mesh<Poin
 }
 
 // Of a closed surface: the number of independent cycles inside it, half of those on it.
-template <class Point_3> int genus(const CGAL::Surface_mesh<Point_3>& surface) {
+inline int genus(const CGAL::Surface_mesh<Point_3>& surface) {
   const long characteristic =
       long(surface.number_of_vertices()) - long(surface.number_of_edges()) + long(surface.number_of_faces());
   return int((2 - characteristic) / 2);
 }
 
 // The graph in the canonical frame, as a graph of the caller's points.
-template <class Point_3>
-Centerline_graph<Point_3> from_canonical(const Centerline_graph<Double_kernel::Point_3>& graph,
-                                         const Canonical_frame& frame, const Point_3& root) {
+inline Centerline_graph from_canonical(const Centerline_graph& graph, const Canonical_frame& frame,
+                                       const Point_3& root) {
   std::vector<Point_3> points;
   std::vector<double> radii;
   std::vector<std::vector<std::size_t>> branches;
-  for (const Double_kernel::Point_3& p : graph.points()) {
-    const Double_kernel::Point_3 q = frame.from_canonical(p);
+  for (const Point_3& p : graph.points()) {
+    const Double_kernel::Point_3 q = frame.from_canonical(to_double_point(p));
     points.emplace_back(q.x(), q.y(), q.z());
   }
   for (double r : graph.radii())
     radii.push_back(frame.scale() * r);
   for (const auto& b : graph.branches())
     branches.push_back(b.points);
-  Centerline_graph<Point_3> result(std::move(points), std::move(radii), std::move(branches));
+  Centerline_graph result(std::move(points), std::move(radii), std::move(branches));
   const auto away = [&](std::size_t n) {
     return CGAL::to_double(CGAL::squared_distance(result.points()[result.nodes()[n].point], root));
   };
@@ -76,11 +76,10 @@ Centerline_graph<Point_3> from_canonical(const Centerline_graph<Double_kernel::P
 }
 
 /* The computation of compute_centerlines(), to which further ends can be added at little cost. */
-template <class Point_3> class Centerline_computation {
+class Centerline_computation {
 public:
   /* `ends` are points, each with the label of the faces around it. Further ends can be added if `everywhere`. */
-  template <class FacePatchMap>
-  Centerline_computation(const CGAL::Surface_mesh<Point_3>& surface, const FacePatchMap& patch,
+  Centerline_computation(const CGAL::Surface_mesh<Point_3>& surface, const Face_patch_map& patch,
                          const std::vector<std::pair<Point_3, int>>& ends, bool loops, bool everywhere)
       : frame_(points_of(surface, ends.size()))
       , root_(ends.front().first)
@@ -90,20 +89,20 @@ public:
   }
 
   // Adds a line to a vertex of the wall; false if none leads there.
-  bool add_end(typename CGAL::Surface_mesh<Point_3>::Vertex_index v) { return tracer_.add_end(std::size_t(v)); }
+  bool add_end(Surface::Vertex_index v) { return tracer_.add_end(std::size_t(v)); }
 
   // Merges the lines into branches.
-  template <class NamedParameters> void make_graph(Centerline_graph<Point_3>& graph, const NamedParameters& np) const {
-    Centerline_polylines<Double_kernel::Point_3> polylines;
+  template <class NamedParameters> void make_graph(Centerline_graph& graph, const NamedParameters& np) const {
+    Centerline_polylines polylines;
     for (const Sampled_line& line : tracer_.lines()) {
       polylines.lines.emplace_back();
       for (const Line_point& p : line) {
         polylines.lines.back().push_back(polylines.points.size());
-        polylines.points.push_back(p.point);
+        polylines.points.emplace_back(p.point.x(), p.point.y(), p.point.z());
       }
     }
-    const auto radius = [&](const Double_kernel::Point_3& p) { return std::sqrt(wall_.nearest(p).squared_distance); };
-    Centerline_graph<Double_kernel::Point_3> merged;
+    const auto radius = [&](const Point_3& p) { return std::sqrt(wall_.nearest(to_double_point(p)).squared_distance); };
+    Centerline_graph merged;
     build_centerline_graph(polylines, radius, merged, np);
     graph = from_canonical(merged, frame_, root_);
   }
@@ -134,15 +133,14 @@ private:
   const Nearest_tree<Double_kernel::Triangle_3> wall_;
 };
 
-template <class Point_3, class FacePatchMap, class NamedParameters>
-void compute_centerlines(const CGAL::Surface_mesh<Point_3>& surface, const FacePatchMap& patch,
-                         const std::vector<std::pair<Point_3, int>>& ends, Centerline_graph<Point_3>& graph,
+template <class NamedParameters>
+void compute_centerlines(const CGAL::Surface_mesh<Point_3>& surface, const Face_patch_map& patch,
+                         const std::vector<std::pair<Point_3, int>>& ends, Centerline_graph& graph,
                          const NamedParameters& np) {
   if (ends.empty()) // before one is taken for the root
     throw Input_error("Centerlines lead from an inlet to outlets, but the surface has no opening; name its ends, by "
                       "points.");
-  Centerline_computation<Point_3>(surface, patch, ends, choose(np, internal_np::loops, false), false)
-      .make_graph(graph, np);
+  Centerline_computation(surface, patch, ends, choose(np, internal_np::loops, false), false).make_graph(graph, np);
 }
 
 } // namespace internal
@@ -177,12 +175,12 @@ void compute_centerlines(const CGAL::Surface_mesh<Point_3>& surface, const FaceP
  *
  * \throws Input_error if the surface is not closed, has fewer than two openings, or its inside does not connect them
  */
-template <class Point_3, class FacePatchMap, class NamedParameters = CGAL::parameters::Default_named_parameters>
-void compute_centerlines(const CGAL::Surface_mesh<Point_3>& surface, FacePatchMap patch,
-                         const std::vector<Opening<Point_3>>& openings, Centerline_graph<Point_3>& graph,
+template <class NamedParameters = CGAL::parameters::Default_named_parameters>
+void compute_centerlines(const CGAL::Surface_mesh<Point_3>& surface, Face_patch_map patch,
+                         const std::vector<Opening>& openings, Centerline_graph& graph,
                          const NamedParameters& np = CGAL::parameters::default_values()) {
   std::vector<std::pair<Point_3, int>> ends;
-  for (const Opening<Point_3>& o : openings)
+  for (const Opening& o : openings)
     ends.emplace_back(o.center, o.patch);
   internal::compute_centerlines(surface, patch, ends, graph, np);
 }
@@ -198,15 +196,17 @@ void compute_centerlines(const CGAL::Surface_mesh<Point_3>& surface, FacePatchMa
  * \param graph is replaced; its root is at the source
  * \param np the named parameters `loops` and `merge_tolerance`, as above
  */
-template <class Point_3, class NamedParameters = CGAL::parameters::Default_named_parameters>
+template <class NamedParameters = CGAL::parameters::Default_named_parameters>
 void compute_centerlines(const CGAL::Surface_mesh<Point_3>& surface, const std::vector<Point_3>& ends,
-                         Centerline_graph<Point_3>& graph,
-                         const NamedParameters& np = CGAL::parameters::default_values()) {
-  typedef typename CGAL::Surface_mesh<Point_3>::Face_index Face;
+                         Centerline_graph& graph, const NamedParameters& np = CGAL::parameters::default_values()) {
+  Surface labelled = surface;
+  const Face_patch_map patch = labelled.add_property_map<Surface::Face_index, int>("f:patch").first;
+  for (Surface::Face_index f : labelled.faces())
+    patch[f] = labels::wall;
   std::vector<std::pair<Point_3, int>> all;
   for (const Point_3& p : ends)
     all.emplace_back(p, int(labels::wall));
-  internal::compute_centerlines(surface, boost::make_static_property_map<Face>(int(labels::wall)), all, graph, np);
+  internal::compute_centerlines(labelled, patch, all, graph, np);
 }
 
 } // namespace Tubular_meshing

@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_FIELDS_CENTERLINE_METRIC_FIELD_H
 #define CGAL_TUBULAR_MESHING_FIELDS_CENTERLINE_METRIC_FIELD_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Centerlines/Centerline_field.h>
 #include <CGAL/Tubular_meshing/Centerlines/Centerline_graph.h>
 #include <CGAL/Tubular_meshing/Centerlines/Wall_distance.h>
@@ -56,11 +57,11 @@ namespace Tubular_meshing {
  *
  * \cgalModels `MetricField_3`
  *
- * \tparam Point_3_ a model of `Point_3`
+ * \tparam Point_3 a model of `Point_3`
  */
-template <class Point_3_> class Centerline_metric_field {
+class Centerline_metric_field {
 public:
-  typedef Point_3_ Point_3;
+  typedef Tubular_meshing::Point_3 Point_3;
 
   /*!
    * \tparam TriangleMesh a model of `FaceListGraph` with points of type `Point_3`
@@ -96,8 +97,7 @@ public:
    * \throws Input_error if there is no wall, or if there are no centerlines
    */
   template <class TriangleMesh, class FacePatchMap, class NamedParameters = CGAL::parameters::Default_named_parameters>
-  Centerline_metric_field(const TriangleMesh& surface, const FacePatchMap& patches,
-                          const Centerline_graph<Point_3>& centerlines,
+  Centerline_metric_field(const TriangleMesh& surface, const FacePatchMap& patches, const Centerline_graph& centerlines,
                           const NamedParameters& np = CGAL::parameters::default_values())
       : sizes_(parameters_from(np)) {
     using CGAL::parameters::choose_parameter;
@@ -106,11 +106,11 @@ public:
                                 get_const_property_map(CGAL::vertex_point, surface));
     const int threads = internal::choose(np, internal_np::number_of_threads, 0);
     const double points = sizes_.parameters().core_points;
-    const Centerline_field<Point_3> lines(centerlines);
-    const Centerline_sizing_field<Point_3> size(lines, Wall_distance<Point_3>(surface, patches, labels::wall, np),
-                                                parameters::points_per_circumference(points)
-                                                    .gradation(internal::choose(np, internal_np::gradation, 1.3))
-                                                    .number_of_threads(threads));
+    const Centerline_field lines(centerlines);
+    const Centerline_sizing_field size(lines, Wall_distance(surface, patches, labels::wall, np),
+                                       parameters::points_per_circumference(points)
+                                           .gradation(internal::choose(np, internal_np::gradation, 1.3))
+                                           .number_of_threads(threads));
     const auto radius = [&](const auto& p) { return size(Point_3(p.x(), p.y(), p.z())) * points / (2 * CGAL_PI); };
 
     std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> vertices;

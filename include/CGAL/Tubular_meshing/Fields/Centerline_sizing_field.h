@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_FIELDS_CENTERLINE_SIZING_FIELD_H
 #define CGAL_TUBULAR_MESHING_FIELDS_CENTERLINE_SIZING_FIELD_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Centerlines/Centerline_field.h>
 #include <CGAL/Tubular_meshing/Centerlines/Wall_distance.h>
 #include <CGAL/Tubular_meshing/Fields/internal/Size_octree.h>
@@ -34,11 +35,11 @@ namespace Tubular_meshing {
  *
  * \cgalModels `MeshDomainField_3`, so it can be given to `Mesh_criteria_3` as it is.
  *
- * \tparam Point_3_ a model of `Point_3`
+ * \tparam Point_3 a model of `Point_3`
  */
-template <class Point_3_> class Centerline_sizing_field {
+class Centerline_sizing_field {
 public:
-  typedef Point_3_ Point_3;
+  typedef Tubular_meshing::Point_3 Point_3;
   typedef double FT;
 
   /*!
@@ -60,7 +61,7 @@ public:
    * \throws Parameter_error if one of these is out of its range
    */
   template <class NamedParameters = CGAL::parameters::Default_named_parameters>
-  Centerline_sizing_field(const Centerline_field<Point_3>& centerlines, const Wall_distance<Point_3>& wall,
+  Centerline_sizing_field(const Centerline_field& centerlines, const Wall_distance& wall,
                           const NamedParameters& np = CGAL::parameters::default_values()) {
     const double points = internal::choose(np, internal_np::points_per_circumference, 20.);
     const double min_size = internal::choose(np, internal_np::min_size, 0.);

@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_FIELDS_METRIC_CRITERIA_3_H
 #define CGAL_TUBULAR_MESHING_FIELDS_METRIC_CRITERIA_3_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Fields/Metric_tensor_3.h>
 #include <CGAL/Tubular_meshing/Fields/internal/metric_simplices.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>

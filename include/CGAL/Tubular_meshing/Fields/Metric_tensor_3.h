@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_FIELDS_METRIC_TENSOR_3_H
 #define CGAL_TUBULAR_MESHING_FIELDS_METRIC_TENSOR_3_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Fields/internal/Symmetric_eigen_solver_3.h>
 #include <CGAL/Tubular_meshing/Fields/internal/symmetric_functions_3.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>

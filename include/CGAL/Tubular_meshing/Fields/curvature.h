@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_FIELDS_CURVATURE_H
 #define CGAL_TUBULAR_MESHING_FIELDS_CURVATURE_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Fields/internal/Curvature_estimator.h>
 #include <CGAL/Tubular_meshing/Fields/internal/Indexed_wall.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>

@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_GENERATORS_TUBULAR_DISTANCE_FUNCTION_H
 #define CGAL_TUBULAR_MESHING_GENERATORS_TUBULAR_DISTANCE_FUNCTION_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Generators/Tubular_skeleton.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
@@ -31,11 +32,11 @@ namespace Tubular_meshing {
  *
  * Built in O(n log n) for n skeleton segments; an evaluation is O(log n) and allocates nothing. Thread-safe.
  */
-template <class Point_3_> class Tubular_distance_function {
+class Tubular_distance_function {
   typedef internal::Vector_3d Vec;
 
 public:
-  typedef Point_3_ Point_3;
+  typedef Tubular_meshing::Point_3 Point_3;
 
   static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
 
@@ -49,7 +50,7 @@ public:
     bool blended = false;                         ///< whether another branch has a part in it
   };
 
-  explicit Tubular_distance_function(const Tubular_skeleton<Point_3>& skeleton) {
+  explicit Tubular_distance_function(const Tubular_skeleton& skeleton) {
     check_skeleton(skeleton);
     for (std::size_t b = 0; b < skeleton.branches.size(); ++b) {
       const auto& branch = skeleton.branches[b];

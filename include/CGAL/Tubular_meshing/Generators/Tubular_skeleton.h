@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_GENERATORS_TUBULAR_SKELETON_H
 #define CGAL_TUBULAR_MESHING_GENERATORS_TUBULAR_SKELETON_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Centerlines/Centerline_graph.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 
@@ -27,10 +28,10 @@ namespace Tubular_meshing {
  * A node where a single branch begins or ends is an opening; the others are junctions. Branches run away from the
  * inlet. The graph may have loops.
  *
- * \tparam Point_3_ a model of `Point_3` with `double` coordinates
+ * \tparam Point_3 a model of `Point_3` with `double` coordinates
  */
-template <class Point_3_> struct Tubular_skeleton {
-  typedef Point_3_ Point_3;
+struct Tubular_skeleton {
+  typedef Tubular_meshing::Point_3 Point_3;
   typedef typename Kernel_traits<Point_3>::Kernel::Vector_3 Vector_3;
 
   struct Branch {
@@ -123,7 +124,7 @@ private:
  * radii, its ends are its nodes, and the inlet is an end.
  * \exception Input_error with a sentence that names the branch
  */
-template <class Point_3> void check_skeleton(const Tubular_skeleton<Point_3>& skeleton) {
+inline void check_skeleton(const Tubular_skeleton& skeleton) {
   for (std::size_t i = 0; i < skeleton.branches.size(); ++i) {
     const auto& b = skeleton.branches[i];
     const std::string name = "branch " + std::to_string(i) + " of the skeleton ";
@@ -147,9 +148,7 @@ template <class Point_3> void check_skeleton(const Tubular_skeleton<Point_3>& sk
 
 namespace internal {
 
-template <class Point_3>
-void append_branch(const typename Tubular_skeleton<Point_3>::Branch& b, bool forwards,
-                   Centerline_polylines<Point_3>& lines) {
+inline void append_branch(const typename Tubular_skeleton::Branch& b, bool forwards, Centerline_polylines& lines) {
   const std::size_t n = b.points.size();
   for (std::size_t i = 0; i < n; ++i) {
     const std::size_t j = forwards ? i : n - 1 - i;
@@ -163,7 +162,7 @@ void append_branch(const typename Tubular_skeleton<Point_3>::Branch& b, bool for
 
 // For each node the branch through which a tree is entered from the inlet; that of the inlet itself is one past the
 // end.
-template <class Point_3> std::vector<std::size_t> branches_from_inlet(const Tubular_skeleton<Point_3>& skeleton) {
+inline std::vector<std::size_t> branches_from_inlet(const Tubular_skeleton& skeleton) {
   const std::size_t none = skeleton.branches.size();
   std::vector<std::vector<std::size_t>> incident(skeleton.nodes.size());
   for (std::size_t i = 0; i < none; ++i) {
@@ -191,12 +190,12 @@ template <class Point_3> std::vector<std::size_t> branches_from_inlet(const Tubu
  *
  * Complexity: linear in the size of the result.
  */
-template <class Point_3> Centerline_polylines<Point_3> centerlines_of(const Tubular_skeleton<Point_3>& skeleton) {
-  Centerline_polylines<Point_3> lines;
+inline Centerline_polylines centerlines_of(const Tubular_skeleton& skeleton) {
+  Centerline_polylines lines;
   if (skeleton.number_of_loops() > 0) {
     for (const auto& b : skeleton.branches) {
       lines.lines.emplace_back();
-      internal::append_branch<Point_3>(b, true, lines);
+      internal::append_branch(b, true, lines);
     }
     return lines;
   }
@@ -212,7 +211,7 @@ template <class Point_3> Centerline_polylines<Point_3> centerlines_of(const Tubu
     }
     lines.lines.emplace_back();
     for (auto step = path.rbegin(); step != path.rend(); ++step)
-      internal::append_branch<Point_3>(skeleton.branches[step->first], step->second, lines);
+      internal::append_branch(skeleton.branches[step->first], step->second, lines);
   }
   return lines;
 }

@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_GENERATORS_BRONCHIAL_TREE_H
 #define CGAL_TUBULAR_MESHING_GENERATORS_BRONCHIAL_TREE_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Generators/tubular_shapes.h>
 
 #include <array>
@@ -25,9 +26,9 @@ namespace internal {
  * the thick branches whose boxes they fill: a branch whose children would come too near to others remains an end.
  * Compare M. Tawhai et al., Generation of an anatomically based three-dimensional model of the conducting airways,
  * 2000. */
-template <class Point_3> class Bronchial_tree_builder {
+class Bronchial_tree_builder {
 public:
-  typedef Tubular_skeleton<Point_3> Skeleton;
+  typedef Tubular_skeleton Skeleton;
   typedef typename Skeleton::Vector_3 Vector_3;
 
   explicit Bronchial_tree_builder(std::size_t number_of_branches) {
@@ -68,7 +69,7 @@ private:
     std::array<double, 3> lower, upper; // of the box that its children share
 
     double radius() const { return trachea_radius * std::pow(0.5, generation / 3.); }
-    Hermite_curve<Point_3> curve() const { return Hermite_curve<Point_3>(from, start, to, finish); }
+    Hermite_curve curve() const { return Hermite_curve(from, start, to, finish); }
   };
   struct Probe { // a point on a shoot's curve
     std::size_t shoot;
@@ -110,7 +111,7 @@ private:
   }
 
   void add(const Shoot& shoot) {
-    const Hermite_curve<Point_3> curve = shoot.curve();
+    const Hermite_curve curve = shoot.curve();
     if (grids_.size() <= std::size_t(shoot.generation))
       grids_.emplace_back();
     for (int k = 0; k <= probes; ++k) {
@@ -122,7 +123,7 @@ private:
 
   // Whether all branches but the parent and sibling are at a distance of 1.7 times the sum of the radii, or more.
   bool has_room(const Shoot& shoot) const {
-    const Hermite_curve<Point_3> curve = shoot.curve();
+    const Hermite_curve curve = shoot.curve();
     for (const Grid& grid : grids_)
       for (int k = 0; k <= probes; ++k)
         if (is_near_other(curve(double(k) / probes), shoot, grid,
@@ -189,11 +190,11 @@ private:
  *        thousands, where single branches remain ends for want of room
  * \exception Parameter_error if it is even or zero, or too large for the room there is
  */
-template <class Point_3> Tubular_skeleton<Point_3> bronchial_tree(std::size_t number_of_branches) {
+inline Tubular_skeleton bronchial_tree(std::size_t number_of_branches) {
   if (number_of_branches % 2 == 0)
     throw Parameter_error("a bronchial tree has an odd number of branches, since each bifurcation adds two; " +
                           std::to_string(number_of_branches) + " is even: ask for one more or one less.");
-  return internal::Bronchial_tree_builder<Point_3>(number_of_branches).skeleton();
+  return internal::Bronchial_tree_builder(number_of_branches).skeleton();
 }
 
 } // namespace Tubular_meshing

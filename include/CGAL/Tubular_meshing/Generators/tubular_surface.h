@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_GENERATORS_TUBULAR_SURFACE_H
 #define CGAL_TUBULAR_MESHING_GENERATORS_TUBULAR_SURFACE_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Generators/Tubular_distance_function.h>
 #include <CGAL/Tubular_meshing/Generators/Tubular_skeleton.h>
 #include <CGAL/Tubular_meshing/Generators/internal/Tubular_octree.h>
@@ -38,15 +39,15 @@ enum class Sag_shape {
 
 namespace internal {
 
-template <class Point> class Tubular_surface_generator {
+class Tubular_surface_generator {
 public:
-  typedef CGAL::Surface_mesh<Point> Mesh;
+  typedef CGAL::Surface_mesh<Point_3> Mesh;
   typedef typename Mesh::Vertex_index Vertex;
   typedef typename Mesh::Halfedge_index Halfedge;
-  typedef typename Tubular_skeleton<Point>::End End;
-  typedef Tubular_distance_function<Point> Function;
+  typedef typename Tubular_skeleton::End End;
+  typedef Tubular_distance_function Function;
 
-  explicit Tubular_surface_generator(const Tubular_skeleton<Point>& skeleton)
+  explicit Tubular_surface_generator(const Tubular_skeleton& skeleton)
       : function_(skeleton)
       , ends_(skeleton.ends()) {
     for (const auto& b : skeleton.branches)
@@ -60,8 +61,8 @@ public:
 
   void make_open_surface(double points_per_circumference) {
     // Cells smaller than the radius leave no tube and no gap between tubes unseen; the remeshing does the rest.
-    march_tetrahedra<Point>(function_, Tubular_octree(function_, 0.9), mesh_);
-    Tubular_remesher<Point, Function> remesher(function_, ends_, points_per_circumference, mesh_);
+    march_tetrahedra(function_, Tubular_octree(function_, 0.9), mesh_);
+    Tubular_remesher<Function> remesher(function_, ends_, points_per_circumference, mesh_);
     remesher.clean_up_slivers();
     mesh_.collect_garbage();
     trim_ends(remesher);
@@ -90,7 +91,7 @@ public:
 
   void cap_ends() {
     for (std::size_t i = 0; i < ends_.size(); ++i)
-      Cap_filler<Point>(ends_[i], mesh_).fill(rims_[i]);
+      Cap_filler(ends_[i], mesh_).fill(rims_[i]);
   }
 
   // Rim, and cap, move along the axis, and the wall with them, ever less, over two radii.
@@ -101,7 +102,7 @@ public:
       if (ends_of_branch_[value.branch].empty())
         continue;
       const End& end = ends_[nearest_end(value.branch, p)];
-      const End_frame<Point> frame(end);
+      const End_frame frame(end);
       const double range = (std::min)(2 * end.radius, half_length_[end.branch]);
       const double t = 1 + frame.height(p) / range, rho = frame.distance_from_axis(p) / end.radius;
       if (!(t > 0) || rho > 2)
@@ -113,7 +114,7 @@ public:
   }
 
 private:
-  static double half_length(const typename Tubular_skeleton<Point>::Branch& b) {
+  static double half_length(const typename Tubular_skeleton::Branch& b) {
     double length = 0;
     for (std::size_t i = 0; i + 1 < b.points.size(); ++i)
       length += norm(Vector_3d(b.points[i + 1]) - Vector_3d(b.points[i]));
@@ -122,7 +123,7 @@ private:
 
   void move(Vertex v, const Vector_3d& d) {
     const Vector_3d p = Vector_3d(mesh_.point(v)) + d;
-    mesh_.point(v) = Point(p.x, p.y, p.z);
+    mesh_.point(v) = Point_3(p.x, p.y, p.z);
   }
 
   std::size_t nearest_end(std::size_t branch, const Vector_3d& p) const {
@@ -133,7 +134,7 @@ private:
   }
 
   // The ends are half balls until now: their tips are where the trimming starts.
-  void trim_ends(Tubular_remesher<Point, Function>& remesher) {
+  void trim_ends(Tubular_remesher<Function>& remesher) {
     const std::vector<Vertex> tips = find_tips();
     for (std::size_t i = 0; i < ends_.size(); ++i) {
       const End& end = ends_[i];
@@ -169,7 +170,7 @@ private:
     rims_.assign(ends_.size(), Mesh::null_halfedge());
     for (Halfedge h : mesh_.halfedges())
       if (mesh_.is_border(h)) {
-        const Point& p = mesh_.point(mesh_.target(h));
+        const Point_3& p = mesh_.point(mesh_.target(h));
         rims_[nearest_end(function_.evaluate(p).branch, Vector_3d(p))] = h;
       }
   }
@@ -217,8 +218,8 @@ inline void check_range(double value, double from, double to, const std::string&
  *
  * Complexity: O(t log n) for t triangles and n points of the skeleton.
  */
-template <class Point_3, class TriangleMesh, class NamedParameters = CGAL::parameters::Default_named_parameters>
-void generate_tubular_surface(const Tubular_skeleton<Point_3>& skeleton, TriangleMesh& out,
+template <class TriangleMesh, class NamedParameters = CGAL::parameters::Default_named_parameters>
+void generate_tubular_surface(const Tubular_skeleton& skeleton, TriangleMesh& out,
                               const NamedParameters& np = CGAL::parameters::default_values()) {
   const double points = internal::choose(np, internal_np::points_per_circumference, 24.);
   const double noise = internal::choose(np, internal_np::noise, 0.);
@@ -227,7 +228,7 @@ void generate_tubular_surface(const Tubular_skeleton<Point_3>& skeleton, Triangl
   internal::check_range(noise, 0, 1, "the noise, a fraction of the radius,");
   internal::check_range(sag, 0, 0.5, "the sag, a fraction of the radius,");
 
-  internal::Tubular_surface_generator<Point_3> generator(skeleton);
+  internal::Tubular_surface_generator generator(skeleton);
   generator.make_open_surface(points);
   if (noise > 0)
     generator.add_noise(noise, internal::choose(np, internal_np::noise_seed, 0u));

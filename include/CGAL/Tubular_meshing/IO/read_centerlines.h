@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_IO_READ_CENTERLINES_H
 #define CGAL_TUBULAR_MESHING_IO_READ_CENTERLINES_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Centerlines/Centerline_graph.h>
 #include <CGAL/Tubular_meshing/IO/internal/read_lines.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
@@ -31,12 +32,9 @@ namespace IO {
  * \exception Input_error if the file cannot be read, is of no known format, damaged or truncated, has a coordinate or a
  * radius that is not finite or an index that is out of range, or contains no line
  */
-template <class Point_3> void read_centerlines(const std::string& file, Centerline_polylines<Point_3>& centerlines) {
+inline void read_centerlines(const std::string& file, Centerline_polylines& centerlines) {
   internal::Line_soup soup = internal::read_lines(file);
-  centerlines.points.clear();
-  centerlines.points.reserve(soup.points.size());
-  for (const internal::Coordinates& p : soup.points)
-    centerlines.points.push_back(Point_3(p[0], p[1], p[2]));
+  centerlines.points = internal::to_points(soup.points);
   centerlines.radius.swap(soup.radius);
   centerlines.lines.swap(soup.lines);
 }

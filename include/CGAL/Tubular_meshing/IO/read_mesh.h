@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_IO_READ_MESH_H
 #define CGAL_TUBULAR_MESHING_IO_READ_MESH_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/IO/internal/read_medit.h>
 #include <CGAL/Tubular_meshing/IO/internal/read_msh.h>
 #include <CGAL/Tubular_meshing/IO/internal/read_vtu.h>
@@ -19,10 +20,10 @@ namespace IO {
 
 namespace internal {
 
-inline Mixed_mesh<Coordinates> read_mesh(const std::string& name) {
+inline Mixed_mesh read_mesh(const std::string& name) {
   const Input_file file(name);
   const std::string ext = extension_of(name);
-  Mixed_mesh<Coordinates> mesh;
+  Mixed_mesh mesh;
   if (ext == "vtu")
     read_vtu(file, mesh);
   else if (ext == "msh")
@@ -54,21 +55,8 @@ inline Mixed_mesh<Coordinates> read_mesh(const std::string& name) {
  * \exception Input_error if the file cannot be read, is of no known format, damaged or truncated, has a coordinate that
  * is not finite, an index that is out of range or an element that is not linear, or contains no element
  */
-template <class Point> void read_mesh(const std::string& file, Mixed_mesh<Point>& mesh) {
-  Mixed_mesh<internal::Coordinates> in = internal::read_mesh(file);
-  mesh = Mixed_mesh<Point>();
-  mesh.points.reserve(in.points.size());
-  for (const internal::Coordinates& p : in.points)
-    mesh.points.push_back(Point(p[0], p[1], p[2]));
-  mesh.tetrahedra = std::move(in.tetrahedra);
-  mesh.pyramids = std::move(in.pyramids);
-  mesh.prisms = std::move(in.prisms);
-  mesh.hexahedra = std::move(in.hexahedra);
-  mesh.triangles = std::move(in.triangles);
-  mesh.quads = std::move(in.quads);
-  mesh.region_names = std::move(in.region_names);
-  mesh.patch_names = std::move(in.patch_names);
-  mesh.point_arrays = std::move(in.point_arrays);
+inline void read_mesh(const std::string& file, Mixed_mesh& mesh) {
+  mesh = internal::read_mesh(file);
 }
 
 } // namespace IO

@@ -31,11 +31,6 @@ namespace IO {
 
 namespace internal {
 
-struct Triangle_soup {
-  std::vector<Coordinates> points;
-  std::vector<Index_triangle> triangles;
-};
-
 inline Polygon_soup read_polygon_soup(const Input_file& file) {
   const std::string ext = extension_of(file.name);
   if (ext == "stl")
@@ -55,10 +50,10 @@ inline Polygon_soup read_polygon_soup(const Input_file& file) {
   file.fail("is in no known format; surfaces are read from .stl, .off, .obj, .ply, .vtp, .vtk and .msh files");
 }
 
-inline Triangle_soup read_triangle_soup(const std::string& name) {
+inline Tubular_meshing::internal::Triangle_soup read_triangle_soup(const std::string& name) {
   const Input_file file(name);
   Polygon_soup polygons = read_polygon_soup(file);
-  Triangle_soup soup;
+  Tubular_meshing::internal::Triangle_soup soup;
   soup.triangles = triangulate(polygons, file);
   soup.points.swap(polygons.points);
   if (extension_of(name) == "stl") // the only format without indices
@@ -88,8 +83,8 @@ inline Triangle_soup read_triangle_soup(const std::string& name) {
  */
 template <class Point>
 void read_triangle_soup(const std::string& file, std::vector<Point>& points,
-                        std::vector<std::array<std::size_t, 3>>& triangles) {
-  internal::Triangle_soup soup = internal::read_triangle_soup(file);
+                               std::vector<std::array<std::size_t, 3>>& triangles) {
+  Tubular_meshing::internal::Triangle_soup soup = internal::read_triangle_soup(file);
   points.clear();
   points.reserve(soup.points.size());
   for (const internal::Coordinates& p : soup.points)
@@ -117,7 +112,7 @@ void read_surface(const std::string& file, TriangleMesh& mesh,
   typedef typename GetVertexPointMap<TriangleMesh, NamedParameters>::type Vertex_point_map;
   typedef typename boost::property_traits<Vertex_point_map>::value_type Point;
 
-  internal::Triangle_soup soup = internal::read_triangle_soup(file);
+  Tubular_meshing::internal::Triangle_soup soup = internal::read_triangle_soup(file);
   internal::merge_points(soup.points, soup.triangles);
   internal::drop_degenerate_and_duplicate(soup.triangles);
   internal::drop_unused_points(soup.points, soup.triangles);

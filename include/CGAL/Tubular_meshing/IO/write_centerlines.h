@@ -42,18 +42,18 @@ Polydata polydata_of(const Points& points, const std::vector<double>& radius, co
   return data;
 }
 
-template <class Point_3> Polydata polydata_of(const Centerline_polylines<Point_3>& c) {
+inline Polydata polydata_of(const Centerline_polylines& c) {
   typedef std::vector<std::size_t> Line;
   return polydata_of(c.points, c.radius, c.lines, [](const Line& line) -> const Line& { return line; });
 }
 
-template <class Point_3> Polydata polydata_of(const Centerline_graph<Point_3>& graph) {
-  typedef typename Centerline_graph<Point_3>::Branch Branch;
+inline Polydata polydata_of(const Centerline_graph& graph) {
+  typedef typename Centerline_graph::Branch Branch;
   return polydata_of(
       graph.points(), graph.radii(), graph.branches(), [](const Branch& b) -> const auto& { return b.points; });
 }
 
-template <class Point_3> Polydata polydata_of(const Branched_centerlines<Point_3>& c) {
+inline Polydata polydata_of(const Branched_centerlines& c) {
   Polydata data = polydata_of(c.lines);
   const auto add = [&](const char* name, const std::vector<int>& values) {
     data.cell_arrays.push_back({name, std::vector<std::int32_t>(values.begin(), values.end())});

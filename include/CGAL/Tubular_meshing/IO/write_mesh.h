@@ -55,10 +55,10 @@ inline bool is_supported_mesh_format(const std::string& file) {
 /*! \ingroup PkgTubularMeshingRef
  *
  * writes a mesh into a file that the caller commits: use it to write several files all or none.
- * See `write_mesh(const std::string&, const Mixed_mesh<Point>&, const NamedParameters&)`.
+ * See `write_mesh(const std::string&, const Mixed_mesh&, const NamedParameters&)`.
  */
-template <class Point, class NamedParameters = CGAL::parameters::Default_named_parameters>
-void write_mesh(Output_file& file, const Mixed_mesh<Point>& mesh,
+template <class NamedParameters = CGAL::parameters::Default_named_parameters>
+void write_mesh(Output_file& file, const Mixed_mesh& mesh,
                 const NamedParameters& np = CGAL::parameters::default_values()) {
   internal::check_mesh(mesh, file.name());
   const std::string ext = internal::extension_of(file.name());
@@ -70,11 +70,11 @@ void write_mesh(Output_file& file, const Mixed_mesh<Point>& mesh,
   else if (ext == "mesh")
     internal::write_medit(file, mesh);
   else if (ext == "inp")
-    internal::Inp_writer<Mixed_mesh<Point>>(file, mesh).write();
+    internal::Inp_writer<Mixed_mesh>(file, mesh).write();
   else if (ext == "msh" && format == 4.1)
-    internal::Msh_writer<Mixed_mesh<Point>>(file, mesh).write_4_1();
+    internal::Msh_writer<Mixed_mesh>(file, mesh).write_4_1();
   else if (ext == "msh")
-    internal::Msh_writer<Mixed_mesh<Point>>(file, mesh).write_2_2();
+    internal::Msh_writer<Mixed_mesh>(file, mesh).write_2_2();
   else
     throw Output_error(
         "The file " + internal::quoted(file.name()) +
@@ -110,8 +110,8 @@ void write_mesh(Output_file& file, const Mixed_mesh<Point>& mesh,
  * \exception Output_error if the file cannot be written, or its format cannot hold the mesh
  * \exception Parameter_error if `format` is neither 4.1 nor 2.2
  */
-template <class Point, class NamedParameters = CGAL::parameters::Default_named_parameters>
-void write_mesh(const std::string& file, const Mixed_mesh<Point>& mesh,
+template <class NamedParameters = CGAL::parameters::Default_named_parameters>
+void write_mesh(const std::string& file, const Mixed_mesh& mesh,
                 const NamedParameters& np = CGAL::parameters::default_values()) {
   Output_file out(file);
   write_mesh(out, mesh, np);

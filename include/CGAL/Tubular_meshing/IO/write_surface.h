@@ -85,8 +85,8 @@ inline Label_names names_of_patches(const std::vector<std::int32_t>& patch) {
 }
 
 inline void write_msh_surface(Output_file& file, const Labelled_faces& surface) {
-  Mixed_mesh<Coordinates> mesh;
-  mesh.points = surface.points;
+  Mixed_mesh mesh;
+  mesh.points = to_points(surface.points);
   for (std::size_t i = 0; i < surface.faces.size(); ++i) {
     const Index_face& f = surface.faces[i];
     const std::int32_t label = surface.patch.empty() ? 0 : surface.patch[i];
@@ -100,7 +100,7 @@ inline void write_msh_surface(Output_file& file, const Labelled_faces& surface) 
   if (!surface.metric.empty())
     mesh.point_arrays.push_back({"metric", 6, surface.metric});
   mesh.patch_names = names_of_patches(surface.patch);
-  Msh_writer<Mixed_mesh<Coordinates>>(file, mesh).write_4_1();
+  Msh_writer<Mixed_mesh>(file, mesh).write_4_1();
 }
 
 } // namespace internal

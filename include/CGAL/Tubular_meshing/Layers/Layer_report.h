@@ -4,6 +4,8 @@
 #ifndef CGAL_TUBULAR_MESHING_LAYERS_LAYER_REPORT_H
 #define CGAL_TUBULAR_MESHING_LAYERS_LAYER_REPORT_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
+
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
@@ -18,7 +20,7 @@ namespace Tubular_meshing {
  * What layers of cells came out like: where they could not be as thick as they were asked to be, for want of room, and
  * how thin they are there.
  */
-template <class Point_3> struct Layer_report {
+struct Layer_report {
   std::size_t vertices = 0;               ///< of the surface that the layers grew on
   std::size_t reduced_vertices = 0;       ///< of those, where layers are thinner than wanted, by more than a hundredth
   std::size_t prisms = 0;                 ///< that were added

@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_LAYERS_APPEND_MESH_H
 #define CGAL_TUBULAR_MESHING_LAYERS_APPEND_MESH_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 #include <CGAL/Tubular_meshing/base/labels.h>
@@ -53,15 +54,14 @@ void append_elements(const Element_block<N>& added, const std::vector<std::uint3
  * \throws Input_error if there are more known points than points, or one that is not in `mesh`; `mesh` is untouched
  * then
  */
-template <class Point>
-void append_mesh(Mixed_mesh<Point>& mesh, const Mixed_mesh<Point>& filling,
-                 const std::vector<std::uint32_t>& known_points, int interface = labels::wall) {
+inline void append_mesh(Mixed_mesh& mesh, const Mixed_mesh& filling, const std::vector<std::uint32_t>& known_points,
+                        int interface = labels::wall) {
   if (known_points.size() > filling.points.size())
     throw Input_error("There are " + std::to_string(known_points.size()) + " known points of a filling with " +
                       std::to_string(filling.points.size()) + " points.");
   for (std::uint32_t p : known_points)
     if (p != no_point && p >= mesh.points.size())
-      throw Input_error("Point " + std::to_string(p) + " is known of the filling, but the mesh has " +
+      throw Input_error("Point_3 " + std::to_string(p) + " is known of the filling, but the mesh has " +
                         std::to_string(mesh.points.size()) + " points.");
   std::vector<std::uint32_t> point = known_points;
   point.resize(filling.points.size(), no_point);

@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_LAYERS_EXTRUDE_BOUNDARY_LAYER_H
 #define CGAL_TUBULAR_MESHING_LAYERS_EXTRUDE_BOUNDARY_LAYER_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Centerlines/Centerline_field.h>
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/Layers/Layer_report.h>
@@ -24,20 +25,20 @@ namespace Tubular_meshing {
  *
  * Layers of cells along the wall, inside the lumen, and the surface of what they leave of it.
  */
-template <class Point_3_> struct Boundary_layer {
-  typedef Point_3_ Point_3;
+struct Boundary_layer {
+  typedef Tubular_meshing::Point_3 Point_3;
   typedef CGAL::Surface_mesh<Point_3> Surface;
   typedef typename Surface::template Property_map<typename Surface::Face_index, int> Face_map;
 
   /// Prisms and hexahedra of region labels::lumen, with the wall's facets, and a ring of quads along each opening that
   /// has the opening's label. Its first points are the surface's on the wall, in their order.
-  Mixed_mesh<Point_3> layers;
+  Mixed_mesh layers;
   Surface inner;  ///< of what is left: closed, turned outward
   Face_map patch; ///< labels::wall on the layers' far side, else the label of an opening: property map `f:patch`
   std::vector<std::uint32_t> mesh_points; ///< the point of `layers` that each vertex of `inner` is, or `no_point`
-  Layer_report<Point_3> report;
+  Layer_report report;
 
-  Boundary_layer() { patch = inner.template add_property_map<typename Surface::Face_index, int>("f:patch", 0).first; }
+  Boundary_layer() { patch = inner.add_property_map<typename Surface::Face_index, int>("f:patch", 0).first; }
   Boundary_layer(const Boundary_layer&) = delete; // the map refers to the surface's own properties
   Boundary_layer& operator=(const Boundary_layer&) = delete;
   Boundary_layer(Boundary_layer&&) = default;
@@ -46,11 +47,11 @@ template <class Point_3_> struct Boundary_layer {
 
 namespace internal {
 
-template <class Point, class LocalRadius> auto radius_function(const LocalRadius& radius) {
-  return [&radius](const Point& p) { return radius(p); };
+template <class LocalRadius> auto radius_function(const LocalRadius& radius) {
+  return [&radius](const Point_3& p) { return radius(p); };
 }
-template <class Point> auto radius_function(const Centerline_field<Point>& centerlines) {
-  return [&centerlines](const Point& p) { return centerlines.radius(p); };
+inline auto radius_function(const Centerline_field& centerlines) {
+  return [&centerlines](const Point_3& p) { return centerlines.radius(p); };
 }
 
 } // namespace internal
@@ -63,7 +64,7 @@ template <class Point> auto radius_function(const Centerline_field<Point>& cente
  *
  * \code{.cpp}
  * auto layer = extrude_boundary_layer(surface, patch, centerlines);
- * Mixed_mesh<Point_3> inside;
+ * Mixed_mesh inside;
  * fill_with_tetgen(layer.inner, layer.patch, size, inside);
  * optimize_tetrahedra(inside, layer.inner, layer.patch, parameters::keep_boundary(true));
  * append_mesh(layer.layers, inside, layer.mesh_points);
@@ -99,16 +100,14 @@ template <class Point> auto radius_function(const Centerline_field<Point>& cente
  *   or if a radius is not above 0
  * \throws Meshing_error if the surface is folded so that no valid cell has room on it
  */
-template <class Point, class FacePatchMap, class LocalRadius,
-          class NamedParameters = CGAL::parameters::Default_named_parameters>
-Boundary_layer<Point> extrude_boundary_layer(const CGAL::Surface_mesh<Point>& surface, FacePatchMap patch,
-                                             const LocalRadius& radius,
-                                             const NamedParameters& np = CGAL::parameters::default_values()) {
+template <class LocalRadius, class NamedParameters = CGAL::parameters::Default_named_parameters>
+Boundary_layer extrude_boundary_layer(const CGAL::Surface_mesh<Point_3>& surface, Face_patch_map patch,
+                                      const LocalRadius& radius,
+                                      const NamedParameters& np = CGAL::parameters::default_values()) {
   const internal::Boundary_layer_heights heights(np);
-  Boundary_layer<Point> result;
-  internal::Boundary_layer_maker<Point, Boundary_layer<Point>>(internal::labelled_facets(surface, patch), heights,
-                                                               result)
-      .run(internal::radius_function<Point>(radius));
+  Boundary_layer result;
+  internal::Boundary_layer_maker<Boundary_layer>(internal::labelled_facets(surface, patch), heights, result)
+      .run(internal::radius_function(radius));
   return result;
 }
 

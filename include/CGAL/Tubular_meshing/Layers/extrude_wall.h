@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_LAYERS_EXTRUDE_WALL_H
 #define CGAL_TUBULAR_MESHING_LAYERS_EXTRUDE_WALL_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Centerlines/Centerline_field.h>
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/Layers/Layer_report.h>
@@ -79,22 +80,22 @@ namespace Tubular_meshing {
  * \throws Meshing_error if the surface is folded so that no valid cell has room on it. The mesh is as it was, after any
  *   exception
  */
-template <class Point, class LocalRadius, class NamedParameters = CGAL::parameters::Default_named_parameters>
-Layer_report<Point> extrude_wall(Mixed_mesh<Point>& mesh, const LocalRadius& radius,
-                                 const NamedParameters& np = CGAL::parameters::default_values()) {
+template <class LocalRadius, class NamedParameters = CGAL::parameters::Default_named_parameters>
+Layer_report extrude_wall(Mixed_mesh& mesh, const LocalRadius& radius,
+                          const NamedParameters& np = CGAL::parameters::default_values()) {
   const internal::Wall_parameters parameters(np);
-  return internal::Wall_extruder<Point>(mesh, parameters).run(radius);
+  return internal::Wall_extruder(mesh, parameters).run(radius);
 }
 
 /*! \ingroup PkgTubularMeshingRef
  *
  * the same with the radii of centerlines.
  */
-template <class Point, class NamedParameters = CGAL::parameters::Default_named_parameters>
-Layer_report<Point> extrude_wall(Mixed_mesh<Point>& mesh, const Centerline_field<Point>& centerlines,
-                                 const NamedParameters& np = CGAL::parameters::default_values()) {
+template <class NamedParameters = CGAL::parameters::Default_named_parameters>
+Layer_report extrude_wall(Mixed_mesh& mesh, const Centerline_field& centerlines,
+                          const NamedParameters& np = CGAL::parameters::default_values()) {
   return extrude_wall(
-      mesh, [&](const Point& p) { return centerlines.radius(p); }, np);
+      mesh, [&](const Point_3& p) { return centerlines.radius(p); }, np);
 }
 
 /*! \ingroup PkgTubularMeshingRef
@@ -112,13 +113,12 @@ Layer_report<Point> extrude_wall(Mixed_mesh<Point>& mesh, const Centerline_field
  *
  * \throws Input_error, Meshing_error, Parameter_error as above, and if a face has more than four edges
  */
-template <class Point, class FacePatchMap, class LocalRadius,
-          class NamedParameters = CGAL::parameters::Default_named_parameters>
-Mixed_mesh<Point> extrude_wall(const CGAL::Surface_mesh<Point>& surface, FacePatchMap patch, const LocalRadius& radius,
-                               const NamedParameters& np = CGAL::parameters::default_values(),
-                               Layer_report<Point>* report = nullptr) {
-  Mixed_mesh<Point> mesh = internal::labelled_facets(surface, patch);
-  const Layer_report<Point> obtained = extrude_wall(mesh, radius, np);
+template <class LocalRadius, class NamedParameters = CGAL::parameters::Default_named_parameters>
+Mixed_mesh extrude_wall(const CGAL::Surface_mesh<Point_3>& surface, Face_patch_map patch, const LocalRadius& radius,
+                        const NamedParameters& np = CGAL::parameters::default_values(),
+                        Layer_report* report = nullptr) {
+  Mixed_mesh mesh = internal::labelled_facets(surface, patch);
+  const Layer_report obtained = extrude_wall(mesh, radius, np);
   if (report)
     *report = obtained;
   internal::remove_openings(mesh);

@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_OPENINGS_CLOSE_OPENINGS_H
 #define CGAL_TUBULAR_MESHING_OPENINGS_CLOSE_OPENINGS_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Openings/internal/Opening_closer.h>
 #include <CGAL/Tubular_meshing/Openings/openings.h>
 #include <CGAL/Tubular_meshing/base/labels.h>
@@ -23,12 +24,12 @@ namespace Tubular_meshing {
 namespace internal {
 
 // Sites by the first coordinate of their centres, to look openings up in.
-template <class Point> class Site_index {
+class Site_index {
 public:
-  void insert(const Opening_site<Point>& site) { by_x_.emplace(site.shape.center.x(), site); }
+  void insert(const Opening_site& site) { by_x_.emplace(site.shape.center.x(), site); }
 
   /* The site whose centre is that of the opening but for rounding, taken out of the index; false if there is none. */
-  bool take(const Opening<Point>& opening, Opening_site<Point>& site) {
+  bool take(const Opening& opening, Opening_site& site) {
     const double tolerance = 1e-3 * opening.radius;
     auto nearest = by_x_.end();
     for (auto i = by_x_.lower_bound(opening.center.x() - tolerance);
@@ -46,21 +47,19 @@ public:
   }
 
   bool empty() const { return by_x_.empty(); }
-  const Opening_site<Point>& front() const { return by_x_.begin()->second; }
+  const Opening_site& front() const { return by_x_.begin()->second; }
 
 private:
-  std::multimap<double, Opening_site<Point>> by_x_;
+  std::multimap<double, Opening_site> by_x_;
 };
 
 // The sites of the openings, in their order. Flat ends are searched for with ever other criteria, as when they were
 // found.
-template <class Point>
-std::vector<Opening_site<Point>> sites_of(const std::vector<Opening<Point>>& openings,
-                                          const std::vector<Opening_site<Point>>& loops,
-                                          const CGAL::Surface_mesh<Point>& surface) {
-  std::vector<Opening_site<Point>> sites(openings.size());
+inline std::vector<Opening_site> sites_of(const std::vector<Opening>& openings, const std::vector<Opening_site>& loops,
+                                          const CGAL::Surface_mesh<Point_3>& surface) {
+  std::vector<Opening_site> sites(openings.size());
   std::vector<std::size_t> missing, still_missing;
-  Site_index<Point> index;
+  Site_index index;
   for (const auto& loop : loops)
     index.insert(loop);
   for (std::size_t i = 0; i < openings.size(); ++i)
@@ -71,9 +70,9 @@ std::vector<Opening_site<Point>> sites_of(const std::vector<Opening<Point>>& ope
                       " is not one of the openings that were given: pass all that find_openings() returns.");
   if (missing.empty())
     return sites;
-  Flat_end_finder<Point> finder(surface, false);
+  Flat_end_finder finder(surface, false);
   for (const Flat_end_criteria& criteria : possible_flat_ends()) {
-    Site_index<Point> flat_ends;
+    Site_index flat_ends;
     for (const auto& end : finder.find(criteria))
       flat_ends.insert(end);
     still_missing.clear();
@@ -123,12 +122,12 @@ std::vector<Opening_site<Point>> sites_of(const std::vector<Opening<Point>>& ope
  *
  * Complexity: a linear pass over the surface, and O(k log k) in the number of faces within about a radius of openings.
  */
-template <class Point_3, class FacePatchMap, class NamedParameters = CGAL::parameters::Default_named_parameters>
-void close_openings(CGAL::Surface_mesh<Point_3>& surface, std::vector<Opening<Point_3>>& openings, FacePatchMap patch,
+template <class NamedParameters = CGAL::parameters::Default_named_parameters>
+void close_openings(CGAL::Surface_mesh<Point_3>& surface, std::vector<Opening>& openings, Face_patch_map patch,
                     const NamedParameters& /* np */ = CGAL::parameters::default_values()) {
-  typedef typename CGAL::Surface_mesh<Point_3>::Face_index Face;
+  typedef Surface::Face_index Face;
   internal::check_tubular_surface(surface);
-  std::vector<internal::Opening_site<Point_3>> loops = internal::border_loops(surface), pinholes;
+  std::vector<internal::Opening_site> loops = internal::border_loops(surface), pinholes;
   if (internal::is_inside_out(surface, loops)) {
     CGAL::Polygon_mesh_processing::reverse_face_orientations(surface);
     loops = internal::border_loops(surface);
@@ -137,11 +136,11 @@ void close_openings(CGAL::Surface_mesh<Point_3>& surface, std::vector<Opening<Po
       loops.begin(), loops.end(), [&](const auto& loop) { return !internal::is_pinhole(loop, surface); });
   pinholes.assign(first_pinhole, loops.end());
   loops.erase(first_pinhole, loops.end());
-  std::vector<internal::Opening_site<Point_3>> sites = internal::sites_of(openings, loops, surface);
+  std::vector<internal::Opening_site> sites = internal::sites_of(openings, loops, surface);
 
   // Labels are kept with the faces until no more of them come and go.
-  auto label = surface.template add_property_map<Face, int>("f:tubular_meshing_label", labels::wall).first;
-  internal::Opening_closer<Point_3> closer(surface);
+  auto label = surface.add_property_map<Face, int>("f:tubular_meshing_label", labels::wall).first;
+  internal::Opening_closer closer(surface);
   for (auto& pinhole : pinholes)
     closer.fill(pinhole);
   for (std::size_t i = 0; i < sites.size(); ++i) {

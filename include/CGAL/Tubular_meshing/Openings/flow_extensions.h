@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_OPENINGS_FLOW_EXTENSIONS_H
 #define CGAL_TUBULAR_MESHING_OPENINGS_FLOW_EXTENSIONS_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Openings/close_openings.h>
 #include <CGAL/Tubular_meshing/Openings/internal/extension/Extension_builder.h>
 #include <CGAL/Tubular_meshing/Openings/internal/extension/Extension_profile.h>
@@ -38,14 +39,14 @@ namespace Tubular_meshing {
 namespace internal {
 
 /* Extends openings; where it throws, the surface and the openings may be half done. */
-template <class Point> class Flow_extender {
-  typedef CGAL::Surface_mesh<Point> Mesh;
+class Flow_extender {
+  typedef CGAL::Surface_mesh<Point_3> Mesh;
   typedef typename Mesh::Face_index Face;
   typedef CGAL::AABB_face_graph_triangle_primitive<Mesh> Primitive;
-  typedef CGAL::AABB_tree<Aabb_traits<typename Kernel_traits<Point>::Kernel, Primitive>> Tree;
+  typedef CGAL::AABB_tree<Aabb_traits<typename Kernel_traits<Point_3>::Kernel, Primitive>> Tree;
 
 public:
-  Flow_extender(Mesh& mesh, std::vector<Opening<Point>>& openings, const std::vector<bool>& wanted)
+  Flow_extender(Mesh& mesh, std::vector<Opening>& openings, const std::vector<bool>& wanted)
       : mesh_(mesh)
       , openings_(openings)
       , wanted_(wanted)
@@ -77,7 +78,7 @@ private:
 
   // Turns the surface outward, and opens the caps that are in the way.
   void find_sites() {
-    std::vector<Opening_site<Point>> loops = border_loops(mesh_);
+    std::vector<Opening_site> loops = border_loops(mesh_);
     if (is_inside_out(mesh_, loops)) {
       CGAL::Polygon_mesh_processing::reverse_face_orientations(mesh_);
       loops = border_loops(mesh_);
@@ -94,30 +95,29 @@ private:
 
   // Along the wall; where the rim seen from there crosses itself, along its own normal.
   void plan(std::size_t i, double length) {
-    const std::vector<Point> rim = rim_points(sites_[i].rim, mesh_);
+    const std::vector<Point_3> rim = rim_points(sites_[i].rim, mesh_);
     const auto& normal = sites_[i].shape.plane.normal();
-    Extension_profile<Point>& profile = profiles_[i];
-    profile = Extension_profile<Point>(rim, wall_direction(sites_[i], normal, mesh_));
+    Extension_profile& profile = profiles_[i];
+    profile = Extension_profile(rim, wall_direction(sites_[i], normal, mesh_));
     if (!profile.is_valid())
-      profile = Extension_profile<Point>(rim, normal);
+      profile = Extension_profile(rim, normal);
     if (!profile.is_valid())
       throw Meshing_error("The rim of " + name(i) +
                           " crosses itself as seen along the vessel, so that no straight extension can begin there: "
                           "smooth the surface there or cut it straight.");
-    profile.set_end(
-        (std::max)({length, profile.highest() + least_over_rim, Extension_band<Point>::least_height(profile)}));
+    profile.set_end((std::max)({length, profile.highest() + least_over_rim, Extension_band::least_height(profile)}));
   }
 
   void limit(const Tree& wall, double length, double min_length) {
     for (std::size_t i = 0; i < profiles_.size(); ++i)
       if (wanted_[i])
         limits_[i] = free_of_wall(profiles_[i], mesh_, wall);
-    Extension_growth<Point>(profiles_, wanted_, limits_);
+    Extension_growth(profiles_, wanted_, limits_);
     for (std::size_t i = 0; i < profiles_.size(); ++i) {
       if (!wanted_[i] || limits_[i].obstacle == Extension_limit::none)
         continue;
-      const double least = (std::max)(
-          {min_length, profiles_[i].highest() + least_over_rim, Extension_band<Point>::least_height(profiles_[i])});
+      const double least =
+          (std::max)({min_length, profiles_[i].highest() + least_over_rim, Extension_band::least_height(profiles_[i])});
       if (limits_[i].height < least)
         refuse(i, limits_[i], length);
       profiles_[i].set_end(limits_[i].height);
@@ -138,7 +138,7 @@ private:
 
   void build(const Tree& wall) {
     std::vector<Face> faces;
-    Extension_builder<Point> builder(mesh_);
+    Extension_builder builder(mesh_);
     for (std::size_t i = 0; i < profiles_.size(); ++i) {
       if (!wanted_[i])
         continue;
@@ -188,10 +188,10 @@ private:
   }
 
   Mesh& mesh_;
-  std::vector<Opening<Point>>& openings_;
+  std::vector<Opening>& openings_;
   const std::vector<bool>& wanted_;
-  std::vector<Opening_site<Point>> sites_;
-  std::vector<Extension_profile<Point>> profiles_;
+  std::vector<Opening_site> sites_;
+  std::vector<Extension_profile> profiles_;
   std::vector<Extension_limit> limits_;
   std::unordered_map<Face, std::size_t> owner_; // the extension that a new face belongs to
 };
@@ -256,8 +256,8 @@ inline void check_extension_lengths(double length, double min_length) {
  * Complexity: O(n log n) in the number of faces, of the surface and of the extensions, where a rim's height along the
  * vessel is a few radii.
  */
-template <class Point_3, class NamedParameters = CGAL::parameters::Default_named_parameters>
-std::vector<double> add_flow_extensions(CGAL::Surface_mesh<Point_3>& surface, std::vector<Opening<Point_3>>& openings,
+template <class NamedParameters = CGAL::parameters::Default_named_parameters>
+std::vector<double> add_flow_extensions(CGAL::Surface_mesh<Point_3>& surface, std::vector<Opening>& openings,
                                         const NamedParameters& np = CGAL::parameters::default_values()) {
   const double length = internal::choose(np, internal_np::extension_length, 5.);
   const double min_length = internal::choose(np, internal_np::min_extension_length, (std::min)(1., length));
@@ -274,9 +274,9 @@ std::vector<double> add_flow_extensions(CGAL::Surface_mesh<Point_3>& surface, st
 
   internal::check_tubular_surface(surface);
   CGAL::Surface_mesh<Point_3> surface_before = surface;
-  std::vector<Opening<Point_3>> openings_before = openings;
+  std::vector<Opening> openings_before = openings;
   try {
-    return internal::Flow_extender<Point_3>(surface, openings, wanted).extend(length, min_length);
+    return internal::Flow_extender(surface, openings, wanted).extend(length, min_length);
   } catch (...) {
     surface = std::move(surface_before);
     openings.swap(openings_before);

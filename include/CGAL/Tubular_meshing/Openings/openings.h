@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_OPENINGS_OPENINGS_H
 #define CGAL_TUBULAR_MESHING_OPENINGS_OPENINGS_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/base/Opening.h>
 #include <CGAL/Tubular_meshing/Rims/Opening_site.h>
 #include <CGAL/Tubular_meshing/Rims/flat_ends.h>
@@ -32,11 +33,11 @@ template <class Graph> const Graph& as_graph(const std::reference_wrapper<Graph>
 template <class Graph> const Graph& as_graph(const Graph* graph) {
   return *graph;
 }
-template <class Graph> const Graph& as_graph(const Graph& graph) {
+inline const Centerline_graph& as_graph(const Centerline_graph& graph) {
   return graph;
 }
 
-template <class Point> void set_shape(Opening<Point>& opening, const Rim_shape<Point>& shape, bool inside_out) {
+inline void set_shape(Opening& opening, const Rim_shape& shape, bool inside_out) {
   opening.center = shape.center;
   opening.normal = inside_out ? -shape.plane.normal() : shape.plane.normal();
   opening.area = shape.area;
@@ -44,7 +45,7 @@ template <class Point> void set_shape(Opening<Point>& opening, const Rim_shape<P
   opening.radius = shape.radius;
 }
 
-template <class Point> double median_radius(const std::vector<Opening_site<Point>>& sites) {
+inline double median_radius(const std::vector<Opening_site>& sites) {
   std::vector<double> radii;
   for (const auto& site : sites)
     radii.push_back(site.shape.radius);
@@ -55,10 +56,10 @@ template <class Point> double median_radius(const std::vector<Opening_site<Point
 }
 
 // Matches the loops to ends of the graph, and adds the flat ends that ends without a loop lead to.
-template <class Point, class Graph>
-std::vector<typename Centerline_ends::End> match_to_graph(const CGAL::Surface_mesh<Point>& surface, const Graph& graph,
-                                                          bool inside_out, std::vector<Opening_site<Point>>& sites) {
-  Flat_end_finder<Point> finder(surface, inside_out);
+inline std::vector<Centerline_ends::End> match_to_graph(const CGAL::Surface_mesh<Point_3>& surface,
+                                                          const Centerline_graph& graph, bool inside_out,
+                                                          std::vector<Opening_site>& sites) {
+  Flat_end_finder finder(surface, inside_out);
   const double radius = sites.empty() ? median_radius(finder.find(possible_flat_ends()[0])) : median_radius(sites);
   Centerline_ends ends(graph, radius);
   if (ends.ends().empty())
@@ -67,7 +68,7 @@ std::vector<typename Centerline_ends::End> match_to_graph(const CGAL::Surface_me
   for (const Flat_end_criteria& criteria : possible_flat_ends()) {
     if (ends.all_matched())
       break;
-    std::vector<Opening_site<Point>> extended = sites;
+    std::vector<Opening_site> extended = sites;
     for (auto& flat_end : finder.find(criteria))
       extended.push_back(std::move(flat_end));
     ends.match(extended, sites.size(), inside_out);
@@ -87,32 +88,32 @@ std::vector<typename Centerline_ends::End> match_to_graph(const CGAL::Surface_me
   return ends.ends();
 }
 
-template <class Point, class NamedParameters>
-std::size_t choose_inlet(const std::vector<Opening<Point>>& openings, std::size_t root, const NamedParameters& np) {
+template <class NamedParameters>
+std::size_t choose_inlet(const std::vector<Opening>& openings, std::size_t root, const NamedParameters& np) {
   const auto inlet = CGAL::parameters::get_parameter(np, internal_np::inlet);
   if constexpr (!std::is_same<decltype(inlet), const CGAL::internal_np::Param_not_found>::value) {
     if (!std::isfinite(inlet.x()) || !std::isfinite(inlet.y()) || !std::isfinite(inlet.z()))
       throw Parameter_error("The point of the inlet, " + coordinates(inlet) + ", has to have finite coordinates.");
-    return nearest_opening(openings, Point(inlet.x(), inlet.y(), inlet.z()));
+    return nearest_opening(openings, Point_3(inlet.x(), inlet.y(), inlet.z()));
   } else {
     for (std::size_t i = 0; i < openings.size(); ++i)
-      if (root != Opening<Point>::no_branch && openings[i].node == root)
+      if (root != Opening::no_branch && openings[i].node == root)
         return i;
     return largest_opening(openings);
   }
 }
 
 // None, where the surface is closed and has no flat ends.
-template <class Point_3, class NamedParameters>
-std::vector<Opening<Point_3>> find_any_openings(const CGAL::Surface_mesh<Point_3>& surface, const NamedParameters& np) {
+template <class NamedParameters>
+std::vector<Opening> find_any_openings(const CGAL::Surface_mesh<Point_3>& surface, const NamedParameters& np) {
   check_tubular_surface(surface);
-  std::vector<Opening_site<Point_3>> sites = border_loops(surface);
+  std::vector<Opening_site> sites = border_loops(surface);
   const bool inside_out = is_inside_out(surface, sites);
   sites.erase(std::remove_if(sites.begin(), sites.end(), [&](const auto& site) { return is_pinhole(site, surface); }),
               sites.end());
 
   std::vector<Centerline_ends::End> ends;
-  std::size_t root = Opening<Point_3>::no_branch;
+  std::size_t root = Opening::no_branch;
   const auto parameter = CGAL::parameters::get_parameter(np, internal_np::centerline_graph);
   if constexpr (!std::is_same<decltype(parameter), const CGAL::internal_np::Param_not_found>::value) {
     const auto& graph = as_graph(parameter);
@@ -120,12 +121,12 @@ std::vector<Opening<Point_3>> find_any_openings(const CGAL::Surface_mesh<Point_3
     root = graph.root();
   }
   if (ends.empty())
-    for (auto& flat_end : Flat_end_finder<Point_3>(surface, inside_out).find(certain_flat_end()))
+    for (auto& flat_end : Flat_end_finder(surface, inside_out).find(certain_flat_end()))
       sites.push_back(std::move(flat_end));
   if (sites.empty())
     return {};
 
-  std::vector<Opening<Point_3>> openings(sites.size());
+  std::vector<Opening> openings(sites.size());
   for (std::size_t i = 0; i < sites.size(); ++i)
     set_shape(openings[i], sites[i].shape, inside_out);
   for (const auto& end : ends)
@@ -177,10 +178,10 @@ std::vector<Opening<Point_3>> find_any_openings(const CGAL::Surface_mesh<Point_3
  *
  * Complexity: O(n) in the number of faces (expected), plus O(m log m) in openings and points of the graph.
  */
-template <class Point_3, class NamedParameters = CGAL::parameters::Default_named_parameters>
-std::vector<Opening<Point_3>> find_openings(const CGAL::Surface_mesh<Point_3>& surface,
-                                            const NamedParameters& np = CGAL::parameters::default_values()) {
-  std::vector<Opening<Point_3>> openings = internal::find_any_openings(surface, np);
+template <class NamedParameters = CGAL::parameters::Default_named_parameters>
+std::vector<Opening> find_openings(const CGAL::Surface_mesh<Point_3>& surface,
+                                   const NamedParameters& np = CGAL::parameters::default_values()) {
+  std::vector<Opening> openings = internal::find_any_openings(surface, np);
   if (openings.empty())
     throw Input_error("The surface is closed and has no flat ends, so that nothing can flow through it: open it where "
                       "vessels begin and end, cap these ends flat, or give the points (seeds) at which they are.");

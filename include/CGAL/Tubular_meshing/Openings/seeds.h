@@ -6,6 +6,7 @@
 
 // Where centerlines begin and end: at openings, and at points (seeds) that stand for vessels' ends without one.
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Centerlines/Centerline_graph.h>
 #include <CGAL/Tubular_meshing/base/Opening.h>
 #include <CGAL/Tubular_meshing/Openings/order_openings.h>
@@ -27,9 +28,9 @@ namespace Tubular_meshing {
 namespace internal {
 
 /* The openings, that nearest to the first seed being the inlet. A surface without any must have seeds. */
-template <class Point_3, class NamedParameters>
-std::vector<Opening<Point_3>> find_openings_or_seeds(const CGAL::Surface_mesh<Point_3>& surface,
-                                                     const std::vector<Point_3>& seeds, const NamedParameters& np) {
+template <class NamedParameters>
+std::vector<Opening> find_openings_or_seeds(const CGAL::Surface_mesh<Point_3>& surface,
+                                            const std::vector<Point_3>& seeds, const NamedParameters& np) {
   typedef Named_parameters<Point_3, internal_np::inlet_t, NamedParameters> With_inlet;
   if (seeds.empty())
     return find_openings(surface, np);
@@ -40,18 +41,17 @@ std::vector<Opening<Point_3>> find_openings_or_seeds(const CGAL::Surface_mesh<Po
 }
 
 // Within an opening's rim, also where that is an ellipse, or the point was picked a little outside.
-template <class Point_3> bool lies_at(const Point_3& seed, const Opening<Point_3>& opening) {
+inline bool lies_at(const Point_3& seed, const Opening& opening) {
   const double reach = 1.5 * opening.radius;
   return (seed - opening.center).squared_length() <= reach * reach;
 }
 
 /* The ends of the lines, each with the label of the faces around it; the source comes first: the first seed, or what it
  * stands for, else the inlet. */
-template <class Point_3>
-std::vector<std::pair<Point_3, int>> ends_of_lines(const std::vector<Opening<Point_3>>& openings,
-                                                   const std::vector<Point_3>& seeds) {
+inline std::vector<std::pair<Point_3, int>> ends_of_lines(const std::vector<Opening>& openings,
+                                                          const std::vector<Point_3>& seeds) {
   std::vector<std::pair<Point_3, int>> ends;
-  for (const Opening<Point_3>& o : openings)
+  for (const Opening& o : openings)
     ends.emplace_back(o.center, o.patch);
   for (std::size_t i = 0; i < seeds.size(); ++i)
     if (openings.empty() || !lies_at(seeds[i], openings[nearest_opening(openings, seeds[i])])) {
@@ -67,21 +67,19 @@ std::vector<std::pair<Point_3, int>> ends_of_lines(const std::vector<Opening<Poi
 }
 
 /* For each opening the free end of the centerlines that lies at its centre, where lines were computed to lead to it. */
-template <class Point_3>
-std::vector<std::size_t> nodes_at(const Centerline_graph<Point_3>& graph,
-                                  const std::vector<Opening<Point_3>>& openings) {
+inline std::vector<std::size_t> nodes_at(const Centerline_graph& graph, const std::vector<Opening>& openings) {
   std::vector<std::size_t> ends, found;
   for (std::size_t n = 0; n < graph.nodes().size(); ++n)
     if (graph.nodes()[n].is_end())
       ends.push_back(n);
-  for (const Opening<Point_3>& o : openings) {
+  for (const Opening& o : openings) {
     const auto away = [&](std::size_t n) {
       return (graph.points()[graph.nodes()[n].point] - o.center).squared_length();
     };
     const auto nearest =
         std::min_element(ends.begin(), ends.end(), [&](std::size_t m, std::size_t n) { return away(m) < away(n); });
     const bool is_there = nearest != ends.end() && away(*nearest) <= o.radius * o.radius;
-    found.push_back(is_there ? *nearest : Opening<Point_3>::no_branch);
+    found.push_back(is_there ? *nearest : Opening::no_branch);
   }
   return found;
 }

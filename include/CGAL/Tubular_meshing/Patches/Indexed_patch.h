@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_PATCHES_INDEXED_PATCH_H
 #define CGAL_TUBULAR_MESHING_PATCHES_INDEXED_PATCH_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Patches/Surface_patch.h>
 #include <CGAL/Tubular_meshing/Plane/Triangle_adjacency.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
@@ -24,7 +25,7 @@ namespace Tubular_meshing {
  * A patch of a surface on its own: points, triangles that are counterclockwise seen from outside, and the loops that
  * bound it, each in the order in which the patch is on the left of one who walks along it outside.
  */
-template <class Point_3> struct Indexed_patch {
+struct Indexed_patch {
   std::vector<Point_3> points;
   std::vector<std::array<int, 3>> triangles;
   std::vector<std::vector<int>> loops;
@@ -37,7 +38,7 @@ template <class Point_3> struct Indexed_patch {
  *
  * \throws Input_error if an edge has more than two triangles, or a vertex is on the border twice
  */
-template <class Point_3> std::vector<std::vector<int>> border_loops(const Indexed_patch<Point_3>& patch) {
+inline std::vector<std::vector<int>> border_loops(const Indexed_patch& patch) {
   const std::vector<int> opposite = internal::opposite_halfedges(patch.triangles);
   std::vector<int> successor(patch.points.size(), -1);
   for (int h = 0; h < int(opposite.size()); ++h) {
@@ -74,12 +75,10 @@ template <class Point_3> std::vector<std::vector<int>> border_loops(const Indexe
  * \param faces some of its faces
  * \param vertices if given, gets the surface's vertex of each point
  */
-template <class Point_3>
-Indexed_patch<Point_3>
-make_indexed_patch(const CGAL::Surface_mesh<Point_3>& surface,
-                   const std::vector<typename CGAL::Surface_mesh<Point_3>::Face_index>& faces,
-                   std::vector<typename CGAL::Surface_mesh<Point_3>::Vertex_index>* vertices = nullptr) {
-  typedef typename CGAL::Surface_mesh<Point_3>::Vertex_index Vertex;
+inline Indexed_patch make_indexed_patch(const CGAL::Surface_mesh<Point_3>& surface,
+                                        const std::vector<Surface::Face_index>& faces,
+                                        std::vector<Surface::Vertex_index>* vertices = nullptr) {
+  typedef Surface::Vertex_index Vertex;
   std::vector<Vertex> own;
   own.reserve(3 * faces.size());
   for (auto f : faces)
@@ -91,7 +90,7 @@ make_indexed_patch(const CGAL::Surface_mesh<Point_3>& surface,
   const std::vector<Vertex> corners = own;
   std::sort(own.begin(), own.end());
   own.erase(std::unique(own.begin(), own.end()), own.end());
-  Indexed_patch<Point_3> patch;
+  Indexed_patch patch;
   patch.triangles.resize(faces.size());
   for (std::size_t i = 0; i < corners.size(); ++i)
     patch.triangles[i / 3][i % 3] = int(std::lower_bound(own.begin(), own.end(), corners[i]) - own.begin());
@@ -109,14 +108,12 @@ make_indexed_patch(const CGAL::Surface_mesh<Point_3>& surface,
  * vertex, whatever their direction is: edge i of a curve is edge i of the loop that has the patch on the curve's left,
  * and edge n − 1 − i, the other way round, of the loop that has it on the right.
  */
-template <class Point_3>
-Indexed_patch<Point_3>
-make_indexed_patch(const CGAL::Surface_mesh<Point_3>& surface, const Surface_patch<Point_3>& patch,
-                   const std::vector<Cut_curve<Point_3>>& curves,
-                   std::vector<typename CGAL::Surface_mesh<Point_3>::Vertex_index>* vertices = nullptr) {
-  typedef typename CGAL::Surface_mesh<Point_3>::Vertex_index Vertex;
+inline Indexed_patch make_indexed_patch(const CGAL::Surface_mesh<Point_3>& surface, const Surface_patch& patch,
+                                        const std::vector<Cut_curve>& curves,
+                                        std::vector<Surface::Vertex_index>* vertices = nullptr) {
+  typedef Surface::Vertex_index Vertex;
   std::vector<Vertex> own;
-  Indexed_patch<Point_3> result = make_indexed_patch(surface, patch.faces, &own);
+  Indexed_patch result = make_indexed_patch(surface, patch.faces, &own);
   result.loops.clear();
   for (const Patch_loop& loop : patch.loops) {
     std::vector<int> along;

@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_PATCHES_PATCH_PARAMETERIZATION_H
 #define CGAL_TUBULAR_MESHING_PATCHES_PATCH_PARAMETERIZATION_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Patches/Indexed_patch.h>
 #include <CGAL/Tubular_meshing/Patches/Parameterization_method.h>
 #include <CGAL/Tubular_meshing/Plane/Plane_metric.h>
@@ -48,9 +49,9 @@ struct Patch_location {
  *
  * All member functions are const and may be called by several threads at once.
  */
-template <class Point_3_> class Patch_parameterization {
+class Patch_parameterization {
 public:
-  typedef Point_3_ Point_3;
+  typedef Tubular_meshing::Point_3 Point_3;
   typedef typename CGAL::Kernel_traits<Point_3>::Kernel Kernel;
   typedef typename Kernel::Point_2 Point_2;
   typedef Eigen::Matrix<double, 3, 2> Derivatives; ///< columns x,u and x,v
@@ -59,7 +60,7 @@ public:
   Patch_parameterization() = default;
 
   /// Of a patch whose points have the given places in the plane. O(n log n).
-  Patch_parameterization(internal::Divided_patch<Point_3> divided, std::vector<Eigen::Vector2d> uv,
+  Patch_parameterization(internal::Divided_patch divided, std::vector<Eigen::Vector2d> uv,
                          Parameterization_method method, std::size_t number_of_flips)
       : patch_(std::move(divided.patch))
       , input_triangles_(std::move(divided.origin))
@@ -78,7 +79,7 @@ public:
 
   /// The patch as it was given, but that wide edges may be halved: new points come after the given ones, and are on
   /// loops too.
-  const Indexed_patch<Point_3>& patch() const { return patch_; }
+  const Indexed_patch& patch() const { return patch_; }
   /// The triangle of the given patch that a triangle is part of.
   int input_triangle(int triangle) const { return input_triangles_[std::size_t(triangle)]; }
   std::size_t number_of_vertices() const { return uv_.size(); }
@@ -285,7 +286,7 @@ private:
         outer_loop_ = i;
   }
 
-  Indexed_patch<Point_3> patch_;
+  Indexed_patch patch_;
   std::vector<int> input_triangles_;
   std::vector<std::vector<double>> loop_positions_; // of the vertices of each loop, on the given one, and its end
   std::vector<Eigen::Vector2d> uv_;

@@ -45,8 +45,7 @@ struct Patch_report {
 
 /*! \ingroup PkgTubularMeshingRef
  * The report on a cut and the parameterizations of its patches. */
-template <class Point_3>
-Patch_report patch_report(const Surface_cut<Point_3>& cut, const std::vector<Patch_parameterization<Point_3>>& maps) {
+inline Patch_report patch_report(const Surface_cut& cut, const std::vector<Patch_parameterization>& maps) {
   Patch_report report;
   for (const auto& patch : cut.patches) {
     ++report.kinds[patch.kind];

@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_PATCHES_REMESHED_SURFACE_H
 #define CGAL_TUBULAR_MESHING_PATCHES_REMESHED_SURFACE_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Fields/Metric_tensor_3.h>
 #include <CGAL/Tubular_meshing/Patches/Patch_report.h>
 #include <CGAL/Tubular_meshing/Patches/Quad_report.h>
@@ -20,8 +21,8 @@ namespace Tubular_meshing {
  *
  * A closed surface in new triangles or quads, with the labels of its patches.
  */
-template <class Point_3_> struct Remeshed_surface {
-  typedef Point_3_ Point_3;
+struct Remeshed_surface {
+  typedef Tubular_meshing::Point_3 Point_3;
   typedef CGAL::Surface_mesh<Point_3> Surface;
   typedef typename Surface::template Property_map<typename Surface::Face_index, int> Face_map;
 
@@ -34,8 +35,8 @@ template <class Point_3_> struct Remeshed_surface {
   Quad_report quads;                    ///< on its quads, if it has some
 
   Remeshed_surface() {
-    patch = surface.template add_property_map<typename Surface::Face_index, int>("f:patch", labels::wall).first;
-    patch_of_face = surface.template add_property_map<typename Surface::Face_index, int>("f:surface_patch", -1).first;
+    patch = surface.add_property_map<typename Surface::Face_index, int>("f:patch", labels::wall).first;
+    patch_of_face = surface.add_property_map<typename Surface::Face_index, int>("f:surface_patch", -1).first;
   }
   Remeshed_surface(const Remeshed_surface&) = delete; // the maps refer to the surface's own properties
   Remeshed_surface& operator=(const Remeshed_surface&) = delete;

@@ -4,6 +4,8 @@
 #ifndef CGAL_TUBULAR_MESHING_PATCHES_SURFACE_PATCH_H
 #define CGAL_TUBULAR_MESHING_PATCHES_SURFACE_PATCH_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
+
 #include <CGAL/Surface_mesh.h>
 
 #include <cstddef>
@@ -22,7 +24,7 @@ namespace Tubular_meshing {
  * Seen from outside, `left_patch` is on the left of one who walks along it. On the left of a cut is the part of the
  * branch that is nearer to the branch's source. On the left of a rim is the wall, on its right the cap.
  */
-template <class Point_3> struct Cut_curve {
+struct Cut_curve {
   typedef CGAL::Surface_mesh<Point_3> Surface;
 
   static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
@@ -59,7 +61,7 @@ struct Patch_loop {
  *
  * A part of the wall between cuts, small enough in length to be mapped onto the plane.
  */
-template <class Point_3> struct Surface_patch {
+struct Surface_patch {
   typedef CGAL::Surface_mesh<Point_3> Surface;
 
   Patch_kind kind = Patch_kind::closed;
@@ -82,7 +84,7 @@ template <class Point_3> struct Surface_patch {
 
 /*! \ingroup PkgTubularMeshingRef
  * Something that cut_by_centerlines() could not do, and where. */
-template <class Point_3> struct Cut_problem {
+struct Cut_problem {
   enum Kind {
     too_long,       ///< a patch whose aspect ratio is greater than wanted, as no disk divides it
     wrong_topology, ///< a patch that is no sphere with holes, or that lies on both sides of a cut
@@ -110,14 +112,14 @@ template <class Point_3> struct Cut_problem {
  * What cut_by_centerlines() makes of a surface: patches, numbered along the centerlines from their root, and the curves
  * between them. Its descriptors are those of the surface, which must not change while they are used.
  */
-template <class Point_3> struct Surface_cut {
+struct Surface_cut {
   typedef CGAL::Surface_mesh<Point_3> Surface;
   typedef typename Surface::template Property_map<typename Surface::Face_index, int> Face_map;
 
   Face_map patch_of_face; ///< the face's index in `patches`, −1 on caps: property map `f:surface_patch` of the surface
-  std::vector<Surface_patch<Point_3>> patches;
-  std::vector<Cut_curve<Point_3>> curves; ///< cuts, along the centerlines, then rims
-  std::vector<Cut_problem<Point_3>> problems;
+  std::vector<Surface_patch> patches;
+  std::vector<Cut_curve> curves; ///< cuts, along the centerlines, then rims
+  std::vector<Cut_problem> problems;
   std::size_t moved_cuts = 0;               ///< disks that were moved off the place wanted, or tilted, to close
   std::vector<std::size_t> merged_branches; ///< whole parts of junctions: too short for a cut, or no disk closes
 

@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_PATCHES_CUT_BY_CENTERLINES_H
 #define CGAL_TUBULAR_MESHING_PATCHES_CUT_BY_CENTERLINES_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Centerlines/Centerline_graph.h>
 #include <CGAL/Tubular_meshing/Patches/Surface_patch.h>
 #include <CGAL/Tubular_meshing/Patches/internal/cut/Blind_vessel_finder.h>
@@ -29,9 +30,8 @@ namespace CGAL {
 namespace Tubular_meshing {
 namespace internal {
 
-template <class Point_3, class FacePatchMap>
-void check_cut_input(const CGAL::Surface_mesh<Point_3>& surface, const FacePatchMap& patch,
-                     const Centerline_graph<Point_3>& graph, double aspect_ratio) {
+inline void check_cut_input(const CGAL::Surface_mesh<Point_3>& surface, const Face_patch_map& patch,
+                            const Centerline_graph& graph, double aspect_ratio) {
   if (!(aspect_ratio >= 1) || !std::isfinite(aspect_ratio))
     throw Parameter_error("The aspect ratio of patches is " + std::to_string(aspect_ratio) +
                           "; it must be 1 or more, as shorter tubes have no room for their own mesh.");
@@ -51,11 +51,11 @@ void check_cut_input(const CGAL::Surface_mesh<Point_3>& surface, const FacePatch
 }
 
 /* The steps of cut_by_centerlines(), on input that has been checked. */
-template <class Point_3, class FacePatchMap> class Centerline_cut {
+class Centerline_cut {
 public:
   typedef std::size_t size_type;
 
-  Centerline_cut(CGAL::Surface_mesh<Point_3>& surface, const Centerline_graph<Point_3>& graph, FacePatchMap patch,
+  Centerline_cut(CGAL::Surface_mesh<Point_3>& surface, const Centerline_graph& graph, Face_patch_map patch,
                  double aspect_ratio)
       : surface_(surface, patch)
       , graph_(graph)
@@ -65,7 +65,7 @@ public:
       , pieces_(cutter_, tubes_, aspect_ratio)
       , aspect_ratio_(aspect_ratio) {}
 
-  Surface_cut<Point_3> run() {
+  Surface_cut run() {
     const std::vector<size_type> branches = Graph_partition<Cutter>(cutter_).branches_from_root();
     for (size_type b : branches)
       junctions_.cut_off(b);
@@ -74,7 +74,7 @@ public:
     pieces_.open_cycles();
     pieces_.divide_long_pieces();
 
-    Surface_cut<Point_3> result;
+    Surface_cut result;
     Labeller labeller(surface_, cutter_, result);
     labeller.label();
     for (size_type b : junctions_.merged())
@@ -87,19 +87,19 @@ public:
   }
 
 private:
-  typedef Disk_cutter<Point_3, FacePatchMap> Cutter;
-  typedef Patch_labeller<Point_3, FacePatchMap> Labeller;
-  typedef Cut_problem<Point_3> Problem;
+  typedef Disk_cutter Cutter;
+  typedef Patch_labeller Labeller;
+  typedef Cut_problem Problem;
 
   Point_3 middle(size_type branch) const {
     const Vector_3d p = cutter_.axis(branch).point(graph_.branches()[branch].length / 2);
     return Point_3(p.x, p.y, p.z);
   }
 
-  void report_patches(const Labeller& labeller, Surface_cut<Point_3>& result) const {
+  void report_patches(const Labeller& labeller, Surface_cut& result) const {
     const double rounding = 1e-9;
     for (size_type i = 0; i < result.patches.size(); ++i) {
-      const Surface_patch<Point_3>& p = result.patches[i];
+      const Surface_patch& p = result.patches[i];
       const bool is_known = !p.branches.empty();
       const size_type b = is_known ? p.branches.front() : 0;
       const auto report = [&](typename Problem::Kind kind) {
@@ -114,21 +114,21 @@ private:
     }
   }
 
-  void report_blind_vessels(Surface_cut<Point_3>& result) const {
-    for (const auto& vessel : Blind_vessel_finder<Point_3, FacePatchMap>(surface_, graph_).find())
+  void report_blind_vessels(Surface_cut& result) const {
+    for (const auto& vessel : Blind_vessel_finder(surface_, graph_).find())
       result.problems.push_back(Problem{Problem::no_centerline, surface_.mesh().point(vessel.tip), vessel.branch,
                                         size_type(result.patch_of_face[vessel.face])});
   }
 
-  static bool is_on_both_sides(const Surface_patch<Point_3>& patch, size_type number) {
+  static bool is_on_both_sides(const Surface_patch& patch, size_type number) {
     for (const Patch_loop& l : patch.loops)
       if (l.neighbour == number)
         return true;
     return false;
   }
 
-  Cut_surface<Point_3, FacePatchMap> surface_;
-  const Centerline_graph<Point_3>& graph_;
+  Cut_surface surface_;
+  const Centerline_graph& graph_;
   Cutter cutter_;
   Junction_cutter<Cutter> junctions_;
   Tube_divider<Cutter> tubes_;
@@ -181,15 +181,14 @@ private:
  * \throws Input_error if the surface is not closed or has no wall, or the graph is empty or lacks radii
  * \throws Parameter_error if the aspect ratio is less than 1
  */
-template <class Point_3, class FacePatchMap, class NamedParameters = CGAL::parameters::Default_named_parameters>
-Surface_cut<Point_3> cut_by_centerlines(CGAL::Surface_mesh<Point_3>& surface, const Centerline_graph<Point_3>& graph,
-                                        FacePatchMap patch,
-                                        const NamedParameters& np = CGAL::parameters::default_values()) {
+template <class NamedParameters = CGAL::parameters::Default_named_parameters>
+Surface_cut cut_by_centerlines(CGAL::Surface_mesh<Point_3>& surface, const Centerline_graph& graph,
+                               Face_patch_map patch, const NamedParameters& np = CGAL::parameters::default_values()) {
   const double aspect_ratio = internal::choose(np, internal_np::aspect_ratio, 4.);
   if (surface.has_garbage())
     surface.collect_garbage();
   internal::check_cut_input(surface, patch, graph, aspect_ratio);
-  return internal::Centerline_cut<Point_3, FacePatchMap>(surface, graph, patch, aspect_ratio).run();
+  return internal::Centerline_cut(surface, graph, patch, aspect_ratio).run();
 }
 
 } // namespace Tubular_meshing

@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_PATCHES_METRIC_ON_SURFACE_H
 #define CGAL_TUBULAR_MESHING_PATCHES_METRIC_ON_SURFACE_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Fields/Metric_tensor_3.h>
 #include <CGAL/Tubular_meshing/Plane/Metric_tensor_2.h>
 

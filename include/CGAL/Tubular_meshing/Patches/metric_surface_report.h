@@ -96,7 +96,7 @@ private:
  * \param remeshed of triangles, by remesh_patches() with a metric, or make_anisotropic_surface_mesh(). Of one that has
  *   no metrics the report is empty
  */
-template <class Point> Metric_surface_report metric_surface_report(const Remeshed_surface<Point>& remeshed) {
+inline Metric_surface_report metric_surface_report(const Remeshed_surface& remeshed) {
   typedef internal::Vector_3d Vector;
   internal::Metric_fit_collector wall, caps;
   const auto& surface = remeshed.surface;

@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_PATCHES_PARAMETERIZE_PATCH_H
 #define CGAL_TUBULAR_MESHING_PATCHES_PARAMETERIZE_PATCH_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Patches/Surface_patch.h>
 #include <CGAL/Tubular_meshing/Patches/Indexed_patch.h>
 #include <CGAL/Tubular_meshing/Patches/Patch_parameterization.h>
@@ -28,7 +29,7 @@ namespace CGAL {
 namespace Tubular_meshing {
 namespace internal {
 
-template <class Point_3> void check_patch(const Indexed_patch<Point_3>& patch) {
+inline void check_patch(const Indexed_patch& patch) {
   for (std::size_t i = 0; i < patch.points.size(); ++i) {
     const Vector_3d p(patch.points[i]);
     if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
@@ -89,12 +90,10 @@ template <class Point_3> void check_patch(const Indexed_patch<Point_3>& patch) {
  * \throws Meshing_error if the patch is closed or no sphere with holes, or no method gives a bijection in floating
  *   point arithmetic
  */
-template <class Point_3>
-Patch_parameterization<Point_3>
-parameterize_patch(Indexed_patch<Point_3> patch,
-                   Parameterization_method first_method = Parameterization_method::conformal) {
+inline Patch_parameterization
+parameterize_patch(Indexed_patch patch, Parameterization_method first_method = Parameterization_method::conformal) {
   internal::check_patch(patch);
-  internal::Divided_patch<Point_3> divided(std::move(patch));
+  internal::Divided_patch divided(std::move(patch));
   const std::size_t most_triangles = 1000 + 8 * divided.patch.triangles.size();
   for (int most_divisions = 6;; --most_divisions) {
     const internal::Filled_patch filled(divided.patch);
@@ -102,12 +101,12 @@ parameterize_patch(Indexed_patch<Point_3> patch,
     mapper.map_conformally();
     const std::vector<char> wide = mapper.wide_halfedges();
     if (!wide.empty() && most_divisions > 0 && filled.own_triangles < most_triangles) {
-      internal::Edge_halver<Point_3>(divided).run(filled.opposite, wide);
+      internal::Edge_halver(divided).run(filled.opposite, wide);
       continue;
     }
     const Parameterization_method method = mapper.make_bijective(first_method);
     std::vector<Eigen::Vector2d> uv(mapper.uv().begin(), mapper.uv().begin() + std::ptrdiff_t(filled.own_points));
-    return Patch_parameterization<Point_3>(std::move(divided), std::move(uv), method, mapper.number_of_flips());
+    return Patch_parameterization(std::move(divided), std::move(uv), method, mapper.number_of_flips());
   }
 }
 
@@ -124,11 +123,11 @@ parameterize_patch(Indexed_patch<Point_3> patch,
  *
  * \throws Input_error, Meshing_error as parameterize_patch() does
  */
-template <class Point_3, class NamedParameters = CGAL::parameters::Default_named_parameters>
-std::vector<Patch_parameterization<Point_3>>
-parameterize_patches(const CGAL::Surface_mesh<Point_3>& surface, const Surface_cut<Point_3>& cut,
+template <class NamedParameters = CGAL::parameters::Default_named_parameters>
+std::vector<Patch_parameterization>
+parameterize_patches(const CGAL::Surface_mesh<Point_3>& surface, const Surface_cut& cut,
                      const NamedParameters& np = CGAL::parameters::default_values()) {
-  std::vector<Patch_parameterization<Point_3>> result(cut.patches.size());
+  std::vector<Patch_parameterization> result(cut.patches.size());
   internal::for_each_task(
       cut.patches.size(), internal::choose(np, internal_np::number_of_threads, 0),
       [&](std::size_t i) { result[i] = parameterize_patch(make_indexed_patch(surface, cut.patches[i], cut.curves)); });

@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_PATCHES_REMESH_PATCHES_H
 #define CGAL_TUBULAR_MESHING_PATCHES_REMESH_PATCHES_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Fields/Metric_tensor_3.h>
 #include <CGAL/Tubular_meshing/Patches/Surface_patch.h>
 #include <CGAL/Tubular_meshing/Patches/Patch_parameterization.h>
@@ -26,13 +27,12 @@ namespace CGAL {
 namespace Tubular_meshing {
 namespace internal {
 
-template <class Point_3, class Field>
+template <class Field>
 using Is_metric_field =
     std::is_same<std::decay_t<decltype(std::declval<const Field&>()(std::declval<const Point_3&>()))>, Metric_tensor_3>;
 
-template <class Point_3, class Field>
-using Sizes_of = std::conditional_t<Is_metric_field<Point_3, Field>::value, Metric_sizes<Point_3, Field>,
-                                    Isotropic_sizes<Point_3, Field>>;
+template <class Field>
+using Sizes_of = std::conditional_t<Is_metric_field<Field>::value, Metric_sizes<Field>, Isotropic_sizes<Field>>;
 
 } // namespace internal
 
@@ -78,20 +78,20 @@ using Sizes_of = std::conditional_t<Is_metric_field<Point_3, Field>::value, Metr
  * \throws Parameter_error if a metric is not finite and positive definite somewhere on the surface
  * \throws Meshing_error if the new triangles meet each other even where they are eight times finer
  */
-template <class Point_3, class Size, class NamedParameters = CGAL::parameters::Default_named_parameters>
-Remeshed_surface<Point_3> remesh_patches(const CGAL::Surface_mesh<Point_3>& surface, const Surface_cut<Point_3>& cut,
-                                         const std::vector<Patch_parameterization<Point_3>>& maps, const Size& size,
-                                         const NamedParameters& np = CGAL::parameters::default_values()) {
+template <class Size, class NamedParameters = CGAL::parameters::Default_named_parameters>
+Remeshed_surface remesh_patches(const CGAL::Surface_mesh<Point_3>& surface, const Surface_cut& cut,
+                                const std::vector<Patch_parameterization>& maps, const Size& size,
+                                const NamedParameters& np = CGAL::parameters::default_values()) {
   if (maps.size() != cut.patches.size())
     throw Input_error("There are " + std::to_string(maps.size()) + " parameterizations of " +
                       std::to_string(cut.patches.size()) + " patches; pass what parameterize_patches() returns.");
-  typedef internal::Sizes_of<Point_3, Size> Sizes;
-  typedef internal::Piece_mesher<Point_3, Sizes> Mesher;
+  typedef internal::Sizes_of<Size> Sizes;
+  typedef internal::Piece_mesher<Sizes> Mesher;
   const Sizes sizes(surface, cut, maps, size);
   Mesher mesher(surface, cut, maps, sizes, internal::choose(np, internal_np::even_curves, false),
                 internal::choose(np, internal_np::number_of_threads, 0));
-  Remeshed_surface<Point_3> result = internal::Surface_remesher<Point_3, Mesher>(surface, cut, maps, mesher).run();
-  if constexpr (internal::Is_metric_field<Point_3, Size>::value)
+  Remeshed_surface result = internal::Surface_remesher<Mesher>(surface, cut, maps, mesher).run();
+  if constexpr (internal::Is_metric_field<Size>::value)
     for (auto v : result.surface.vertices())
       result.metrics.push_back(size(result.surface.point(v)));
   return result;

@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_PATCHES_SURFACE_TO_MIXED_MESH_H
 #define CGAL_TUBULAR_MESHING_PATCHES_SURFACE_TO_MIXED_MESH_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Fields/Metric_tensor_3.h>
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/Patches/Remeshed_surface.h>
@@ -32,12 +33,11 @@ namespace Tubular_meshing {
  *
  * \throws Meshing_error if the surface is empty, not closed, or has faces of more than four edges
  */
-template <class Point, class SurfaceMesh, class FacePatchMap>
-void surface_to_mixed_mesh(const SurfaceMesh& surface, FacePatchMap patch, Mixed_mesh<Point>& mesh) {
-  typedef typename boost::graph_traits<SurfaceMesh>::vertex_descriptor Vertex;
+inline void surface_to_mixed_mesh(const Surface& surface, Face_patch_map patch, Mixed_mesh& mesh) {
+  typedef typename boost::graph_traits<Surface>::vertex_descriptor Vertex;
   if (!is_closed(surface) || is_empty(surface))
     throw Meshing_error("Only a closed surface can be the boundary of a mesh: close its openings first.");
-  mesh = Mixed_mesh<Point>();
+  mesh = Mixed_mesh();
   std::unordered_map<Vertex, std::uint32_t> number;
   mesh.points.reserve(num_vertices(surface));
   mesh.triangles.reserve(num_faces(surface));
@@ -67,7 +67,7 @@ void surface_to_mixed_mesh(const SurfaceMesh& surface, FacePatchMap patch, Mixed
  *
  * \throws Meshing_error as above
  */
-template <class Point> void surface_to_mixed_mesh(const Remeshed_surface<Point>& remeshed, Mixed_mesh<Point>& mesh) {
+inline void surface_to_mixed_mesh(const Remeshed_surface& remeshed, Mixed_mesh& mesh) {
   surface_to_mixed_mesh(remeshed.surface, remeshed.patch, mesh);
   if (remeshed.metrics.empty())
     return;

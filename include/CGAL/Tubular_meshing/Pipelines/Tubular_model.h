@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_PIPELINES_TUBULAR_MODEL_H
 #define CGAL_TUBULAR_MESHING_PIPELINES_TUBULAR_MODEL_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Centerlines/Centerline_graph.h>
 #include <CGAL/Tubular_meshing/Centerlines/Wall_distance.h>
 #include <CGAL/Tubular_meshing/Centerlines/build_centerline_graph.h>
@@ -35,17 +36,17 @@ namespace Tubular_meshing {
  * A vessel or airway tree, ready to be meshed: its surface closed and labelled, its branches with their radii, its
  * openings. Every kind of mesh starts from one; make_tubular_model() prepares it.
  */
-template <class Point_3_> struct Tubular_model {
-  typedef Point_3_ Point_3;
+struct Tubular_model {
+  typedef Tubular_meshing::Point_3 Point_3;
   typedef CGAL::Surface_mesh<Point_3> Surface;
   typedef typename Surface::template Property_map<typename Surface::Face_index, int> Face_patch_map;
 
   Surface surface; ///< closed, turned outward; the label of a face is in its property map `f:patch`
   Face_patch_map patch;
-  Centerline_graph<Point_3> centerlines;  ///< directed away from the inlet
-  std::vector<Opening<Point_3>> openings; ///< the inlet first
+  Centerline_graph centerlines;  ///< directed away from the inlet
+  std::vector<Opening> openings; ///< the inlet first
 
-  Tubular_model() { patch = surface.template add_property_map<typename Surface::Face_index, int>("f:patch", 0).first; }
+  Tubular_model() { patch = surface.add_property_map<typename Surface::Face_index, int>("f:patch", 0).first; }
   Tubular_model(const Tubular_model&) = delete; // the map refers to the surface's own properties
   Tubular_model& operator=(const Tubular_model&) = delete;
   Tubular_model(Tubular_model&&) = default;
@@ -55,18 +56,16 @@ template <class Point_3_> struct Tubular_model {
 namespace internal {
 
 // Lets the openings know their branches.
-template <class Point_3> void connect(Tubular_model<Point_3>& model, const std::vector<std::size_t>& node_of_opening) {
+inline void connect(Tubular_model& model, const std::vector<std::size_t>& node_of_opening) {
   for (std::size_t i = 0; i < node_of_opening.size(); ++i) {
     const std::size_t node = node_of_opening[i];
     model.openings[i].node = node;
-    model.openings[i].branch =
-        node == Opening<Point_3>::no_branch ? node : model.centerlines.nodes()[node].branches.front();
+    model.openings[i].branch = node == Opening::no_branch ? node : model.centerlines.nodes()[node].branches.front();
   }
 }
 
 // A copy of the surface of which the rest of the package may rely on being one piece of triangles.
-template <class TriangleMesh, class Point_3>
-void copy_surface(const TriangleMesh& surface, Tubular_model<Point_3>& model) {
+template <class TriangleMesh> void copy_surface(const TriangleMesh& surface, Tubular_model& model) {
   copy_face_graph(surface, model.surface);
   check_tubular_surface(model.surface);
   check_one_piece(model.surface);
@@ -97,15 +96,15 @@ void copy_surface(const TriangleMesh& surface, Tubular_model<Point_3>& model) {
  * \throws Input_error if the surface is in pieces or intersects itself, if the surface or the lines cannot be used, or
  *   if they do not belong together
  */
-template <class Point_3, class TriangleMesh, class NamedParameters = CGAL::parameters::Default_named_parameters>
-Tubular_model<Point_3> make_tubular_model(const TriangleMesh& surface, const Centerline_polylines<Point_3>& lines,
-                                          const NamedParameters& np = CGAL::parameters::default_values()) {
-  typedef Centerline_graph<Point_3> Graph;
+template <class TriangleMesh, class NamedParameters = CGAL::parameters::Default_named_parameters>
+Tubular_model make_tubular_model(const TriangleMesh& surface, const Centerline_polylines& lines,
+                                 const NamedParameters& np = CGAL::parameters::default_values()) {
+  typedef Centerline_graph Graph;
   typedef Named_parameters<std::reference_wrapper<const Graph>, internal_np::centerline_graph_t, NamedParameters>
       With_graph;
-  Tubular_model<Point_3> model;
+  Tubular_model model;
   internal::copy_surface(surface, model);
-  build_centerline_graph(lines, Wall_distance<Point_3>(model.surface), model.centerlines, np);
+  build_centerline_graph(lines, Wall_distance(model.surface), model.centerlines, np);
 
   model.openings = find_openings(model.surface, With_graph(std::cref(model.centerlines), np));
   close_openings(model.surface, model.openings, model.patch);
@@ -113,12 +112,12 @@ Tubular_model<Point_3> make_tubular_model(const TriangleMesh& surface, const Cen
   const std::vector<std::size_t> nodes = clip_to_openings(model.centerlines, model.openings);
   check_centerlines_inside(model.centerlines, model.surface);
 
-  const Wall_distance<Point_3> wall(model.surface, model.patch, labels::wall);
+  const Wall_distance wall(model.surface, model.patch, labels::wall);
   std::vector<double> radii;
   for (const Point_3& p : model.centerlines.points())
     radii.push_back(wall(p));
   model.centerlines.set_radii(std::move(radii));
-  if (nodes.front() != Opening<Point_3>::no_branch)
+  if (nodes.front() != Opening::no_branch)
     model.centerlines.direct_from(nodes.front());
   internal::connect(model, nodes);
   return model;
@@ -142,19 +141,19 @@ Tubular_model<Point_3> make_tubular_model(const TriangleMesh& surface, const Cen
  *
  * \throws Input_error if the surface is in pieces or intersects itself, or has fewer than two ends
  */
-template <class Point_3, class T, class Tag, class Base>
-Tubular_model<Point_3> make_tubular_model(const CGAL::Surface_mesh<Point_3>& surface,
-                                          const CGAL::Named_function_parameters<T, Tag, Base>& np) {
+template <class T, class Tag, class Base>
+Tubular_model make_tubular_model(const CGAL::Surface_mesh<Point_3>& surface,
+                                 const CGAL::Named_function_parameters<T, Tag, Base>& np) {
   const auto seeds = internal::choose(np, internal_np::seeds, std::vector<Point_3>());
-  Tubular_model<Point_3> model;
+  Tubular_model model;
   internal::copy_surface(surface, model);
   model.openings = internal::find_openings_or_seeds(model.surface, seeds, np);
   close_openings(model.surface, model.openings, model.patch);
   internal::check_no_crossings(model.surface);
   const bool blind_vessels = internal::choose(np, internal_np::blind_vessels, true);
-  internal::Centerline_computation<Point_3> computation(model.surface, model.patch,
-                                                        internal::ends_of_lines(model.openings, seeds),
-                                                        internal::choose(np, internal_np::loops, false), blind_vessels);
+  internal::Centerline_computation computation(model.surface, model.patch,
+                                               internal::ends_of_lines(model.openings, seeds),
+                                               internal::choose(np, internal_np::loops, false), blind_vessels);
   computation.make_graph(model.centerlines, np);
   if (blind_vessels)
     internal::follow_blind_vessels(model.surface, model.patch, computation, model.centerlines, np);
@@ -162,7 +161,7 @@ Tubular_model<Point_3> make_tubular_model(const CGAL::Surface_mesh<Point_3>& sur
   return model;
 }
 
-template <class Point_3> Tubular_model<Point_3> make_tubular_model(const CGAL::Surface_mesh<Point_3>& surface) {
+inline Tubular_model make_tubular_model(const CGAL::Surface_mesh<Point_3>& surface) {
   return make_tubular_model(surface, CGAL::parameters::default_values());
 }
 

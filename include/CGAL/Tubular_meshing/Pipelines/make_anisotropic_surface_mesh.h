@@ -47,13 +47,12 @@ namespace Tubular_meshing {
  * \throws Meshing_error if a patch cannot be mapped or meshed: the surface intersects itself, or its centerlines do not
  *   fit
  */
-template <class Point_3, class NamedParameters = CGAL::parameters::Default_named_parameters>
-Remeshed_surface<Point_3>
-make_anisotropic_surface_mesh(const Tubular_model<Point_3>& model,
-                              const NamedParameters& np = CGAL::parameters::default_values()) {
+template <class NamedParameters = CGAL::parameters::Default_named_parameters>
+Remeshed_surface make_anisotropic_surface_mesh(const Tubular_model& model,
+                                               const NamedParameters& np = CGAL::parameters::default_values()) {
   internal::stage_observer(np)("metric field");
-  internal::Model_in_its_frame<Point_3> framed(model);
-  Remeshed_surface<Point_3> result = internal::remesh_in_frame(framed, framed.metric_field(np), np);
+  internal::Model_in_its_frame framed(model);
+  Remeshed_surface result = internal::remesh_in_frame(framed, framed.metric_field(np), np);
   framed.bring_back(result);
   return result;
 }

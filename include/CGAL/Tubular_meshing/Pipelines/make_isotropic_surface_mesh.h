@@ -19,12 +19,11 @@ namespace Tubular_meshing {
 namespace internal {
 
 /* Cuts the model, maps its patches and meshes them by a size or a metric, in the model's frame. */
-template <class Point_3, class Size, class NamedParameters>
-Remeshed_surface<Point_3> remesh_in_frame(Model_in_its_frame<Point_3>& framed, const Size& size,
-                                          const NamedParameters& np) {
+template <class Size, class NamedParameters>
+Remeshed_surface remesh_in_frame(Model_in_its_frame& framed, const Size& size, const NamedParameters& np) {
   const auto observer = stage_observer(np);
   observer("cut");
-  const Surface_cut<Point_3> cut = cut_by_centerlines(framed.surface(), framed.centerlines(), framed.patch(), np);
+  const Surface_cut cut = cut_by_centerlines(framed.surface(), framed.centerlines(), framed.patch(), np);
   observer("parameterization");
   const auto maps = parameterize_patches(framed.surface(), cut, np);
   observer("surface mesh");
@@ -61,12 +60,12 @@ Remeshed_surface<Point_3> remesh_in_frame(Model_in_its_frame<Point_3>& framed, c
  * \throws Meshing_error if a patch cannot be mapped or meshed: the surface intersects itself, or its centerlines do not
  *   fit
  */
-template <class Point_3, class NamedParameters = CGAL::parameters::Default_named_parameters>
-Remeshed_surface<Point_3> make_isotropic_surface_mesh(const Tubular_model<Point_3>& model,
-                                                      const NamedParameters& np = CGAL::parameters::default_values()) {
+template <class NamedParameters = CGAL::parameters::Default_named_parameters>
+Remeshed_surface make_isotropic_surface_mesh(const Tubular_model& model,
+                                             const NamedParameters& np = CGAL::parameters::default_values()) {
   internal::stage_observer(np)("size field");
-  internal::Model_in_its_frame<Point_3> framed(model);
-  Remeshed_surface<Point_3> result = internal::remesh_in_frame(framed, framed.sizing_field(np), np);
+  internal::Model_in_its_frame framed(model);
+  Remeshed_surface result = internal::remesh_in_frame(framed, framed.sizing_field(np), np);
   framed.bring_back(result.surface);
   return result;
 }

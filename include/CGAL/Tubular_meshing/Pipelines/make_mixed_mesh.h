@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_PIPELINES_MAKE_MIXED_MESH_H
 #define CGAL_TUBULAR_MESHING_PIPELINES_MAKE_MIXED_MESH_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Centerlines/Centerline_field.h>
 #include <CGAL/Tubular_meshing/Fields/Centerline_sizing_field.h>
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
@@ -62,28 +63,28 @@ namespace Tubular_meshing {
  * \throws Meshing_error if no valid mesh comes out, or this program was built without LEMON, or with neither TetGen nor
  *   CGAL 6.1, see has_lemon(), has_tetgen() and has_ccdt()
  */
-template <class Point_3, class NamedParameters = CGAL::parameters::Default_named_parameters>
-Mixed_mesh<Point_3> make_mixed_mesh(const Tubular_model<Point_3>& model, Remeshed_surface<Point_3>& surface,
-                                    const NamedParameters& np = CGAL::parameters::default_values()) {
+template <class NamedParameters = CGAL::parameters::Default_named_parameters>
+Mixed_mesh make_mixed_mesh(const Tubular_model& model, Remeshed_surface& surface,
+                           const NamedParameters& np = CGAL::parameters::default_values()) {
   typedef Named_parameters<bool, internal_np::split_quads_t, NamedParameters> With_splits;
   const auto observer = internal::stage_observer(np);
   const double wall_thickness = internal::choose(np, internal_np::wall_thickness, 0.);
   internal::check_keeps_boundary(internal::choose(np, internal_np::volume_mesher, default_volume_mesher()));
   observer("size field");
-  internal::Model_in_its_frame<Point_3> framed(model);
-  const Centerline_sizing_field<Point_3> size = framed.sizing_field(np);
+  internal::Model_in_its_frame framed(model);
+  const Centerline_sizing_field size = framed.sizing_field(np);
   internal::check_memory(size.estimated_number_of_tetrahedra());
   surface = internal::quadrangulate_in_frame(framed, size, np);
   const bool may_split = !internal::wants_boundary_layer(np); // not the far sides of hexahedra
-  const auto fill = [&](const auto& closed, const auto& patch, Mixed_mesh<Point_3>& filling) {
+  const auto fill = [&](const auto& closed, const auto& patch, Mixed_mesh& filling) {
     observer("pyramids and tetrahedra");
     fill_with_pyramids_and_tetrahedra(closed, patch, size, filling, With_splits(may_split, np));
   };
-  Mixed_mesh<Point_3> mesh;
+  Mixed_mesh mesh;
   internal::fill_within_layers(surface, framed, fill, mesh, np);
   if (wall_thickness != 0) {
     observer("wall");
-    extrude_wall(mesh, Centerline_field<Point_3>(framed.centerlines()), np);
+    extrude_wall(mesh, Centerline_field(framed.centerlines()), np);
   }
   observer("check");
   internal::check_differences(mesh, model);
@@ -98,10 +99,9 @@ Mixed_mesh<Point_3> make_mixed_mesh(const Tubular_model<Point_3>& model, Remeshe
  *
  * the same, for those who have no use for the surface.
  */
-template <class Point_3, class NamedParameters = CGAL::parameters::Default_named_parameters>
-Mixed_mesh<Point_3> make_mixed_mesh(const Tubular_model<Point_3>& model,
-                                    const NamedParameters& np = CGAL::parameters::default_values()) {
-  Remeshed_surface<Point_3> surface;
+template <class NamedParameters = CGAL::parameters::Default_named_parameters>
+Mixed_mesh make_mixed_mesh(const Tubular_model& model, const NamedParameters& np = CGAL::parameters::default_values()) {
+  Remeshed_surface surface;
   return make_mixed_mesh(model, surface, np);
 }
 
@@ -109,9 +109,9 @@ Mixed_mesh<Point_3> make_mixed_mesh(const Tubular_model<Point_3>& model,
  *
  * the same, from a surface and its centerlines; takes the named parameters of make_tubular_model() as well.
  */
-template <class Point_3, class TriangleMesh, class NamedParameters = CGAL::parameters::Default_named_parameters>
-Mixed_mesh<Point_3> make_mixed_mesh(const TriangleMesh& surface, const Centerline_polylines<Point_3>& lines,
-                                    const NamedParameters& np = CGAL::parameters::default_values()) {
+template <class TriangleMesh, class NamedParameters = CGAL::parameters::Default_named_parameters>
+Mixed_mesh make_mixed_mesh(const TriangleMesh& surface, const Centerline_polylines& lines,
+                           const NamedParameters& np = CGAL::parameters::default_values()) {
   return make_mixed_mesh(make_tubular_model(surface, lines, np), np);
 }
 
@@ -119,13 +119,13 @@ Mixed_mesh<Point_3> make_mixed_mesh(const TriangleMesh& surface, const Centerlin
  *
  * the same, from a surface alone, whose centerlines are computed.
  */
-template <class Point_3, class T, class Tag, class Base>
-Mixed_mesh<Point_3> make_mixed_mesh(const CGAL::Surface_mesh<Point_3>& surface,
-                                    const CGAL::Named_function_parameters<T, Tag, Base>& np) {
+template <class T, class Tag, class Base>
+Mixed_mesh make_mixed_mesh(const CGAL::Surface_mesh<Point_3>& surface,
+                           const CGAL::Named_function_parameters<T, Tag, Base>& np) {
   return make_mixed_mesh(make_tubular_model(surface, np), np);
 }
 
-template <class Point_3> Mixed_mesh<Point_3> make_mixed_mesh(const CGAL::Surface_mesh<Point_3>& surface) {
+inline Mixed_mesh make_mixed_mesh(const CGAL::Surface_mesh<Point_3>& surface) {
   return make_mixed_mesh(surface, CGAL::parameters::default_values());
 }
 

@@ -19,12 +19,12 @@ namespace Tubular_meshing {
 namespace internal {
 
 /* Cuts the model, maps its patches and meshes them, in the model's frame. */
-template <class Point_3, class SizingField, class NamedParameters>
-Remeshed_surface<Point_3> quadrangulate_in_frame(Model_in_its_frame<Point_3>& framed, const SizingField& size,
-                                                 const NamedParameters& np) {
+template <class SizingField, class NamedParameters>
+Remeshed_surface quadrangulate_in_frame(Model_in_its_frame& framed, const SizingField& size,
+                                        const NamedParameters& np) {
   const auto observer = stage_observer(np);
   observer("cut");
-  const Surface_cut<Point_3> cut = cut_by_centerlines(framed.surface(), framed.centerlines(), framed.patch(), np);
+  const Surface_cut cut = cut_by_centerlines(framed.surface(), framed.centerlines(), framed.patch(), np);
   observer("parameterization");
   const auto maps = parameterize_patches(framed.surface(), cut, np);
   observer("quads");
@@ -63,12 +63,12 @@ Remeshed_surface<Point_3> quadrangulate_in_frame(Model_in_its_frame<Point_3>& fr
  * \throws Meshing_error if a patch cannot be mapped or meshed: the surface intersects itself, or its centerlines do not
  *   fit; or if this program was built without LEMON, see has_lemon()
  */
-template <class Point_3, class NamedParameters = CGAL::parameters::Default_named_parameters>
-Remeshed_surface<Point_3> make_quad_surface_mesh(const Tubular_model<Point_3>& model,
-                                                 const NamedParameters& np = CGAL::parameters::default_values()) {
+template <class NamedParameters = CGAL::parameters::Default_named_parameters>
+Remeshed_surface make_quad_surface_mesh(const Tubular_model& model,
+                                        const NamedParameters& np = CGAL::parameters::default_values()) {
   internal::stage_observer(np)("size field");
-  internal::Model_in_its_frame<Point_3> framed(model);
-  Remeshed_surface<Point_3> result = internal::quadrangulate_in_frame(framed, framed.sizing_field(np), np);
+  internal::Model_in_its_frame framed(model);
+  Remeshed_surface result = internal::quadrangulate_in_frame(framed, framed.sizing_field(np), np);
   framed.bring_back(result.surface);
   return result;
 }

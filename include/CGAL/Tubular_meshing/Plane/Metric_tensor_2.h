@@ -4,6 +4,8 @@
 #ifndef CGAL_TUBULAR_MESHING_PLANE_METRIC_TENSOR_2_H
 #define CGAL_TUBULAR_MESHING_PLANE_METRIC_TENSOR_2_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>

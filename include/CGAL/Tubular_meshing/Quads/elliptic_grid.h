@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_QUADS_ELLIPTIC_GRID_H
 #define CGAL_TUBULAR_MESHING_QUADS_ELLIPTIC_GRID_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Quads/internal/elliptic/Elliptic_grid_maker.h>
 #include <CGAL/Tubular_meshing/Patches/Patch_parameterization.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
@@ -21,7 +22,7 @@ namespace Tubular_meshing {
  *
  * A grid of quads around an annular patch: (rows + 1) times as many points as there are columns, row after row from
  * loop 0 to loop 1. Those of row 0 are the given ones of loop 0, in their order. */
-template <class Point_3> struct Elliptic_grid {
+struct Elliptic_grid {
   std::size_t columns = 0, rows = 0;
   std::vector<Point_3> points;
   std::vector<Patch_location> locations; ///< of the points on the patch
@@ -68,10 +69,10 @@ template <class Point_3> struct Elliptic_grid {
  * \throws Input_error if the patch has not two loops, or the points of the loops are not as many, or not in order
  * \throws Meshing_error if there is no grid without folded cells
  */
-template <class Point_3, class SizingField, class NamedParameters = CGAL::parameters::Default_named_parameters>
-Elliptic_grid<Point_3>
-elliptic_grid(const Patch_parameterization<Point_3>& map, const std::array<std::vector<Patch_location>, 2>& loop_points,
-              const SizingField& size, const NamedParameters& np = CGAL::parameters::default_values()) {
+template <class SizingField, class NamedParameters = CGAL::parameters::Default_named_parameters>
+Elliptic_grid elliptic_grid(const Patch_parameterization& map,
+                            const std::array<std::vector<Patch_location>, 2>& loop_points, const SizingField& size,
+                            const NamedParameters& np = CGAL::parameters::default_values()) {
   if (map.number_of_loops() != 2)
     throw Input_error("A patch with " + std::to_string(map.number_of_loops()) +
                       " loops is not annular; a grid needs two loops.");
@@ -79,11 +80,11 @@ elliptic_grid(const Patch_parameterization<Point_3>& map, const std::array<std::
     throw Input_error("There are " + std::to_string(loop_points[0].size()) + " and " +
                       std::to_string(loop_points[1].size()) +
                       " points on the loops of an annular patch; give as many on both, three at least.");
-  internal::Elliptic_grid_maker<Point_3> maker(map, loop_points);
+  internal::Elliptic_grid_maker maker(map, loop_points);
   maker.divide_into_rows(size, internal::choose(np, internal_np::number_of_rows, std::size_t(0)));
   maker.smooth();
 
-  Elliptic_grid<Point_3> grid;
+  Elliptic_grid grid;
   grid.columns = maker.nodes().columns;
   grid.rows = maker.nodes().rows;
   grid.locations = maker.locations();

@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_QUADS_QUADRANGULATE_ANNULAR_PATCHES_H
 #define CGAL_TUBULAR_MESHING_QUADS_QUADRANGULATE_ANNULAR_PATCHES_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Patches/Surface_patch.h>
 #include <CGAL/Tubular_meshing/Quads/elliptic_grid.h>
 #include <CGAL/Tubular_meshing/Quads/internal/annular/Curve_chains.h>
@@ -26,19 +27,18 @@ namespace Tubular_meshing {
 /*! \ingroup PkgTubularMeshingRef
  *
  * Grids of quads on the annular patches of a cut surface, and the points of all its curves. */
-template <class Point_3> struct Annular_quads {
+struct Annular_quads {
   /// Of each curve, its points in its direction: an even number.
   std::vector<std::vector<Point_3>> curve_points;
   /// Of each patch; without rows if it is not annular. The points at its ends are those of the curves, bit for bit.
-  std::vector<Elliptic_grid<Point_3>> grids;
+  std::vector<Elliptic_grid> grids;
 };
 
 namespace internal {
 
 // The ends of a grid become the points of the curves, bit for bit.
-template <class Point_3>
-void share_points(const std::vector<std::vector<Point_3>>& curve_points, const Surface_patch<Point_3>& patch,
-                  Elliptic_grid<Point_3>& grid) {
+inline void share_points(const std::vector<std::vector<Point_3>>& curve_points, const Surface_patch& patch,
+                         Elliptic_grid& grid) {
   for (std::size_t l = 0; l < 2; ++l) {
     std::vector<Point_3> points = curve_points[patch.loops[l].curve];
     if (!patch.loops[l].forward)
@@ -76,18 +76,17 @@ void share_points(const std::vector<std::vector<Point_3>>& curve_points, const S
  * \throws Input_error if there is not one parameterization a patch
  * \throws Meshing_error if a patch has no grid without folded cells
  */
-template <class Point_3, class SizingField, class NamedParameters = CGAL::parameters::Default_named_parameters>
-Annular_quads<Point_3>
-quadrangulate_annular_patches(const CGAL::Surface_mesh<Point_3>& surface, const Surface_cut<Point_3>& cut,
-                              const std::vector<Patch_parameterization<Point_3>>& maps, const SizingField& size,
-                              const NamedParameters& np = CGAL::parameters::default_values()) {
+template <class SizingField, class NamedParameters = CGAL::parameters::Default_named_parameters>
+Annular_quads quadrangulate_annular_patches(const CGAL::Surface_mesh<Point_3>& surface, const Surface_cut& cut,
+                                            const std::vector<Patch_parameterization>& maps, const SizingField& size,
+                                            const NamedParameters& np = CGAL::parameters::default_values()) {
   if (maps.size() != cut.patches.size())
     throw Input_error("There are " + std::to_string(maps.size()) + " parameterizations of " +
                       std::to_string(cut.patches.size()) + " patches; pass what parameterize_patches() returns.");
-  internal::Curve_chains<Point_3, SizingField> chains(surface, cut, maps, size);
+  internal::Curve_chains<SizingField> chains(surface, cut, maps, size);
   const auto positions = chains.divide();
 
-  Annular_quads<Point_3> result;
+  Annular_quads result;
   for (const auto& curve : positions) {
     result.curve_points.emplace_back();
     for (const auto& p : curve)

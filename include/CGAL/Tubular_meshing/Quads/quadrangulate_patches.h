@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_QUADS_QUADRANGULATE_PATCHES_H
 #define CGAL_TUBULAR_MESHING_QUADS_QUADRANGULATE_PATCHES_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Centerlines/Centerline_field.h>
 #include <CGAL/Tubular_meshing/Centerlines/Centerline_graph.h>
 #include <CGAL/Tubular_meshing/Centerlines/Wall_distance.h>
@@ -66,18 +67,17 @@ namespace Tubular_meshing {
  * \throws Meshing_error if a patch cannot be meshed by quads, or they meet each other even where they are eight times
  *   finer, or this program was built without LEMON, see has_lemon()
  */
-template <class Point_3, class SizingField, class NamedParameters = CGAL::parameters::Default_named_parameters>
-Remeshed_surface<Point_3>
-quadrangulate_patches(const CGAL::Surface_mesh<Point_3>& surface, const Surface_cut<Point_3>& cut,
-                      const std::vector<Patch_parameterization<Point_3>>& maps, const SizingField& size,
-                      const NamedParameters& np = CGAL::parameters::default_values()) {
+template <class SizingField, class NamedParameters = CGAL::parameters::Default_named_parameters>
+Remeshed_surface quadrangulate_patches(const CGAL::Surface_mesh<Point_3>& surface, const Surface_cut& cut,
+                                       const std::vector<Patch_parameterization>& maps, const SizingField& size,
+                                       const NamedParameters& np = CGAL::parameters::default_values()) {
   if (maps.size() != cut.patches.size())
     throw Input_error("There are " + std::to_string(maps.size()) + " parameterizations of " +
                       std::to_string(cut.patches.size()) + " patches; pass what parameterize_patches() returns.");
-  typedef internal::Quad_piece_mesher<Point_3, SizingField> Mesher;
+  typedef internal::Quad_piece_mesher<SizingField> Mesher;
   Mesher mesher(surface, cut, maps, size, internal::choose(np, internal_np::quad_caps, false),
                 internal::choose(np, internal_np::number_of_threads, 0));
-  Remeshed_surface<Point_3> result = internal::Surface_remesher<Point_3, Mesher>(surface, cut, maps, mesher).run();
+  Remeshed_surface result = internal::Surface_remesher<Mesher>(surface, cut, maps, mesher).run();
   result.quads = internal::make_quad_report(result, mesher.kinds());
   return result;
 }
@@ -95,13 +95,12 @@ quadrangulate_patches(const CGAL::Surface_mesh<Point_3>& surface, const Surface_
  *
  * \throws Input_error, Meshing_error, Parameter_error as these do
  */
-template <class Point_3, class FacePatchMap, class NamedParameters = CGAL::parameters::Default_named_parameters>
-Remeshed_surface<Point_3> quadrangulate_patches(CGAL::Surface_mesh<Point_3>& surface, FacePatchMap patch,
-                                                const Centerline_graph<Point_3>& graph,
-                                                const NamedParameters& np = CGAL::parameters::default_values()) {
-  const Centerline_sizing_field<Point_3> size(Centerline_field<Point_3>(graph),
-                                              Wall_distance<Point_3>(surface, patch, labels::wall), np);
-  const Surface_cut<Point_3> cut = cut_by_centerlines(surface, graph, patch, np);
+template <class NamedParameters = CGAL::parameters::Default_named_parameters>
+Remeshed_surface quadrangulate_patches(CGAL::Surface_mesh<Point_3>& surface, Face_patch_map patch,
+                                       const Centerline_graph& graph,
+                                       const NamedParameters& np = CGAL::parameters::default_values()) {
+  const Centerline_sizing_field size(Centerline_field(graph), Wall_distance(surface, patch, labels::wall), np);
+  const Surface_cut cut = cut_by_centerlines(surface, graph, patch, np);
   return quadrangulate_patches(surface, cut, parameterize_patches(surface, cut, np), size, np);
 }
 

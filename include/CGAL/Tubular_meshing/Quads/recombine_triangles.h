@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_QUADS_RECOMBINE_TRIANGLES_H
 #define CGAL_TUBULAR_MESHING_QUADS_RECOMBINE_TRIANGLES_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Quads/internal/recombination/Triangle_recombiner.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
@@ -36,7 +37,7 @@ struct Recombination_report {
 /*! \ingroup PkgTubularMeshingRef
  *
  * Quads and triangles, all counterclockwise, and of which patch they are. The first points are the given ones. */
-template <class Point_3> struct Recombined_triangles {
+struct Recombined_triangles {
   std::vector<Point_3> points;
   std::vector<std::array<std::size_t, 4>> quads;
   std::vector<std::array<std::size_t, 3>> triangles;
@@ -46,9 +47,8 @@ template <class Point_3> struct Recombined_triangles {
 
 namespace internal {
 
-template <class Point_3>
-void check_triangles(const std::vector<Point_3>& points, const std::vector<std::array<std::size_t, 3>>& triangles,
-                     const std::vector<int>& patches) {
+inline void check_triangles(const std::vector<Point_3>& points,
+                            const std::vector<std::array<std::size_t, 3>>& triangles, const std::vector<int>& patches) {
   const std::size_t most = std::size_t((std::numeric_limits<int>::max)()) / 3;
   if (triangles.size() > most || points.size() > most)
     throw Input_error("A mesh of " + std::to_string(triangles.size()) + " triangles and " +
@@ -85,7 +85,7 @@ template <class Point_3> std::vector<Vector_3d> vectors_of(const std::vector<Poi
 }
 
 // The triangles of a surface, their halfedges by the numbers of Triangle_adjacency.h, and their patches.
-template <class Point_3> struct Surface_triangles {
+struct Surface_triangles {
   typedef CGAL::Surface_mesh<Point_3> Surface;
   typedef typename Surface::Halfedge_index Halfedge;
 
@@ -159,17 +159,16 @@ inline Recombination_report report_of(const Triangle_recombiner& recombiner) {
  *   finite, or if an edge has more than two triangles, or two that are turned differently
  * \throws Meshing_error if this program was built without LEMON, see has_lemon()
  */
-template <class Point_3>
-Recombined_triangles<Point_3> recombine_triangles(const std::vector<Point_3>& points,
-                                                  const std::vector<std::array<std::size_t, 3>>& triangles,
-                                                  const std::vector<int>& patches = {}) {
+inline Recombined_triangles recombine_triangles(const std::vector<Point_3>& points,
+                                                const std::vector<std::array<std::size_t, 3>>& triangles,
+                                                const std::vector<int>& patches = {}) {
   internal::check_triangles(points, triangles, patches);
   const std::vector<internal::Patch_triangle> indexed = internal::patch_triangles(triangles);
   const std::vector<internal::Vector_3d> vectors = internal::vectors_of(points);
   internal::Triangle_recombiner recombiner(indexed, vectors, patches);
   recombiner.run();
 
-  Recombined_triangles<Point_3> result;
+  Recombined_triangles result;
   result.points = points;
   result.report = internal::report_of(recombiner);
   const auto corner = internal::corners_after_splits(indexed, recombiner.splits(), points.size());
@@ -210,11 +209,10 @@ Recombined_triangles<Point_3> recombine_triangles(const std::vector<Point_3>& po
  *     different patches are not joined} \cgalParamDefault{one patch} \cgalParamNEnd
  * \cgalNamedParamsEnd
  */
-template <class Point_3, class NamedParameters = CGAL::parameters::Default_named_parameters>
+template <class NamedParameters = CGAL::parameters::Default_named_parameters>
 Recombination_report recombine_triangles(CGAL::Surface_mesh<Point_3>& surface,
                                          const NamedParameters& np = CGAL::parameters::default_values()) {
-  const internal::Surface_triangles<Point_3> own(surface,
-                                                 CGAL::parameters::get_parameter(np, internal_np::face_patch_map));
+  const internal::Surface_triangles own(surface, CGAL::parameters::get_parameter(np, internal_np::face_patch_map));
   internal::check_triangles(own.points, own.triangles, own.patches);
   const std::vector<internal::Patch_triangle> indexed = internal::patch_triangles(own.triangles);
   const std::vector<internal::Vector_3d> vectors = internal::vectors_of(own.points);

@@ -51,9 +51,9 @@ struct Boundary_layer_report {
 
 namespace internal {
 
-template <class Point> class Boundary_layer_reporter {
+class Boundary_layer_reporter {
 public:
-  Boundary_layer_reporter(const Mixed_mesh<Point>& mesh, const Centerline_graph<Point>& graph)
+  Boundary_layer_reporter(const Mixed_mesh& mesh, const Centerline_graph& graph)
       : mesh_(mesh)
       , graph_(graph)
       , field_(graph) {
@@ -150,7 +150,7 @@ private:
     return {CGAL::to_double(v.x()), CGAL::to_double(v.y()), CGAL::to_double(v.z())};
   }
 
-  bool is_near_bifurcation(const typename Centerline_field<Point>::Descriptors& d) const {
+  bool is_near_bifurcation(const typename Centerline_field::Descriptors& d) const {
     const auto& branch = graph_.branches()[d.branch];
     const auto near = [&](std::size_t node, double distance) {
       const auto& n = graph_.nodes()[node];
@@ -159,9 +159,9 @@ private:
     return near(branch.source, d.abscissa) || near(branch.target, branch.length - d.abscissa);
   }
 
-  const Mixed_mesh<Point>& mesh_;
-  const Centerline_graph<Point>& graph_;
-  const Centerline_field<Point> field_;
+  const Mixed_mesh& mesh_;
+  const Centerline_graph& graph_;
+  const Centerline_field field_;
   const double* metric_ = nullptr;
 };
 
@@ -179,10 +179,8 @@ private:
  *
  * \throws Input_error if the mesh has no `metric`, or there are no centerlines
  */
-template <class Point_3>
-Boundary_layer_report boundary_layer_report(const Mixed_mesh<Point_3>& mesh,
-                                            const Centerline_graph<Point_3>& centerlines) {
-  return internal::Boundary_layer_reporter<Point_3>(mesh, centerlines).report();
+inline Boundary_layer_report boundary_layer_report(const Mixed_mesh& mesh, const Centerline_graph& centerlines) {
+  return internal::Boundary_layer_reporter(mesh, centerlines).report();
 }
 
 } // namespace Tubular_meshing

@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_QUALITY_BRANCH_RESOLUTION_H
 #define CGAL_TUBULAR_MESHING_QUALITY_BRANCH_RESOLUTION_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Centerlines/Centerline_field.h>
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
@@ -31,10 +32,8 @@ namespace Tubular_meshing {
  *
  * O(n log n).
  */
-template <class Point_3>
-std::vector<double> points_per_circumference(const Mixed_mesh<Point_3>& mesh,
-                                             const Centerline_field<Point_3>& centerlines,
-                                             std::size_t number_of_branches) {
+inline std::vector<double> points_per_circumference(const Mixed_mesh& mesh, const Centerline_field& centerlines,
+                                                    std::size_t number_of_branches) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
     if (mesh.triangles.label[i] == labels::wall)

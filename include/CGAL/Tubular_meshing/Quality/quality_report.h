@@ -90,9 +90,9 @@ struct Quality_report {
 
 namespace internal {
 
-template <class Point> class Quality_reporter {
+class Quality_reporter {
 public:
-  explicit Quality_reporter(const Mixed_mesh<Point>& mesh)
+  explicit Quality_reporter(const Mixed_mesh& mesh)
       : mesh_(mesh) {}
 
   Quality_report report() const {
@@ -159,7 +159,7 @@ private:
     r.efficiency = edges.empty() ? 0 : std::exp(sum / double(edges.size()));
   }
 
-  const Mixed_mesh<Point>& mesh_;
+  const Mixed_mesh& mesh_;
 };
 
 } // namespace internal
@@ -169,8 +169,8 @@ private:
  * measures all elements of a mesh, (12)-(15), and (16)-(17) if it carries a point array `metric` of six components.
  * O(n log n).
  */
-template <class Point> Quality_report quality_report(const Mixed_mesh<Point>& mesh) {
-  return internal::Quality_reporter<Point>(mesh).report();
+inline Quality_report quality_report(const Mixed_mesh& mesh) {
+  return internal::Quality_reporter(mesh).report();
 }
 
 namespace internal {
@@ -189,8 +189,8 @@ template <std::size_t N> Element_block<N> elements_of(const Element_block<N>& el
  *
  * the same for the cells of one region; facets are left out.
  */
-template <class Point> Quality_report quality_report(const Mixed_mesh<Point>& mesh, int region) {
-  Mixed_mesh<Point> part;
+inline Quality_report quality_report(const Mixed_mesh& mesh, int region) {
+  Mixed_mesh part;
   part.points = mesh.points;
   part.point_arrays = mesh.point_arrays;
   part.tetrahedra = internal::elements_of(mesh.tetrahedra, region);

@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_QUALITY_VALIDITY_REPORT_H
 #define CGAL_TUBULAR_MESHING_QUALITY_VALIDITY_REPORT_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/base/cell_topology.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
@@ -82,9 +83,9 @@ namespace internal {
 
 class Validity_checker {
 public:
-  template <class Point> explicit Validity_checker(const Mixed_mesh<Point>& mesh) {
+  explicit Validity_checker(const Mixed_mesh& mesh) {
     points_.reserve(mesh.points.size());
-    for (const Point& p : mesh.points)
+    for (const Point_3& p : mesh.points)
       points_.emplace_back(p);
     faces_.reserve(4 * mesh.tetrahedra.size() + 5 * (mesh.pyramids.size() + mesh.prisms.size()) +
                    6 * mesh.hexahedra.size() + mesh.triangles.size() + mesh.quads.size());
@@ -247,7 +248,7 @@ private:
  * checks a volume mesh of any kinds of cells: orientation, conformity, boundary, labels, connectedness, of the whole
  * and of each region. O(n log n).
  */
-template <class Point> Validity_report validity_report(const Mixed_mesh<Point>& mesh) {
+inline Validity_report validity_report(const Mixed_mesh& mesh) {
   return internal::Validity_checker(mesh).report();
 }
 

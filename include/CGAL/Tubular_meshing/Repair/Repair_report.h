@@ -4,6 +4,8 @@
 #ifndef CGAL_TUBULAR_MESHING_REPAIR_REPAIR_REPORT_H
 #define CGAL_TUBULAR_MESHING_REPAIR_REPAIR_REPORT_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <sstream>
@@ -63,7 +65,7 @@ inline bool is_note(Surface_defect defect) {
 }
 
 /*! One kind of repair that was done. For JSON: `name_of(defect)`, `count`, `size`, and `place` if `has_place`. */
-template <class Point_3> struct Repair {
+struct Repair {
   Surface_defect defect;
   std::size_t count = 0; ///< of the points, triangles, edges, gaps, holes, islands or handles concerned
   double size = 0;       ///< the largest extent concerned, in the unit of the surface; 0 if it has none
@@ -75,8 +77,8 @@ template <class Point_3> struct Repair {
 /*! \ingroup PkgTubularMeshingRef
  *
  * What repair_surface() has done, in the order in which it was done. */
-template <class Point_3> struct Repair_report {
-  std::vector<Repair<Point_3>> repairs;
+struct Repair_report {
+  std::vector<Repair> repairs;
 
   /// Whether nothing was amiss: then the surface is as it was read.
   bool empty() const { return repairs.empty(); }
@@ -98,7 +100,7 @@ template <class Point_3> struct Repair_report {
   }
 
   void add(Surface_defect defect, std::size_t count, double size, const std::string& sentence) {
-    Repair<Point_3> r;
+    Repair r;
     r.defect = defect;
     r.count = count;
     r.size = size;

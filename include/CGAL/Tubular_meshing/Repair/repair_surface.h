@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_REPAIR_REPAIR_SURFACE_H
 #define CGAL_TUBULAR_MESHING_REPAIR_REPAIR_SURFACE_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Repair/Repair_report.h>
 #include <CGAL/Tubular_meshing/Repair/internal/Surface_repairer.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
@@ -76,8 +77,8 @@ enum class Repair_mode {
  * Complexity: O(n log n) in the number of triangles. About 2 s for 400,000 clean ones, most of it the test for
  * self-intersections.
  */
-template <class Point_3, class NamedParameters = CGAL::parameters::Default_named_parameters>
-Repair_report<Point_3>
+template <class NamedParameters = CGAL::parameters::Default_named_parameters>
+Repair_report
 repair_surface(const std::vector<Point_3>& points, const std::vector<std::array<std::size_t, 3>>& triangles,
                CGAL::Surface_mesh<Point_3>& mesh, const NamedParameters& np = CGAL::parameters::default_values()) {
   const Repair_mode mode = internal::choose(np, internal_np::repair_mode, Repair_mode::automatic);
@@ -96,8 +97,8 @@ repair_surface(const std::vector<Point_3>& points, const std::vector<std::array<
                           std::to_string(points.size()) + ".");
   soup.triangles = triangles;
 
-  Repair_report<Point_3> report;
-  internal::Surface_repairer<Point_3> repairer(mesh, report);
+  Repair_report report;
+  internal::Surface_repairer repairer(mesh, report);
   if (mode == Repair_mode::off)
     repairer.assemble(soup);
   else
@@ -113,9 +114,9 @@ repair_surface(const std::vector<Point_3>& points, const std::vector<std::array<
  *
  * \throws Input_error as above, and if a face is not a triangle; the mesh may then be changed
  */
-template <class Point_3, class NamedParameters = CGAL::parameters::Default_named_parameters>
-Repair_report<Point_3> repair_surface(CGAL::Surface_mesh<Point_3>& mesh,
-                                      const NamedParameters& np = CGAL::parameters::default_values()) {
+template <class NamedParameters = CGAL::parameters::Default_named_parameters>
+Repair_report repair_surface(CGAL::Surface_mesh<Point_3>& mesh,
+                             const NamedParameters& np = CGAL::parameters::default_values()) {
   internal::check_tubular_surface(mesh);
   std::vector<Point_3> points(mesh.num_vertices());
   for (auto v : mesh.vertices())
@@ -128,7 +129,7 @@ Repair_report<Point_3> repair_surface(CGAL::Surface_mesh<Point_3>& mesh,
         {std::size_t(mesh.source(h)), std::size_t(mesh.target(h)), std::size_t(mesh.target(mesh.next(h)))});
   }
   CGAL::Surface_mesh<Point_3> repaired;
-  Repair_report<Point_3> report = repair_surface(points, triangles, repaired, np);
+  Repair_report report = repair_surface(points, triangles, repaired, np);
   if (!report.empty())
     mesh = std::move(repaired);
   return report;

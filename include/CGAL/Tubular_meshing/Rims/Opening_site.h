@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_RIMS_OPENING_SITE_H
 #define CGAL_TUBULAR_MESHING_RIMS_OPENING_SITE_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Rims/Rim_shape.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 
@@ -22,52 +23,48 @@ namespace Tubular_meshing {
 namespace internal {
 
 /* Where an opening is in a mesh: its rim, and the faces of its cap if it has one. */
-template <class Point> struct Opening_site {
-  typedef CGAL::Surface_mesh<Point> Mesh;
+struct Opening_site {
+  typedef CGAL::Surface_mesh<Point_3> Mesh;
   typedef typename Mesh::Halfedge_index Halfedge;
   typedef typename Mesh::Face_index Face;
 
   std::vector<Halfedge> rim; ///< in order, on the side of the cap: border halfedges, or halfedges of the cap's faces
   std::vector<Face> cap;     ///< empty for a border loop
-  Rim_shape<Point> shape;
+  Rim_shape shape;
 
   bool is_open() const { return cap.empty(); }
 };
 
-template <class Point> std::string coordinates(const Point& p) {
+inline std::string coordinates(const Point_3& p) {
   std::ostringstream out;
   out << "(" << p.x() << ", " << p.y() << ", " << p.z() << ")";
   return out.str();
 }
 
-template <class Point>
-std::string vertex_name(typename CGAL::Surface_mesh<Point>::Vertex_index v, const CGAL::Surface_mesh<Point>& mesh) {
+inline std::string vertex_name(Surface::Vertex_index v, const CGAL::Surface_mesh<Point_3>& mesh) {
   return "vertex " + std::to_string(std::size_t(v)) + " " + coordinates(mesh.point(v));
 }
 
-template <class Point>
-std::vector<Point> rim_points(const std::vector<typename CGAL::Surface_mesh<Point>::Halfedge_index>& rim,
-                              const CGAL::Surface_mesh<Point>& mesh) {
-  std::vector<Point> points;
+inline std::vector<Point_3> rim_points(const std::vector<Surface::Halfedge_index>& rim,
+                                       const CGAL::Surface_mesh<Point_3>& mesh) {
+  std::vector<Point_3> points;
   points.reserve(rim.size());
   for (auto h : rim)
     points.push_back(mesh.point(mesh.target(h)));
   return points;
 }
 
-template <class Point>
-Vector_of<Point> area_vector(typename CGAL::Surface_mesh<Point>::Halfedge_index h,
-                             const CGAL::Surface_mesh<Point>& mesh) {
-  const Point &a = mesh.point(mesh.source(h)), &b = mesh.point(mesh.target(h)),
-              &c = mesh.point(mesh.target(mesh.next(h)));
+inline Vector_3 area_vector(Surface::Halfedge_index h, const CGAL::Surface_mesh<Point_3>& mesh) {
+  const Point_3 &a = mesh.point(mesh.source(h)), &b = mesh.point(mesh.target(h)),
+                &c = mesh.point(mesh.target(mesh.next(h)));
   return CGAL::cross_product(b - a, c - a) / 2;
 }
 
-template <class Point> void check_tubular_surface(const CGAL::Surface_mesh<Point>& mesh) {
+inline void check_tubular_surface(const CGAL::Surface_mesh<Point_3>& mesh) {
   if (mesh.number_of_faces() == 0)
     throw Input_error("The surface has no triangles: give a triangulated tubular surface.");
   for (auto v : mesh.vertices()) {
-    const Point& p = mesh.point(v);
+    const Point_3& p = mesh.point(v);
     if (!std::isfinite(p.x()) || !std::isfinite(p.y()) || !std::isfinite(p.z()))
       throw Input_error("The surface has coordinates that are no finite numbers at " + vertex_name(v, mesh) +
                         ": remove or correct that vertex.");
@@ -81,16 +78,16 @@ template <class Point> void check_tubular_surface(const CGAL::Surface_mesh<Point
 }
 
 /* The border loops, in the order of their first halfedges. */
-template <class Point> std::vector<Opening_site<Point>> border_loops(const CGAL::Surface_mesh<Point>& mesh) {
-  typedef typename CGAL::Surface_mesh<Point>::Vertex_index Vertex;
-  typedef typename CGAL::Surface_mesh<Point>::Halfedge_index Halfedge;
-  std::vector<Opening_site<Point>> loops;
+inline std::vector<Opening_site> border_loops(const CGAL::Surface_mesh<Point_3>& mesh) {
+  typedef Surface::Vertex_index Vertex;
+  typedef Surface::Halfedge_index Halfedge;
+  std::vector<Opening_site> loops;
   std::unordered_set<Halfedge> visited;
   std::unordered_set<Vertex> on_border;
   for (Halfedge first : mesh.halfedges()) {
     if (!mesh.is_border(first) || visited.count(first))
       continue;
-    Opening_site<Point> loop;
+    Opening_site loop;
     for (Halfedge h = first; visited.insert(h).second; h = mesh.next(h)) {
       if (!on_border.insert(mesh.target(h)).second)
         throw Input_error("The border of the surface touches itself at " + vertex_name(mesh.target(h), mesh) +
@@ -108,12 +105,12 @@ template <class Point> std::vector<Opening_site<Point>> border_loops(const CGAL:
 
 /* One or two triangles missing in the middle of a smooth wall: a loop of three or four edges whose own normal is that
  * of the faces around. The end of a coarse tube may have as few edges, but its wall stands upright on the loop. */
-template <class Point> bool is_pinhole(const Opening_site<Point>& loop, const CGAL::Surface_mesh<Point>& mesh) {
+inline bool is_pinhole(const Opening_site& loop, const CGAL::Surface_mesh<Point_3>& mesh) {
   if (!loop.is_open() || loop.rim.size() > 4)
     return false;
   double alignment = 0;
   for (auto h : loop.rim) {
-    const Vector_of<Point> n = area_vector(mesh.opposite(h), mesh);
+    const Vector_3 n = area_vector(mesh.opposite(h), mesh);
     const double length = std::sqrt(n.squared_length());
     if (length > 0)
       alignment += std::abs(n * loop.shape.plane.normal()) / length;
@@ -122,18 +119,17 @@ template <class Point> bool is_pinhole(const Opening_site<Point>& loop, const CG
 }
 
 /* Whether the faces' normals point into the volume that the surface bounds when its border loops are closed. */
-template <class Point>
-bool is_inside_out(const CGAL::Surface_mesh<Point>& mesh, const std::vector<Opening_site<Point>>& loops) {
-  const Point o = mesh.point(*mesh.vertices().begin());
+inline bool is_inside_out(const CGAL::Surface_mesh<Point_3>& mesh, const std::vector<Opening_site>& loops) {
+  const Point_3 o = mesh.point(*mesh.vertices().begin());
   double volume = 0;
-  auto add = [&](const Point& a, const Point& b, const Point& c) {
+  auto add = [&](const Point_3& a, const Point_3& b, const Point_3& c) {
     volume += (a - o) * CGAL::cross_product(b - o, c - o);
   };
   for (auto f : mesh.faces()) {
     const auto h = mesh.halfedge(f);
     add(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), mesh.point(mesh.target(mesh.next(h))));
   }
-  for (const Opening_site<Point>& loop : loops)
+  for (const Opening_site& loop : loops)
     for (auto h : loop.rim)
       add(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), loop.shape.plane.origin());
   return volume < 0;

@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_RIMS_RIM_FLATTENER_H
 #define CGAL_TUBULAR_MESHING_RIMS_RIM_FLATTENER_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Rims/Opening_site.h>
 
 #include <algorithm>
@@ -28,15 +29,15 @@ namespace internal {
  * slope of at most 1.5/4 along the tube, the map of an upright wall has no folds. That none came about is checked all
  * the same, face by face.
  */
-template <class Point> class Rim_flattener {
-  typedef CGAL::Surface_mesh<Point> Mesh;
+class Rim_flattener {
+  typedef CGAL::Surface_mesh<Point_3> Mesh;
   typedef typename Mesh::Vertex_index Vertex;
   typedef typename Mesh::Halfedge_index Halfedge;
   typedef typename Mesh::Face_index Face;
-  typedef Vector_of<Point> Vector;
+  typedef Vector_3 Vector;
 
 public:
-  Rim_flattener(Mesh& mesh, const Rim_plane<Point>& plane, const Opening_site<Point>& site)
+  Rim_flattener(Mesh& mesh, const Rim_plane& plane, const Opening_site& site)
       : mesh_(mesh)
       , plane_(plane)
       , cap_(site.cap.begin(), site.cap.end()) {
@@ -75,7 +76,7 @@ public:
   }
 
 private:
-  void move(Vertex v, const Point& to) {
+  void move(Vertex v, const Point_3& to) {
     if (moved_.insert(v).second)
       moves_.emplace_back(v, to);
   }
@@ -159,10 +160,10 @@ private:
   }
 
   Mesh& mesh_;
-  const Rim_plane<Point>& plane_;
+  const Rim_plane& plane_;
   std::vector<Vertex> rim_;
   const std::unordered_set<Face> cap_;
-  std::vector<std::pair<Vertex, Point>> moves_; // the positions that are not taken at the moment
+  std::vector<std::pair<Vertex, Point_3>> moves_; // the positions that are not taken at the moment
   std::unordered_set<Vertex> moved_;
   std::vector<Face> faces_; // around moved vertices
 };

@@ -4,6 +4,8 @@
 #ifndef CGAL_TUBULAR_MESHING_RIMS_RIM_SHAPE_H
 #define CGAL_TUBULAR_MESHING_RIMS_RIM_SHAPE_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
+
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/number_utils.h>
@@ -21,14 +23,14 @@ namespace Tubular_meshing {
 namespace internal {
 
 /* A plane with coordinates: a point's height over it and its position in it. */
-template <class Point> class Rim_plane {
+class Rim_plane {
 public:
-  typedef typename Kernel_traits<Point>::Kernel::Vector_3 Vector;
+  typedef typename Kernel_traits<Point_3>::Kernel::Vector_3 Vector;
   typedef std::array<double, 2> Point_2;
 
   Rim_plane() {}
   /* `normal` is a unit vector, `along` any vector that is not parallel to it. */
-  Rim_plane(const Point& origin, const Vector& normal, const Vector& along)
+  Rim_plane(const Point_3& origin, const Vector& normal, const Vector& along)
       : origin_(origin)
       , normal_(normal)
       , x_axis_(along - (along * normal) * normal) {
@@ -36,41 +38,41 @@ public:
     y_axis_ = CGAL::cross_product(normal_, x_axis_);
   }
 
-  const Point& origin() const { return origin_; }
+  const Point_3& origin() const { return origin_; }
   const Vector& normal() const { return normal_; }
 
-  double height(const Point& p) const { return (p - origin_) * normal_; }
-  Point_2 in_plane(const Point& p) const { return {(p - origin_) * x_axis_, (p - origin_) * y_axis_}; }
-  Point in_space(const Point_2& p) const { return origin_ + p[0] * x_axis_ + p[1] * y_axis_; }
+  double height(const Point_3& p) const { return (p - origin_) * normal_; }
+  Point_2 in_plane(const Point_3& p) const { return {(p - origin_) * x_axis_, (p - origin_) * y_axis_}; }
+  Point_3 in_space(const Point_2& p) const { return origin_ + p[0] * x_axis_ + p[1] * y_axis_; }
   // Twice, as the first rounding error is relative to the height, the second to what is left of it.
-  Point projection(Point p) const {
+  Point_3 projection(Point_3 p) const {
     p = p - height(p) * normal_;
     return p - height(p) * normal_;
   }
 
 private:
-  Point origin_;
+  Point_3 origin_;
   Vector normal_, x_axis_, y_axis_;
 };
 
 /* The mean plane of a closed polygon in space, and the shape of the polygon's projection onto it. */
-template <class Point> struct Rim_shape {
-  Rim_plane<Point> plane; ///< with the normal about which the polygon turns left
-  Point center;           ///< centroid of the area
+struct Rim_shape {
+  Rim_plane plane; ///< with the normal about which the polygon turns left
+  Point_3 center;  ///< centroid of the area
   double area = 0, perimeter = 0;
   double radius = 0; ///< of the disk of the same area; 0 if the polygon is degenerate
   double sag = 0;    ///< largest distance of a vertex from the plane
   double reach = 0;  ///< largest distance of a vertex from the centre
 };
 
-template <class Point> using Vector_of = typename Kernel_traits<Point>::Kernel::Vector_3;
+using Vector_of = typename Kernel_traits<Point_3>::Kernel::Vector_3;
 
-template <class Point> double point_distance(const Point& p, const Point& q) {
+inline double point_distance(const Point_3& p, const Point_3& q) {
   return std::sqrt(CGAL::to_double((q - p).squared_length()));
 }
 
 // Each vertex weighs as much as the halves of its two edges, so that crowded vertices do not tilt the plane.
-template <class Point> std::vector<double> rim_weights(const std::vector<Point>& rim, double& perimeter) {
+inline std::vector<double> rim_weights(const std::vector<Point_3>& rim, double& perimeter) {
   const std::size_t n = rim.size();
   std::vector<double> weights(n, 0.);
   perimeter = 0;
@@ -85,21 +87,20 @@ template <class Point> std::vector<double> rim_weights(const std::vector<Point>&
 }
 
 // The unit vector along which the weighted vertices spread least, up to its sign.
-template <class Point>
-Vector_of<Point> least_spread(const std::vector<Point>& rim, const std::vector<double>& weights, const Point& mean,
-                              double scale) {
+inline Vector_3 least_spread(const std::vector<Point_3>& rim, const std::vector<double>& weights, const Point_3& mean,
+                             double scale) {
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
   for (std::size_t i = 0; i < rim.size(); ++i) {
-    const Vector_of<Point> v = (rim[i] - mean) / scale;
+    const Vector_3 v = (rim[i] - mean) / scale;
     const Eigen::Vector3d e(v.x(), v.y(), v.z());
     covariance += (weights[i] / scale) * e * e.transpose();
   }
   const Eigen::Vector3d n = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance).eigenvectors().col(0);
-  return Vector_of<Point>(n.x(), n.y(), n.z());
+  return Vector_3(n.x(), n.y(), n.z());
 }
 
 // Fills in what depends on the plane.
-template <class Point> void measure_in_plane(const std::vector<Point>& rim, Rim_shape<Point>& shape) {
+inline void measure_in_plane(const std::vector<Point_3>& rim, Rim_shape& shape) {
   const std::size_t n = rim.size();
   double twice_area = 0, moment_x = 0, moment_y = 0;
   for (std::size_t i = 0; i < n; ++i) {
@@ -115,29 +116,29 @@ template <class Point> void measure_in_plane(const std::vector<Point>& rim, Rim_
     return;
   shape.radius = std::sqrt(shape.area / CGAL_PI);
   shape.center = shape.plane.in_space({moment_x / (3 * twice_area), moment_y / (3 * twice_area)});
-  for (const Point& p : rim)
+  for (const Point_3& p : rim)
     shape.reach = (std::max)(shape.reach, point_distance(p, shape.center));
 }
 
 /* Length-weighted principal components. Where the polygon is so crumpled that the plane of least spread stands on edge
  * in the area that it bounds, the plane of that area is taken. */
-template <class Point> Rim_shape<Point> measure_rim(const std::vector<Point>& rim) {
-  Rim_shape<Point> shape;
+inline Rim_shape measure_rim(const std::vector<Point_3>& rim) {
+  Rim_shape shape;
   const std::vector<double> weights = rim_weights(rim, shape.perimeter);
   shape.center = rim[0];
   if (!(shape.perimeter > 0))
     return shape;
-  Vector_of<Point> offset(0, 0, 0), area(0, 0, 0);
+  Vector_3 offset(0, 0, 0), area(0, 0, 0);
   for (std::size_t i = 0; i < rim.size(); ++i)
     offset = offset + (weights[i] / shape.perimeter) * (rim[i] - rim[0]);
-  const Point mean = rim[0] + offset;
+  const Point_3 mean = rim[0] + offset;
   for (std::size_t i = 0; i < rim.size(); ++i)
     area = area + CGAL::cross_product(rim[i] - mean, rim[(i + 1) % rim.size()] - mean) / 2;
   const double area_length = std::sqrt(area.squared_length());
   shape.center = mean;
   if (!(area_length > 1e-12 * shape.perimeter * shape.perimeter))
     return shape;
-  Vector_of<Point> normal = least_spread(rim, weights, mean, shape.perimeter);
+  Vector_3 normal = least_spread(rim, weights, mean, shape.perimeter);
   if (std::abs(normal * area) < 0.5 * area_length)
     normal = area / area_length;
   else if (normal * area < 0)
@@ -146,7 +147,7 @@ template <class Point> Rim_shape<Point> measure_rim(const std::vector<Point>& ri
   for (std::size_t i = 1; i < rim.size(); ++i)
     if (CGAL::squared_distance(rim[i], mean) > 1.0001 * CGAL::squared_distance(rim[farthest], mean))
       farthest = i;
-  shape.plane = Rim_plane<Point>(mean, normal, rim[farthest] - mean);
+  shape.plane = Rim_plane(mean, normal, rim[farthest] - mean);
   measure_in_plane(rim, shape);
   return shape;
 }
@@ -154,21 +155,20 @@ template <class Point> Rim_shape<Point> measure_rim(const std::vector<Point>& ri
 // --- corners ---
 
 // Douglas-Peucker on rim[first..last], indices modulo the size: how many vertices between the two are needed.
-template <class Point>
-std::size_t number_of_corners_between(const std::vector<Point>& rim, std::size_t first, std::size_t last,
-                                      double tolerance) {
+inline std::size_t number_of_corners_between(const std::vector<Point_3>& rim, std::size_t first, std::size_t last,
+                                             double tolerance) {
   std::vector<std::pair<std::size_t, std::size_t>> stack = {{first, last}};
   std::size_t corners = 0;
   while (!stack.empty()) {
     const auto [a, b] = stack.back();
     stack.pop_back();
-    const Point &p = rim[a % rim.size()], &q = rim[b % rim.size()];
-    const Vector_of<Point> chord = q - p;
+    const Point_3 &p = rim[a % rim.size()], &q = rim[b % rim.size()];
+    const Vector_3 chord = q - p;
     const double length2 = chord.squared_length();
     double farthest = tolerance;
     std::size_t corner = a;
     for (std::size_t i = a + 1; i < b; ++i) {
-      const Vector_of<Point> v = rim[i % rim.size()] - p;
+      const Vector_3 v = rim[i % rim.size()] - p;
       const double t = length2 > 0 ? (std::min)(1., (std::max)(0., (v * chord) / length2)) : 0;
       const double d = std::sqrt((v - t * chord).squared_length());
       if (d > farthest) {
@@ -187,9 +187,8 @@ std::size_t number_of_corners_between(const std::vector<Point>& rim, std::size_t
 
 /* The number of corners of a closed polygon when deviations up to `tolerance` are ignored: 4 for a noisy rectangle,
  * about 8 for a circle at a tolerance of 0.08 radius. */
-template <class Point>
-std::size_t number_of_corners(const std::vector<Point>& rim, const Point& center, double tolerance) {
-  auto farthest_from = [&](const Point& p) {
+inline std::size_t number_of_corners(const std::vector<Point_3>& rim, const Point_3& center, double tolerance) {
+  auto farthest_from = [&](const Point_3& p) {
     std::size_t best = 0;
     for (std::size_t i = 1; i < rim.size(); ++i)
       if (CGAL::squared_distance(rim[i], p) > CGAL::squared_distance(rim[best], p))

@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_RIMS_FLAT_ENDS_H
 #define CGAL_TUBULAR_MESHING_RIMS_FLAT_ENDS_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Rims/Opening_site.h>
 
 #include <algorithm>
@@ -39,12 +40,12 @@ inline std::vector<Flat_end_criteria> possible_flat_ends() {
 
 constexpr double max_flat_end_sag = 0.05; // of the radius
 
-template <class Point> class Flat_end_finder {
-  typedef CGAL::Surface_mesh<Point> Mesh;
+class Flat_end_finder {
+  typedef CGAL::Surface_mesh<Point_3> Mesh;
   typedef typename Mesh::Vertex_index Vertex;
   typedef typename Mesh::Halfedge_index Halfedge;
   typedef typename Mesh::Face_index Face;
-  typedef Vector_of<Point> Vector;
+  typedef Vector_3 Vector;
 
 public:
   /* `inside_out`: whether the faces' normals point into the lumen. */
@@ -61,15 +62,15 @@ public:
   }
 
   /* The regions that meet the criteria, in the order of their first faces. Linear in the size of the mesh. */
-  std::vector<Opening_site<Point>> find(const Flat_end_criteria& criteria) {
+  std::vector<Opening_site> find(const Flat_end_criteria& criteria) {
     criteria_ = criteria;
     min_cosine_ = std::cos(criteria.sharp_angle * CGAL_PI / 180);
     visited_.assign(normals_.size(), false);
-    std::vector<Opening_site<Point>> ends;
+    std::vector<Opening_site> ends;
     for (Face f : mesh_.faces()) {
       if (visited_[std::size_t(f)])
         continue;
-      Opening_site<Point> region;
+      Opening_site region;
       if (collect(f, region.cap) && (find_rim(region) || (absorb_islands(region) && find_rim(region))) &&
           is_flat_end(region))
         ends.push_back(std::move(region));
@@ -105,8 +106,8 @@ private:
 
   // Adds what the region encloses and is as flat: facets that noise has tilted. What is reached across the region's
   // boundary is an island if all of it is near the plane, and the outside if a vertex of it is not.
-  bool absorb_islands(Opening_site<Point>& region) {
-    const Rim_plane<Point> plane = mean_plane(region.cap);
+  bool absorb_islands(Opening_site& region) {
+    const Rim_plane plane = mean_plane(region.cap);
     const double tolerance = max_flat_end_sag * std::sqrt(area(region.cap) / CGAL_PI);
     std::unordered_set<Face> inside(region.cap.begin(), region.cap.end()), outside;
     outside.insert(Mesh::null_face());
@@ -145,8 +146,8 @@ private:
   }
 
   // Weighted by area: not all of the rim may be known yet.
-  Rim_plane<Point> mean_plane(const std::vector<Face>& faces) const {
-    const Point o = mesh_.point(mesh_.target(mesh_.halfedge(faces[0])));
+  Rim_plane mean_plane(const std::vector<Face>& faces) const {
+    const Point_3 o = mesh_.point(mesh_.target(mesh_.halfedge(faces[0])));
     Vector normal(0, 0, 0), offset(0, 0, 0);
     for (Face f : faces) {
       const Vector a = area_vector(mesh_.halfedge(f), mesh_);
@@ -156,12 +157,11 @@ private:
     }
     normal = normal / std::sqrt(normal.squared_length());
     const Halfedge h = mesh_.halfedge(faces[0]);
-    return Rim_plane<Point>(o + offset / area(faces), normal,
-                            mesh_.point(mesh_.target(h)) - mesh_.point(mesh_.source(h)));
+    return Rim_plane(o + offset / area(faces), normal, mesh_.point(mesh_.target(h)) - mesh_.point(mesh_.source(h)));
   }
 
   // Whether the region is a disk bounded by one simple loop.
-  bool find_rim(Opening_site<Point>& region) const {
+  bool find_rim(Opening_site& region) const {
     region.rim.clear();
     const std::unordered_set<Face> faces(region.cap.begin(), region.cap.end());
     std::unordered_map<Vertex, Halfedge> rim_from;
@@ -188,16 +188,16 @@ private:
     return region.rim.size() == rim_from.size() && vertices.size() + region.cap.size() == edges + 1;
   }
 
-  bool is_flat_end(Opening_site<Point>& region) const {
-    const std::vector<Point> rim = rim_points(region.rim, mesh_);
+  bool is_flat_end(Opening_site& region) const {
+    const std::vector<Point_3> rim = rim_points(region.rim, mesh_);
     region.shape = measure_rim(rim);
-    const Rim_shape<Point>& s = region.shape;
+    const Rim_shape& s = region.shape;
     return s.radius > 0 && 4 * CGAL_PI * s.area >= criteria_.min_roundness * s.perimeter * s.perimeter &&
            is_flat(region) && number_of_corners(rim, s.center, 0.08 * s.radius) >= criteria_.corners &&
            wall_stands_behind(region);
   }
 
-  bool is_flat(const Opening_site<Point>& region) const {
+  bool is_flat(const Opening_site& region) const {
     const double tolerance = max_flat_end_sag * region.shape.radius;
     for (Face f : region.cap)
       for (Vertex v : CGAL::vertices_around_face(mesh_.halfedge(f), mesh_))
@@ -207,13 +207,13 @@ private:
   }
 
   // Whether the surface goes back on the inner side all around, and rather upright than level.
-  bool wall_stands_behind(const Opening_site<Point>& region) const {
-    const Rim_plane<Point>& plane = region.shape.plane;
+  bool wall_stands_behind(const Opening_site& region) const {
+    const Rim_plane& plane = region.shape.plane;
     double convex = 0, cosine = 0, total = 0;
     for (Halfedge h : region.rim) {
       const Halfedge o = mesh_.opposite(h);
-      const Point &a = mesh_.point(mesh_.source(o)), &b = mesh_.point(mesh_.target(o)),
-                  &c = mesh_.point(mesh_.target(mesh_.next(o)));
+      const Point_3 &a = mesh_.point(mesh_.source(o)), &b = mesh_.point(mesh_.target(o)),
+                    &c = mesh_.point(mesh_.target(mesh_.next(o)));
       const double length = point_distance(a, b);
       total += length;
       cosine += length * (normals_[std::size_t(mesh_.face(o))] * plane.normal());

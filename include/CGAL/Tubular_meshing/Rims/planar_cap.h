@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_RIMS_PLANAR_CAP_H
 #define CGAL_TUBULAR_MESHING_RIMS_PLANAR_CAP_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Rims/Opening_site.h>
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
@@ -68,20 +69,16 @@ inline std::vector<Index_triangle> triangulate_polygon(const std::vector<Cap_ker
   return triangles;
 }
 
-template <class Point>
-void remove_faces(const std::vector<typename CGAL::Surface_mesh<Point>::Face_index>& faces,
-                  CGAL::Surface_mesh<Point>& mesh) {
+inline void remove_faces(const std::vector<Surface::Face_index>& faces, CGAL::Surface_mesh<Point_3>& mesh) {
   for (auto f : faces)
     CGAL::Euler::remove_face(mesh.halfedge(f), mesh);
 }
 
 /* Fills a border loop with the triangulation of its projection onto a plane. Returns no faces, and leaves the mesh as
  * it is, if the projection is not a simple polygon, or an edge that it needs is in the wall already. */
-template <class Point>
-std::vector<typename CGAL::Surface_mesh<Point>::Face_index>
-fill_loop(const std::vector<typename CGAL::Surface_mesh<Point>::Halfedge_index>& rim, const Rim_plane<Point>& plane,
-          CGAL::Surface_mesh<Point>& mesh) {
-  typedef CGAL::Surface_mesh<Point> Mesh;
+inline std::vector<Surface::Face_index> fill_loop(const std::vector<Surface::Halfedge_index>& rim,
+                                                  const Rim_plane& plane, CGAL::Surface_mesh<Point_3>& mesh) {
+  typedef CGAL::Surface_mesh<Point_3> Mesh;
   std::vector<Cap_kernel::Point_2> polygon;
   for (auto h : rim) {
     const auto p = plane.in_plane(mesh.point(mesh.target(h)));
@@ -104,10 +101,9 @@ fill_loop(const std::vector<typename CGAL::Surface_mesh<Point>::Halfedge_index>&
 
 /* Removes triangles with two edges on the loop, the ears: once the rim is in a plane such a triangle lies in it too,
  * and on the cap. Returns the new loop; it keeps at least three edges. */
-template <class Point>
-std::vector<typename CGAL::Surface_mesh<Point>::Halfedge_index>
-peel_ears(std::vector<typename CGAL::Surface_mesh<Point>::Halfedge_index> rim, CGAL::Surface_mesh<Point>& mesh) {
-  typedef typename CGAL::Surface_mesh<Point>::Halfedge_index Halfedge;
+inline std::vector<Surface::Halfedge_index> peel_ears(std::vector<Surface::Halfedge_index> rim,
+                                                      CGAL::Surface_mesh<Point_3>& mesh) {
+  typedef Surface::Halfedge_index Halfedge;
   auto face_behind = [&](Halfedge h) { return mesh.face(mesh.opposite(h)); };
   std::size_t size = rim.size(), steps_without_ear = 0;
   Halfedge h = rim[0];

@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_RIMS_RIM_CORNERS_H
 #define CGAL_TUBULAR_MESHING_RIMS_RIM_CORNERS_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
 #include <cstddef>
@@ -22,8 +23,7 @@ inline bool is_rim_corner(const Vector_3d& before, const Vector_3d& at, const Ve
 
 /* The corners of a closed polyline (its first point does not come again), but for those closer than `spacing(index)` to
  * the one before. O(n). */
-template <class Point, class Spacing>
-std::vector<std::size_t> rim_corners(const std::vector<Point>& rim, const Spacing& spacing) {
+template <class Spacing> std::vector<std::size_t> rim_corners(const std::vector<Point_3>& rim, const Spacing& spacing) {
   const std::size_t n = rim.size();
   std::vector<std::size_t> corners;
   const auto position = [&](std::size_t i) { return Vector_3d(rim[i % n]); };
@@ -39,9 +39,9 @@ std::vector<std::size_t> rim_corners(const std::vector<Point>& rim, const Spacin
 
 /* Splits a closed polyline (its first point comes again at the end) at its corners, closer than `spacing(point)` to
  * each other only once. Left in one piece where there are fewer than two. */
-template <class Point, class Spacing>
-std::vector<std::vector<Point>> split_at_corners(std::vector<Point> rim, const Spacing& spacing) {
-  const Point first = rim.front();
+template <class Spacing>
+std::vector<std::vector<Point_3>> split_at_corners(std::vector<Point_3> rim, const Spacing& spacing) {
+  const Point_3 first = rim.front();
   rim.pop_back();
   const std::vector<std::size_t> corners = rim_corners(rim, [&](std::size_t i) { return spacing(rim[i]); });
   if (corners.size() < 2) {
@@ -49,10 +49,10 @@ std::vector<std::vector<Point>> split_at_corners(std::vector<Point> rim, const S
     return {rim};
   }
   const std::size_t n = rim.size();
-  std::vector<std::vector<Point>> pieces;
+  std::vector<std::vector<Point_3>> pieces;
   for (std::size_t k = 0; k < corners.size(); ++k) {
     const std::size_t end = k + 1 < corners.size() ? corners[k + 1] : corners[0] + n;
-    std::vector<Point> piece;
+    std::vector<Point_3> piece;
     for (std::size_t i = corners[k]; i <= end; ++i)
       piece.push_back(rim[i % n]);
     pieces.push_back(piece);

@@ -4,6 +4,8 @@
 #ifndef CGAL_TUBULAR_MESHING_RIMS_TRIM_BY_PLANE_H
 #define CGAL_TUBULAR_MESHING_RIMS_TRIM_BY_PLANE_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
+
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/Euler_operations.h>
@@ -28,16 +30,16 @@ namespace internal {
 // A vertex is `above` (it goes: on the positive side and connected to the seed through vertices of that side), `on`
 // (it is moved onto the plane) or `below` (it stays, whichever side it lies on). An edge between above and below is
 // crossing, and is split. A face is removed when it has an above and no below vertex, split when it has both.
-template <class Point> class Plane_trimmer {
+class Plane_trimmer {
 public:
-  typedef CGAL::Surface_mesh<Point> Mesh;
-  typedef typename Kernel_traits<Point>::Kernel::Vector_3 Vector;
+  typedef CGAL::Surface_mesh<Point_3> Mesh;
+  typedef typename Kernel_traits<Point_3>::Kernel::Vector_3 Vector;
   typedef typename Mesh::Vertex_index Vertex;
   typedef typename Mesh::Halfedge_index Halfedge;
   typedef typename Mesh::Edge_index Edge;
   typedef typename Mesh::Face_index Face;
 
-  Plane_trimmer(Mesh& mesh, const Point& origin, const Vector& normal)
+  Plane_trimmer(Mesh& mesh, const Point_3& origin, const Vector& normal)
       : mesh_(mesh)
       , origin_(origin)
       , normal_(normal / std::sqrt(normal.squared_length())) {}
@@ -67,7 +69,7 @@ public:
       cut_vertices.insert(v);
     }
     for (Halfedge h : split_edges_) {
-      const Point p = crossing_point(h); // before the edge is no more
+      const Point_3 p = crossing_point(h); // before the edge is no more
       const Vertex v = target(CGAL::Euler::split_edge(h, mesh_), mesh_);
       mesh_.point(v) = p;
       cut_vertices.insert(v);
@@ -86,7 +88,7 @@ public:
   }
 
 private:
-  typedef std::unordered_map<Vertex, Point> Positions;
+  typedef std::unordered_map<Vertex, Point_3> Positions;
   typedef std::pair<bool, std::size_t> Node; // of the cut: a split edge, or else a vertex, and its index
   struct Node_hash {
     std::size_t operator()(const Node& n) const { return 2 * n.second + (n.first ? 1 : 0); }
@@ -97,11 +99,11 @@ private:
 
   // --- geometry ---
 
-  double height(const Point& p) const { return (p - origin_) * normal_; }
+  double height(const Point_3& p) const { return (p - origin_) * normal_; }
   double height(Vertex v) const { return height(mesh_.point(v)); }
 
   // Twice, as the first rounding error is relative to the height, the second to what is left of it.
-  Point on_plane(Point p) const {
+  Point_3 on_plane(Point_3 p) const {
     p = p - height(p) * normal_;
     return p - height(p) * normal_;
   }
@@ -124,13 +126,13 @@ private:
   }
 
   // Crossings at the very end of an edge, left over where snapping was refused, keep a little distance from it.
-  Point crossing_point(Halfedge h) const {
+  Point_3 crossing_point(Halfedge h) const {
     const double t = (std::min)((std::max)(crossing_fraction(h), 0.02), 0.98);
-    const Point& p = mesh_.point(mesh_.source(h));
+    const Point_3& p = mesh_.point(mesh_.source(h));
     return on_plane(p + t * (mesh_.point(mesh_.target(h)) - p));
   }
 
-  Point planned_position(Vertex v) const {
+  Point_3 planned_position(Vertex v) const {
     auto found = on_.find(v);
     return found == on_.end() ? mesh_.point(v) : found->second;
   }
@@ -276,7 +278,7 @@ private:
   // --- snapping ---
 
   void snap_to_vertices() {
-    std::unordered_map<Vertex, std::pair<double, Point>> nearest;
+    std::unordered_map<Vertex, std::pair<double, Point_3>> nearest;
     for (Halfedge h : crossing_) {
       if (!is_crossing(h))
         continue;
@@ -285,13 +287,13 @@ private:
       const double fraction = (std::min)(t, 1 - t);
       if (fraction > snap_fraction() || unsnappable_.count(v) || (is_below(v) && mesh_.is_border(v)))
         continue;
-      const Point& p = mesh_.point(mesh_.source(h));
-      const std::pair<double, Point> candidate(fraction, on_plane(p + t * (mesh_.point(mesh_.target(h)) - p)));
+      const Point_3& p = mesh_.point(mesh_.source(h));
+      const std::pair<double, Point_3> candidate(fraction, on_plane(p + t * (mesh_.point(mesh_.target(h)) - p)));
       auto inserted = nearest.emplace(v, candidate);
       if (!inserted.second && candidate.first < inserted.first->second.first)
         inserted.first->second = candidate;
     }
-    std::vector<std::tuple<double, Vertex, Point>> candidates;
+    std::vector<std::tuple<double, Vertex, Point_3>> candidates;
     for (const auto& c : nearest)
       candidates.emplace_back(c.second.first, c.first, c.second.second);
     std::sort(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) {
@@ -301,7 +303,7 @@ private:
       snap(v, p, fraction <= negligible_fraction());
   }
 
-  bool snap(Vertex v, const Point& p, bool always) {
+  bool snap(Vertex v, const Point_3& p, bool always) {
     if (!always)
       for (Halfedge h : CGAL::halfedges_around_target(mesh_.halfedge(v), mesh_))
         if (!mesh_.is_border(h) && !stays_good(h, p))
@@ -312,11 +314,11 @@ private:
 
   // Whether the triangle of h keeps its orientation and most of its shape when the target of h moves to p, and is not
   // laid flat into the plane.
-  bool stays_good(Halfedge h, const Point& p) const {
+  bool stays_good(Halfedge h, const Point_3& p) const {
     const Vertex a = mesh_.source(h), b = mesh_.target(mesh_.next(h));
     if (is_on(a) && is_on(b))
       return false;
-    const Point pa = planned_position(a), pb = planned_position(b), &old = mesh_.point(mesh_.target(h));
+    const Point_3 pa = planned_position(a), pb = planned_position(b), &old = mesh_.point(mesh_.target(h));
     const Vector before = CGAL::cross_product(pb - old, pa - old), after = CGAL::cross_product(pb - p, pa - p);
     const double scale_before = longest_squared(old, pa, pb), scale_after = longest_squared(p, pa, pb);
     const double area_before = std::sqrt(before.squared_length()), area_after = std::sqrt(after.squared_length());
@@ -324,7 +326,7 @@ private:
            area_after * scale_before >= 0.4 * area_before * scale_after;
   }
 
-  static double longest_squared(const Point& a, const Point& b, const Point& c) {
+  static double longest_squared(const Point_3& a, const Point_3& b, const Point_3& c) {
     return (std::max)(CGAL::squared_distance(a, b),
                       (std::max)(CGAL::squared_distance(b, c), CGAL::squared_distance(c, a)));
   }
@@ -449,7 +451,7 @@ private:
   }
 
   Mesh& mesh_;
-  const Point origin_;
+  const Point_3 origin_;
   const Vector normal_;
   double reach_ = 0;
 
@@ -499,25 +501,23 @@ private:
  *
  * Complexity: linear in the number of faces removed and split (expected, as it hashes).
  */
-template <class Point>
-typename CGAL::Surface_mesh<Point>::Halfedge_index
-trim_by_plane(CGAL::Surface_mesh<Point>& mesh, const Point& origin,
-              const typename Kernel_traits<Point>::Kernel::Vector_3& normal,
-              const std::vector<typename CGAL::Surface_mesh<Point>::Vertex_index>& seeds,
-              double reach = (std::numeric_limits<double>::infinity)()) {
-  Plane_trimmer<Point> trimmer(mesh, origin, normal);
+inline Surface::Halfedge_index trim_by_plane(CGAL::Surface_mesh<Point_3>& mesh, const Point_3& origin,
+                                             const typename Kernel_traits<Point_3>::Kernel::Vector_3& normal,
+                                             const std::vector<Surface::Vertex_index>& seeds,
+                                             double reach = (std::numeric_limits<double>::infinity)()) {
+  Plane_trimmer trimmer(mesh, origin, normal);
   if (seeds.empty() || !trimmer.plan(seeds, reach))
-    return CGAL::Surface_mesh<Point>::null_halfedge();
+    return CGAL::Surface_mesh<Point_3>::null_halfedge();
   return trimmer.apply();
 }
 
 /*! As above; the seeds are the vertices of the border that `seed` is on, or its target if it is not a border halfedge.
  */
-template <class Point>
-typename CGAL::Surface_mesh<Point>::Halfedge_index trim_by_plane(
-    CGAL::Surface_mesh<Point>& mesh, const Point& origin, const typename Kernel_traits<Point>::Kernel::Vector_3& normal,
-    typename CGAL::Surface_mesh<Point>::Halfedge_index seed, double reach = (std::numeric_limits<double>::infinity)()) {
-  std::vector<typename CGAL::Surface_mesh<Point>::Vertex_index> seeds;
+inline Surface::Halfedge_index trim_by_plane(CGAL::Surface_mesh<Point_3>& mesh, const Point_3& origin,
+                                             const typename Kernel_traits<Point_3>::Kernel::Vector_3& normal,
+                                             Surface::Halfedge_index seed,
+                                             double reach = (std::numeric_limits<double>::infinity)()) {
+  std::vector<Surface::Vertex_index> seeds;
   if (!mesh.is_border(seed))
     seeds.push_back(mesh.target(seed));
   else

@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_VOLUME_ANISOTROPIC_TETRAHEDRAL_REMESHING_H
 #define CGAL_TUBULAR_MESHING_VOLUME_ANISOTROPIC_TETRAHEDRAL_REMESHING_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Fields/Metric_tensor_3.h>
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/Volume/internal/Patch_projection.h>
@@ -25,9 +26,9 @@ namespace Tubular_meshing {
 namespace internal {
 
 // A user's field, as the remesher asks it.
-template <class Point, class MetricField> struct Metric_at_vector {
+template <class MetricField> struct Metric_at_vector {
   const MetricField& field;
-  Metric_tensor_3 operator()(const Vector_3d& p) const { return field(Point(p.x, p.y, p.z)); }
+  Metric_tensor_3 operator()(const Vector_3d& p) const { return field(Point_3(p.x, p.y, p.z)); }
 };
 
 struct No_observer {
@@ -36,10 +37,10 @@ struct No_observer {
 
 /* All work is done on a copy: `mesh` is as it was until the end. `make_projection(store)` gives the surface on which
  * the vertices of the boundary stay. */
-template <class Point, class MetricField, class MakeProjection, class NamedParameters, class Observer>
-void remesh_to_metric(Mixed_mesh<Point>& mesh, const MetricField& metric, const MakeProjection& make_projection,
+template <class MetricField, class MakeProjection, class NamedParameters, class Observer>
+void remesh_to_metric(Mixed_mesh& mesh, const MetricField& metric, const MakeProjection& make_projection,
                       const NamedParameters& np, const Observer& observe) {
-  typedef Metric_at_vector<Point, MetricField> Field;
+  typedef Metric_at_vector<MetricField> Field;
   const bool keep_boundary = choose(np, internal_np::keep_boundary, false);
   const int threads = choose(np, internal_np::number_of_threads, 0);
   const auto layer_patches = choose(np, internal_np::boundary_layer_patches, std::vector<int>());
@@ -54,7 +55,7 @@ void remesh_to_metric(Mixed_mesh<Point>& mesh, const MetricField& metric, const 
   metric_mesh.renumber();
   const std::vector<Metric_tensor_3> metrics = metric_mesh.take_metrics();
 
-  Mixed_mesh<Point> result;
+  Mixed_mesh result;
   const auto number = store->write_to(result);
   store.reset();
   Point_array array{"metric", 6, std::vector<double>(6 * result.points.size())};
@@ -126,8 +127,8 @@ void remesh_to_metric(Mixed_mesh<Point>& mesh, const MetricField& metric, const 
  *
  * References: the cavity operator \cgalCite{loseille2013}; edge removal by dynamic programming \cgalCite{klincsek1980}.
  */
-template <class Point, class MetricField, class NamedParameters = CGAL::parameters::Default_named_parameters>
-void anisotropic_tetrahedral_remeshing(Mixed_mesh<Point>& mesh, const MetricField& metric,
+template <class MetricField, class NamedParameters = CGAL::parameters::Default_named_parameters>
+void anisotropic_tetrahedral_remeshing(Mixed_mesh& mesh, const MetricField& metric,
                                        const NamedParameters& np = CGAL::parameters::default_values()) {
   internal::remesh_to_metric(
       mesh, metric, [](const internal::Tetrahedron_store& store) { return internal::Patch_projection(store); }, np,
@@ -139,8 +140,8 @@ void anisotropic_tetrahedral_remeshing(Mixed_mesh<Point>& mesh, const MetricFiel
  * The same for a mesh that approximates a given surface: vertices on the boundary come to lie on that surface, not on
  * the facets that the mesh has.
  *
- * \tparam SurfaceMesh a model of `FaceListGraph` and `HalfedgeListGraph`
- * \tparam FacePatchMap a readable property map from its faces to `int`
+ * \tparam Surface a model of `FaceListGraph` and `HalfedgeListGraph`
+ * \tparam Face_patch_map a readable property map from its faces to `int`
  *
  * \param mesh as above
  * \param surface the triangulated surface; interfaces of the mesh that are not in it stay on themselves approximately
@@ -148,9 +149,8 @@ void anisotropic_tetrahedral_remeshing(Mixed_mesh<Point>& mesh, const MetricFiel
  * \param metric as above
  * \param np as above
  */
-template <class Point, class SurfaceMesh, class FacePatchMap, class MetricField,
-          class NamedParameters = CGAL::parameters::Default_named_parameters>
-void anisotropic_tetrahedral_remeshing(Mixed_mesh<Point>& mesh, const SurfaceMesh& surface, FacePatchMap patch,
+template <class MetricField, class NamedParameters = CGAL::parameters::Default_named_parameters>
+void anisotropic_tetrahedral_remeshing(Mixed_mesh& mesh, const Surface& surface, Face_patch_map patch,
                                        const MetricField& metric,
                                        const NamedParameters& np = CGAL::parameters::default_values()) {
   internal::remesh_to_metric(

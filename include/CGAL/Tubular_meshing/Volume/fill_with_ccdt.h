@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_VOLUME_FILL_WITH_CCDT_H
 #define CGAL_TUBULAR_MESHING_VOLUME_FILL_WITH_CCDT_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/fill_keeping_boundary.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
@@ -45,9 +46,8 @@ constexpr bool has_ccdt() {
  *
  * \throws Meshing_error also if this version of \cgal is too old (see has_ccdt())
  */
-template <class TriangleMesh, class FacePatchMap, class SizingField, class Point,
-          class NamedParameters = CGAL::parameters::Default_named_parameters>
-void fill_with_ccdt(const TriangleMesh& surface, FacePatchMap patch, const SizingField& size, Mixed_mesh<Point>& mesh,
+template <class SizingField, class NamedParameters = CGAL::parameters::Default_named_parameters>
+void fill_with_ccdt(const Surface& surface, Face_patch_map patch, const SizingField& size, Mixed_mesh& mesh,
                     const NamedParameters& np = CGAL::parameters::default_values()) {
 #ifdef CGAL_TUBULAR_MESHING_WITH_CCDT
   const double seconds = internal::choose(np, internal_np::time_limit, 600 + 0.01 * double(num_faces(surface)));

@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_VOLUME_FILL_WITH_MESH_3_H
 #define CGAL_TUBULAR_MESHING_VOLUME_FILL_WITH_MESH_3_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/Volume/internal/mesh_complex_to_mixed_mesh.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
@@ -43,29 +44,28 @@ template <class SizingField> struct Scaled_field {
   const SizingField* field;
   FT factor;
 
-  template <class Point, class Index> FT operator()(const Point& p, const int dimension, const Index& index) const {
+  template <class Point_3, class Index> FT operator()(const Point_3& p, const int dimension, const Index& index) const {
     return factor * (*field)(p, dimension, index);
   }
 };
 
-template <class Point> struct Rim_polyline {
-  std::vector<Point> points; // where closed, the first comes again at the end
-  std::set<int> patches;     // the two that meet in it
+struct Rim_polyline {
+  std::vector<Point_3> points; // where closed, the first comes again at the end
+  std::set<int> patches;       // the two that meet in it
 };
 
 // The closed polylines in which a cap meets the wall.
-template <class Point, class FacePatchMap>
-std::vector<Rim_polyline<Point>> rim_polylines(const Surface_mesh<Point>& surface, FacePatchMap patch) {
-  typedef typename Surface_mesh<Point>::Halfedge_index Halfedge;
+inline std::vector<Rim_polyline> rim_polylines(const Surface_mesh<Point_3>& surface, Face_patch_map patch) {
+  typedef Surface::Halfedge_index Halfedge;
   const auto label = [&](Halfedge h) { return get(patch, surface.face(h)); };
   const auto is_rim = [&](Halfedge h) { return label(h) != label(surface.opposite(h)); };
-  std::vector<Rim_polyline<Point>> rims;
+  std::vector<Rim_polyline> rims;
   std::vector<bool> seen(surface.number_of_halfedges(), false);
   for (Halfedge start : surface.halfedges()) {
     // walked on the caps' side, so that each rim comes once
     if (seen[start] || label(start) == labels::wall || !is_rim(start))
       continue;
-    Rim_polyline<Point> rim = {{surface.point(surface.source(start))}, {label(start), label(surface.opposite(start))}};
+    Rim_polyline rim = {{surface.point(surface.source(start))}, {label(start), label(surface.opposite(start))}};
     Halfedge h = start;
     do {
       seen[h] = true;
@@ -102,16 +102,15 @@ constexpr double cell_ball_radius = 0.81;
 constexpr double facet_angle_bound = 25; // degrees; Mesh_3 is proved to end up to 30
 constexpr double radius_edge_ratio_bound = 2;
 
-template <class Concurrency_tag, class Surface, class SizingField, class Point>
-void run_mesh_3(const Surface& labelled_surface, const SizingField& size, double facet_distance,
-                Mixed_mesh<Point>& mesh) {
+template <class Concurrency_tag, class Surface, class SizingField>
+void run_mesh_3(const Surface& labelled_surface, const SizingField& size, double facet_distance, Mixed_mesh& mesh) {
   typedef Exact_predicates_inexact_constructions_kernel Kernel;
   typedef Polyhedral_mesh_domain_with_features_3<Kernel, Surface> Domain;
   typedef typename Mesh_triangulation_3<Domain, Default, Concurrency_tag>::type Triangulation;
   typedef Mesh_complex_3_in_triangulation_3<Triangulation, typename Domain::Corner_index, typename Domain::Curve_index>
       C3t3;
   typedef Scaled_field<SizingField> Field;
-  typedef Rim_polyline<Kernel::Point_3> Rim;
+  typedef Rim_polyline Rim;
   namespace params = CGAL::parameters;
 
   Domain domain(labelled_surface);
@@ -153,22 +152,21 @@ void run_mesh_3(const Surface& labelled_surface, const SizingField& size, double
  *
  * \throws Meshing_error if Mesh_3 fails
  */
-template <class TriangleMesh, class FacePatchMap, class SizingField, class Point,
-          class NamedParameters = CGAL::parameters::Default_named_parameters>
-void fill_with_mesh_3(const TriangleMesh& surface, FacePatchMap patch, const SizingField& size, Mixed_mesh<Point>& mesh,
+template <class SizingField, class NamedParameters = CGAL::parameters::Default_named_parameters>
+void fill_with_mesh_3(const Surface& surface, Face_patch_map patch, const SizingField& size, Mixed_mesh& mesh,
                       const NamedParameters& np = CGAL::parameters::default_values()) {
   typedef Surface_mesh<Exact_predicates_inexact_constructions_kernel::Point_3> Surface;
   const double distance = internal::choose(np, internal_np::facet_distance, 0.07);
   const int threads = internal::choose(np, internal_np::number_of_threads, 0);
 
   Surface labelled;
-  std::vector<std::pair<typename boost::graph_traits<TriangleMesh>::face_descriptor, Surface::Face_index>> copies;
+  std::vector<std::pair<typename boost::graph_traits<Surface>::face_descriptor, Surface::Face_index>> copies;
   copy_face_graph(surface, labelled, CGAL::parameters::face_to_face_output_iterator(std::back_inserter(copies)));
   auto patch_id = get(face_patch_id_t<int>(), labelled);
   for (const auto& f : copies)
     put(patch_id, f.second, get(patch, f.first));
 
-  mesh = Mixed_mesh<Point>();
+  mesh = Mixed_mesh();
   try {
 #ifdef CGAL_LINKED_WITH_TBB
     const std::size_t concurrency = threads > 0 ? std::size_t(threads) : std::size_t(tbb::info::default_concurrency());

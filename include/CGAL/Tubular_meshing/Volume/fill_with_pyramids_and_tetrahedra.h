@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_VOLUME_FILL_WITH_PYRAMIDS_AND_TETRAHEDRA_H
 #define CGAL_TUBULAR_MESHING_VOLUME_FILL_WITH_PYRAMIDS_AND_TETRAHEDRA_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/Patches/surface_to_mixed_mesh.h>
 #include <CGAL/Tubular_meshing/Volume/Volume_mesher.h>
@@ -31,7 +32,7 @@ inline void check_keeps_boundary(Volume_mesher mesher) {
         "TetGen (libtet1.5-dev), or CGAL 6.1 or later, and choose one of these.");
 }
 
-template <class Point> Element_block<5> pyramids_on(const Element_block<4>& quads, std::size_t first_apex) {
+inline Element_block<5> pyramids_on(const Element_block<4>& quads, std::size_t first_apex) {
   Element_block<5> pyramids;
   pyramids.reserve(quads.size());
   for (std::size_t k = 0; k < quads.size(); ++k) {
@@ -43,9 +44,9 @@ template <class Point> Element_block<5> pyramids_on(const Element_block<4>& quad
 
 // Fills what the pyramids leave with tetrahedra. Where pyramids meet, which make_room() leaves to chance in the
 // narrowest gaps only, they make way for each other, and it is tried again.
-template <class Point, class SizingField>
-void fill_between_pyramids(Crowned_surface<Point>& crowned, const SizingField& size, Volume_mesher mesher,
-                           const CGAL::Tubular_meshing::internal::Filling_limits& limits, Mixed_mesh<Point>& mesh) {
+template <class SizingField>
+void fill_between_pyramids(Crowned_surface& crowned, const SizingField& size, Volume_mesher mesher,
+                           const CGAL::Tubular_meshing::internal::Filling_limits& limits, Mixed_mesh& mesh) {
   (void)limits;
   const auto fill = [&] {
     if (mesher == Volume_mesher::ccdt)
@@ -111,25 +112,24 @@ void fill_between_pyramids(Crowned_surface<Point>& crowned, const SizingField& s
  * \throws Meshing_error if the surface is not closed, if no pyramid fits on a quad, or if the mesher of the tetrahedra
  *   fails or is not there
  */
-template <class SurfaceMesh, class FacePatchMap, class SizingField, class Point,
-          class NamedParameters = CGAL::parameters::Default_named_parameters>
-void fill_with_pyramids_and_tetrahedra(const SurfaceMesh& surface, FacePatchMap patch, const SizingField& size,
-                                       Mixed_mesh<Point>& mesh,
+template <class SizingField, class NamedParameters = CGAL::parameters::Default_named_parameters>
+void fill_with_pyramids_and_tetrahedra(const Surface& surface, Face_patch_map patch, const SizingField& size,
+                                       Mixed_mesh& mesh,
                                        const NamedParameters& np = CGAL::parameters::default_values()) {
   const Volume_mesher mesher = internal::choose(np, internal_np::volume_mesher, default_volume_mesher());
   internal::check_keeps_boundary(mesher);
-  Mixed_mesh<Point> boundary;
+  Mixed_mesh boundary;
   surface_to_mixed_mesh(surface, patch, boundary);
-  internal::Crowned_surface<Point> crowned =
+  internal::Crowned_surface crowned =
       internal::crown_quads(boundary, internal::choose(np, internal_np::split_quads, false));
 
   internal::Filling_limits limits = {
       internal::choose(np, internal_np::time_limit, 600 + 0.01 * double(num_faces(crowned.surface())))};
   limits.way_out = "mend the surface, or mesh it finer";
-  Mixed_mesh<Point> result;
+  Mixed_mesh result;
   const internal::Size_near_surface<SizingField> graded(size, boundary);
   internal::fill_between_pyramids(crowned, graded, mesher, limits, result);
-  result.pyramids = internal::pyramids_on<Point>(boundary.quads, boundary.points.size());
+  result.pyramids = internal::pyramids_on(boundary.quads, boundary.points.size());
   internal::optimize_with_apexes(result, internal::choose(np, internal_np::optimization_passes, 2),
                                  internal::choose(np, internal_np::number_of_threads, 0));
   result.triangles = std::move(boundary.triangles);

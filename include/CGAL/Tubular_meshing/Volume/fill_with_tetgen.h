@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_VOLUME_FILL_WITH_TETGEN_H
 #define CGAL_TUBULAR_MESHING_VOLUME_FILL_WITH_TETGEN_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/fill_keeping_boundary.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
@@ -55,9 +56,8 @@ constexpr bool has_tetgen() {
  * \throws Meshing_error if the surface is not closed, if TetGen fails or cannot keep the surface, or if this program is
  *   not linked with it (see has_tetgen()). fill_with_mesh_3() is the way out.
  */
-template <class TriangleMesh, class FacePatchMap, class SizingField, class Point,
-          class NamedParameters = CGAL::parameters::Default_named_parameters>
-void fill_with_tetgen(const TriangleMesh& surface, FacePatchMap patch, const SizingField& size, Mixed_mesh<Point>& mesh,
+template <class SizingField, class NamedParameters = CGAL::parameters::Default_named_parameters>
+void fill_with_tetgen(const Surface& surface, Face_patch_map patch, const SizingField& size, Mixed_mesh& mesh,
                       const NamedParameters& np = CGAL::parameters::default_values()) {
 #ifdef CGAL_TUBULAR_MESHING_WITH_TETGEN
   const double seconds = internal::choose(np, internal_np::time_limit, 600 + 0.01 * double(num_faces(surface)));

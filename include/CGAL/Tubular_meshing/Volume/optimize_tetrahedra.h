@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_VOLUME_OPTIMIZE_TETRAHEDRA_H
 #define CGAL_TUBULAR_MESHING_VOLUME_OPTIMIZE_TETRAHEDRA_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/Kept_boundary.h>
 #include <CGAL/Tubular_meshing/Volume/internal/Patch_projection.h>
@@ -24,9 +25,8 @@ namespace internal {
 constexpr double first_flips_below = 0.5;
 constexpr double later_flips_below = 0.6;
 
-template <class Point, class SurfaceMesh, class FacePatchMap>
-void optimize_with_surface(Mixed_mesh<Point>& mesh, const SurfaceMesh& surface, FacePatchMap patch, int passes,
-                           int threads) {
+inline void optimize_with_surface(Mixed_mesh& mesh, const Surface& surface, Face_patch_map patch, int passes,
+                                  int threads) {
   typedef Surface_flip_guard<Patch_projection> Guard;
   const Patch_projection projection(surface, patch);
   Tetrahedron_store store(mesh);
@@ -46,7 +46,7 @@ void optimize_with_surface(Mixed_mesh<Point>& mesh, const SurfaceMesh& surface, 
 // Flips and sweeps alone leave a few tetrahedra of boundary vertices at 0.15 to 0.25: those are remeshed.
 constexpr double remeshed_below = 0.4;
 
-template <class Point> void optimize_inside(Mixed_mesh<Point>& mesh, int passes, int threads) {
+inline void optimize_inside(Mixed_mesh& mesh, int passes, int threads) {
   const Kept_boundary boundary;
   Tetrahedron_store store(mesh);
   Topology_optimizer<Kept_boundary>(store, boundary).improve_below(first_flips_below);
@@ -79,8 +79,8 @@ template <class Point> void optimize_inside(Mixed_mesh<Point>& mesh, int passes,
  * Linear in the size of the mesh for each round. Sweeps run in parallel; the result does not depend on the number of
  * threads.
  *
- * \tparam SurfaceMesh a model of `FaceListGraph` and `HalfedgeListGraph`
- * \tparam FacePatchMap a readable property map from its faces to `int`
+ * \tparam Surface a model of `FaceListGraph` and `HalfedgeListGraph`
+ * \tparam Face_patch_map a readable property map from its faces to `int`
  *
  * \param mesh tetrahedra, positively oriented, and all their boundary triangles, labelled
  * \param surface the closed triangulated surface that the mesh approximates
@@ -97,9 +97,8 @@ template <class Point> void optimize_inside(Mixed_mesh<Point>& mesh, int passes,
  * References: edge removal by dynamic programming, \cgalCite{klincsek1980}; swapping and smoothing in turn,
  * \cgalCite{freitag1997}; new vertices in cavities that grow, \cgalCite{klingner2007}.
  */
-template <class Point, class SurfaceMesh, class FacePatchMap,
-          class NamedParameters = CGAL::parameters::Default_named_parameters>
-void optimize_tetrahedra(Mixed_mesh<Point>& mesh, const SurfaceMesh& surface, FacePatchMap patch,
+template <class NamedParameters = CGAL::parameters::Default_named_parameters>
+void optimize_tetrahedra(Mixed_mesh& mesh, const Surface& surface, Face_patch_map patch,
                          const NamedParameters& np = CGAL::parameters::default_values()) {
   const int passes = internal::choose(np, internal_np::optimization_passes, 2);
   const int threads = internal::choose(np, internal_np::number_of_threads, 0);

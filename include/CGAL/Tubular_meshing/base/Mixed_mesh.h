@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_BASE_MIXED_MESH_H
 #define CGAL_TUBULAR_MESHING_BASE_MIXED_MESH_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/base/labels.h>
 
 #include <array>
@@ -62,11 +63,9 @@ struct Point_array {
  * Facets are listed once and turn counterclockwise seen from outside the lumen (from outside the mesh, for the outer
  * patches of a wall). The struct is plain data: the algorithms that make it keep it consistent, and validity_report()
  * says whether it is.
- *
- * \tparam Point_ a model of `Point_3`
  */
-template <class Point_> struct Mixed_mesh {
-  typedef Point_ Point;
+struct Mixed_mesh {
+  typedef Point_3 Point;
 
   std::vector<Point> points;
 

@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_BASE_NEAREST_TREE_H
 #define CGAL_TUBULAR_MESHING_BASE_NEAREST_TREE_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/base/cgal_compatibility.h>
 
 #include <CGAL/AABB_tree.h>

@@ -4,6 +4,8 @@
 #ifndef CGAL_TUBULAR_MESHING_BASE_OPENING_H
 #define CGAL_TUBULAR_MESHING_BASE_OPENING_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
+
 #include <CGAL/Kernel_traits.h>
 
 #include <cstddef>
@@ -17,7 +19,7 @@ namespace Tubular_meshing {
  * An end of the tubular surface through which fluid enters or leaves: an open boundary loop, or the flat cap that
  * closes it. Openings are numbered in the order in which they are listed: 0 is the inlet, i > 0 is outlet i.
  */
-template <class Point_3> struct Opening {
+struct Opening {
   typedef typename Kernel_traits<Point_3>::Kernel::Vector_3 Vector_3;
 
   static constexpr std::size_t no_branch = (std::numeric_limits<std::size_t>::max)();

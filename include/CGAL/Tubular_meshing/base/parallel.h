@@ -6,35 +6,22 @@
 
 #include <cstddef>
 
+#include <CGAL/Tubular_meshing/base/Function_view.h>
+#include <CGAL/Tubular_meshing/base/config.h>
+
+#include <cstddef>
+
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
-#include <map>
-#include <mutex>
 #endif
 
 namespace CGAL {
 namespace Tubular_meshing {
 namespace internal {
 
-#ifdef CGAL_LINKED_WITH_TBB
-/* Runs a parallel loop on at most `threads` threads (0: as many as there are cores). Arenas are kept: some loops are as
- * short as their making, and those given up live on for as long as a thread has not left them. */
-template <class Loop> void run_on(int threads, const Loop& loop) {
-  if (threads <= 0 || threads >= tbb::this_task_arena::max_concurrency())
-    return loop();
-  static std::mutex mutex;
-  static std::map<int, tbb::task_arena> arenas;
-  tbb::task_arena* arena;
-  {
-    const std::lock_guard<std::mutex> lock(mutex);
-    arena = &arenas.emplace(threads, threads).first->second;
-  }
-  arena->execute(loop);
-}
-#endif
+/* Runs a parallel loop on at most `threads` threads (0: as many as there are cores). */
+void run_on(int threads, Function_view<void()> loop);
 
 /* Calls body(first, last) on pieces of [0, n), on `threads` threads where oneTBB is there (0: as many as there are
  * cores). The pieces, of about `grain`, may be done in any order: the body must not depend on it. */
@@ -79,5 +66,9 @@ template <class Body> void for_each_task(std::size_t n, int threads, const Body&
 } // namespace internal
 } // namespace Tubular_meshing
 } // namespace CGAL
+
+#ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
+#include <CGAL/Tubular_meshing/base/parallel_impl.h>
+#endif
 
 #endif // CGAL_TUBULAR_MESHING_BASE_PARALLEL_H

@@ -10,7 +10,6 @@
 #include <CGAL/Tubular_meshing/IO/read_mesh.h>
 #include <CGAL/Tubular_meshing/IO/read_surface.h>
 
-#include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
 #include <algorithm>
@@ -22,7 +21,7 @@
 
 namespace {
 
-typedef CGAL::Simple_cartesian<double>::Point_3 Point_3;
+typedef CGAL::Tubular_meshing::Point_3 Point_3;
 namespace Tubular = CGAL::Tubular_meshing;
 
 std::string reader; // surface, centerlines or mesh
@@ -40,7 +39,7 @@ void read_surface(const fuzz::Scratch_file& file) {
 }
 
 void read_centerlines(const fuzz::Scratch_file& file) {
-  Tubular::Centerline_polylines<Point_3> lines;
+  Tubular::Centerline_polylines lines;
   Tubular::IO::read_centerlines(file.name(), lines);
   for (const auto& line : lines.lines)
     for (std::size_t i : line)
@@ -48,7 +47,7 @@ void read_centerlines(const fuzz::Scratch_file& file) {
 }
 
 void read_mesh(const fuzz::Scratch_file& file) {
-  Tubular::Mixed_mesh<Point_3> mesh;
+  Tubular::Mixed_mesh mesh;
   Tubular::IO::read_mesh(file.name(), mesh);
   Tubular::IO::internal::for_each_block(mesh, [&](const auto& block, const auto&) {
     for (const auto& element : block.vertices)

@@ -11,7 +11,6 @@
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/base/parameters.h>
 
-#include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
 #include <cstdint>
@@ -24,7 +23,7 @@
 
 namespace {
 
-typedef CGAL::Simple_cartesian<double>::Point_3 Point;
+typedef CGAL::Tubular_meshing::Point_3 Point;
 typedef CGAL::Surface_mesh<Point> Surface;
 namespace Tubular = CGAL::Tubular_meshing;
 
@@ -133,7 +132,7 @@ void surfaces() {
 // --- centerlines ---
 
 void centerlines() {
-  Tubular::Centerline_polylines<Point> lines;
+  Tubular::Centerline_polylines lines;
   lines.points = {Point(0, 0, 0), Point(0, 0, 1), Point(0, 1, 2), Point(1, 0, 2)};
   lines.radius = {1, 0.9, 0.5, 0.6};
   lines.lines = {{0, 1, 2}, {0, 1, 3}};
@@ -153,7 +152,7 @@ void centerlines() {
 // --- meshes ---
 
 void meshes() {
-  Tubular::Mixed_mesh<Point> mesh;
+  Tubular::Mixed_mesh mesh;
   for (int i = 0; i < 12; ++i)
     mesh.points.emplace_back(i % 2, i / 2 % 2, i / 4);
   mesh.tetrahedra.push_back({0, 1, 2, 4}, 1);

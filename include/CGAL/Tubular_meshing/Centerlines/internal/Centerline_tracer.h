@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_CENTERLINES_INTERNAL_CENTERLINE_TRACER_H
 #define CGAL_TUBULAR_MESHING_CENTERLINES_INTERNAL_CENTERLINE_TRACER_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Centerlines/internal/Interior_voronoi_diagram.h>
 #include <CGAL/Tubular_meshing/Centerlines/internal/Sampled_surface.h>
 #include <CGAL/Tubular_meshing/Centerlines/internal/Voronoi_front.h>

@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_CENTERLINES_INTERNAL_GROWING_SEGMENT_TREE_H
 #define CGAL_TUBULAR_MESHING_CENTERLINES_INTERNAL_GROWING_SEGMENT_TREE_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/base/Nearest_tree.h>
 
 #include <utility>

@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_CENTERLINES_INTERNAL_INTERIOR_VORONOI_DIAGRAM_H
 #define CGAL_TUBULAR_MESHING_CENTERLINES_INTERNAL_INTERIOR_VORONOI_DIAGRAM_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Centerlines/internal/Sampled_surface.h>
 
 #include <CGAL/Delaunay_triangulation_3.h>

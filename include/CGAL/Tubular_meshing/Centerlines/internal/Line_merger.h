@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_CENTERLINES_INTERNAL_LINE_MERGER_H
 #define CGAL_TUBULAR_MESHING_CENTERLINES_INTERNAL_LINE_MERGER_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Centerlines/internal/Growing_segment_tree.h>
 #include <CGAL/Tubular_meshing/Centerlines/internal/Sampled_line.h>
 

@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_CENTERLINES_INTERNAL_SAMPLED_SURFACE_H
 #define CGAL_TUBULAR_MESHING_CENTERLINES_INTERNAL_SAMPLED_SURFACE_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/base/Canonical_frame.h>
 #include <CGAL/Tubular_meshing/base/Nearest_tree.h>
 #include <CGAL/Tubular_meshing/base/labels.h>
@@ -39,8 +40,7 @@ public:
   std::vector<Double_kernel::Triangle_3> wall_triangles;
 
   /* `patch` tells the label of a face; those that are not labels::wall are caps. */
-  template <class Point_3, class FacePatchMap>
-  Sampled_surface(const CGAL::Surface_mesh<Point_3>& mesh, const FacePatchMap& patch, const Canonical_frame& frame) {
+  Sampled_surface(const CGAL::Surface_mesh<Point_3>& mesh, const Face_patch_map& patch, const Canonical_frame& frame) {
     add_vertices(mesh, patch, frame);
     for (auto f : mesh.faces())
       if (get(patch, f) == labels::wall)
@@ -134,8 +134,8 @@ public:
 private:
   static constexpr std::size_t none = std::size_t(-1);
 
-  template <class Point_3, class FacePatchMap>
-  void add_vertices(const CGAL::Surface_mesh<Point_3>& mesh, const FacePatchMap& patch, const Canonical_frame& frame) {
+  void add_vertices(const CGAL::Surface_mesh<Point_3>& mesh, const Face_patch_map& patch,
+                    const Canonical_frame& frame) {
     sample_of_.assign(mesh.num_vertices(), none);
     for (auto f : mesh.faces())
       if (get(patch, f) == labels::wall)

@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_CENTERLINES_INTERNAL_SMOOTH_LINE_H
 #define CGAL_TUBULAR_MESHING_CENTERLINES_INTERNAL_SMOOTH_LINE_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Centerlines/internal/Sampled_line.h>
 
 #include <Eigen/Cholesky>

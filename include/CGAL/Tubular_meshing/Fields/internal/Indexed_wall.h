@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_FIELDS_INTERNAL_INDEXED_WALL_H
 #define CGAL_TUBULAR_MESHING_FIELDS_INTERNAL_INDEXED_WALL_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/base/Nearest_tree.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
 

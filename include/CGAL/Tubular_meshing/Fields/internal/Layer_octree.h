@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_FIELDS_INTERNAL_LAYER_OCTREE_H
 #define CGAL_TUBULAR_MESHING_FIELDS_INTERNAL_LAYER_OCTREE_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Fields/Metric_tensor_3.h>
 #include <CGAL/Tubular_meshing/Fields/internal/Corner_octree.h>
 #include <CGAL/Tubular_meshing/Fields/internal/Wall_frames.h>

@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_FIELDS_INTERNAL_WALL_FRAMES_H
 #define CGAL_TUBULAR_MESHING_FIELDS_INTERNAL_WALL_FRAMES_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Fields/Metric_tensor_3.h>
 #include <CGAL/Tubular_meshing/Fields/internal/Curvature_estimator.h>
 #include <CGAL/Tubular_meshing/Fields/internal/Indexed_wall.h>

@@ -44,7 +44,7 @@ public:
     std::vector<Cell> cells = {Cell{0, {{0, 0, 0}}}};
     refine(function, cell_size_over_radius, cells);
     balance(cells);
-    std::sort(leaves_.begin(), leaves_.end(), [this](const Cell& a, const Cell& b) { return key(a) < key(b); });
+    std::sort(leaves_.begin(), leaves_.end(), [](const Cell& a, const Cell& b) { return key(a) < key(b); });
   }
 
   const std::vector<Cell>& leaves() const { return leaves_; }

@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_GENERATORS_INTERNAL_TUBULAR_REMESHER_H
 #define CGAL_TUBULAR_MESHING_GENERATORS_INTERNAL_TUBULAR_REMESHER_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Generators/Tubular_skeleton.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
@@ -26,23 +27,23 @@ namespace internal {
  * Delaunay flips, and tangential relaxation, each vertex being projected back onto the surface (compare M. Botsch, L.
  * Kobbelt, A remeshing approach to multiresolution modeling, 2004). Border loops lie on the circles of the skeleton's
  * ends and stay there. A pass is linear in the number of triangles, and costs about three evaluations a vertex. */
-template <class Point, class Function> class Tubular_remesher {
+template <class Function> class Tubular_remesher {
 public:
-  typedef CGAL::Surface_mesh<Point> Mesh;
+  typedef CGAL::Surface_mesh<Point_3> Mesh;
   typedef typename Mesh::Vertex_index Vertex;
   typedef typename Mesh::Halfedge_index Halfedge;
   typedef typename Mesh::Edge_index Edge;
   typedef typename Mesh::Face_index Face;
-  typedef typename Tubular_skeleton<Point>::End End;
+  typedef typename Tubular_skeleton::End End;
 
   Tubular_remesher(const Function& function, const std::vector<End>& ends, double points_per_circumference, Mesh& mesh)
       : function_(function)
       , ends_(ends)
       , edge_over_radius_(2 * CGAL_PI / points_per_circumference)
       , mesh_(mesh) {
-    normal_ = mesh.template add_property_map<Vertex, Vector_3d>("v:tubular_normal").first;
-    size_ = mesh.template add_property_map<Vertex, double>("v:tubular_size", 0).first;
-    end_ = mesh.template add_property_map<Vertex, int>("v:tubular_end", -1).first;
+    normal_ = mesh.add_property_map<Vertex, Vector_3d>("v:tubular_normal").first;
+    size_ = mesh.add_property_map<Vertex, double>("v:tubular_size", 0).first;
+    end_ = mesh.add_property_map<Vertex, int>("v:tubular_end", -1).first;
     for (Vertex v : mesh.vertices())
       put(v, place_at(at(v), function_.evaluate(at(v))));
   }
@@ -94,7 +95,7 @@ private:
   }
 
   void put(Vertex v, const Place& place) {
-    mesh_.point(v) = Point(place.point.x, place.point.y, place.point.z);
+    mesh_.point(v) = Point_3(place.point.x, place.point.y, place.point.z);
     normal_[v] = place.normal;
     size_[v] = edge_over_radius_ * place.radius;
   }

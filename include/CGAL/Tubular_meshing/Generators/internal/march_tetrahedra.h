@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_GENERATORS_INTERNAL_MARCH_TETRAHEDRA_H
 #define CGAL_TUBULAR_MESHING_GENERATORS_INTERNAL_MARCH_TETRAHEDRA_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Generators/internal/Tubular_octree.h>
 
 #include <CGAL/Surface_mesh.h>
@@ -28,9 +29,9 @@ namespace internal {
  * next to smaller cells is taken as their four faces, and an edge that a smaller cell has divided as two pieces. Both
  * sides of a face thus see the same triangles, so that the result is watertight by construction, and manifold as each
  * tetrahedron is crossed by one or two triangles at most. */
-template <class Point, class Function> class Tetrahedra_marcher {
+template <class Function> class Tetrahedra_marcher {
 public:
-  typedef CGAL::Surface_mesh<Point> Mesh;
+  typedef CGAL::Surface_mesh<Point_3> Mesh;
 
   Tetrahedra_marcher(const Function& function, const Tubular_octree& octree, Mesh& mesh)
       : function_(function)
@@ -176,7 +177,7 @@ private:
     if (inserted.second) {
       const double t = (std::min)((std::max)(values_[i] / (values_[i] - values_[j]), 0.1), 0.9);
       const Vector_3d p = positions_[i] + t * (positions_[j] - positions_[i]);
-      inserted.first->second = mesh_.add_vertex(Point(p.x, p.y, p.z));
+      inserted.first->second = mesh_.add_vertex(Point_3(p.x, p.y, p.z));
     }
     return inserted.first->second;
   }
@@ -200,9 +201,9 @@ private:
   std::unordered_map<std::uint64_t, Vertex> crossings_;
 };
 
-template <class Point, class Function>
-void march_tetrahedra(const Function& function, const Tubular_octree& octree, CGAL::Surface_mesh<Point>& mesh) {
-  Tetrahedra_marcher<Point, Function>(function, octree, mesh);
+template <class Function>
+void march_tetrahedra(const Function& function, const Tubular_octree& octree, CGAL::Surface_mesh<Point_3>& mesh) {
+  Tetrahedra_marcher<Function>(function, octree, mesh);
 }
 
 } // namespace internal

@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_GENERATORS_INTERNAL_TUBULAR_CAPS_H
 #define CGAL_TUBULAR_MESHING_GENERATORS_INTERNAL_TUBULAR_CAPS_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Generators/Tubular_skeleton.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
@@ -21,8 +22,8 @@ namespace Tubular_meshing {
 namespace internal {
 
 // A right-handed frame (u, v, n) of the plane of an end, and angles in it.
-template <class Point> struct End_frame {
-  typedef typename Tubular_skeleton<Point>::End End;
+struct End_frame {
+  typedef typename Tubular_skeleton::End End;
 
   explicit End_frame(const End& end)
       : center(end.center)
@@ -43,13 +44,13 @@ template <class Point> struct End_frame {
 };
 
 // Fills the rim of an end with rings of triangles around its centre, about as large as the rim's edges.
-template <class Point> class Cap_filler {
+class Cap_filler {
 public:
-  typedef CGAL::Surface_mesh<Point> Mesh;
+  typedef CGAL::Surface_mesh<Point_3> Mesh;
   typedef typename Mesh::Vertex_index Vertex;
   typedef typename Mesh::Halfedge_index Halfedge;
 
-  Cap_filler(const typename Tubular_skeleton<Point>::End& end, Mesh& mesh)
+  Cap_filler(const typename Tubular_skeleton::End& end, Mesh& mesh)
       : frame_(end)
       , mesh_(mesh) {}
 
@@ -86,7 +87,7 @@ private:
     for (int i = 0; i < size; ++i) {
       const double angle = first_angle + 2 * CGAL_PI * i / size;
       const Vector_3d p = frame_.on_disk(angle, fraction * frame_.radius);
-      ring.push_back({angle, mesh_.add_vertex(Point(p.x, p.y, p.z))});
+      ring.push_back({angle, mesh_.add_vertex(Point_3(p.x, p.y, p.z))});
     }
     return ring;
   }
@@ -112,7 +113,7 @@ private:
     }
   }
 
-  End_frame<Point> frame_;
+  End_frame frame_;
   Mesh& mesh_;
 };
 

@@ -5,6 +5,7 @@
 #define CGAL_TUBULAR_MESHING_IO_INTERNAL_POLYGON_SOUP_H
 
 #include <CGAL/Tubular_meshing/IO/internal/Input_file.h>
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/base/Triangle_soup.h>
 
 #include <algorithm>
@@ -36,12 +37,34 @@ struct Polygon_soup {
   void end_polygon() { ends.push_back(corners.size()); }
 };
 
+inline Coordinates coordinates(const Point_3& p) {
+  return {p.x(), p.y(), p.z()};
+}
+inline Point_3 to_point(const Coordinates& p) {
+  return Point_3(p[0], p[1], p[2]);
+}
+inline std::vector<Point_3> to_points(const std::vector<Coordinates>& coordinates) {
+  std::vector<Point_3> points;
+  points.reserve(coordinates.size());
+  for (const Coordinates& p : coordinates)
+    points.push_back(to_point(p));
+  return points;
+}
+
+inline void check_finite(const Coordinates& p, std::size_t i, const Input_file& file) {
+  for (int k = 0; k < 3; ++k)
+    if (!std::isfinite(p[k]))
+      file.fail("cannot be used: the " + std::string(1, "xyz"[k]) + " coordinate of vertex " + std::to_string(i) +
+                " (counted from 0) is not a finite number");
+}
 inline void check_finite(const std::vector<Coordinates>& points, const Input_file& file) {
   for (std::size_t i = 0; i < points.size(); ++i)
-    for (int k = 0; k < 3; ++k)
-      if (!std::isfinite(points[i][k]))
-        file.fail("cannot be used: the " + std::string(1, "xyz"[k]) + " coordinate of vertex " + std::to_string(i) +
-                  " (counted from 0) is not a finite number");
+    check_finite(points[i], i, file);
+}
+
+inline void check_finite(const std::vector<Point_3>& points, const Input_file& file) {
+  for (std::size_t i = 0; i < points.size(); ++i)
+    check_finite(coordinates(points[i]), i, file);
 }
 
 inline void check_index(std::int64_t i, std::size_t n, const char* what, std::size_t number, const Input_file& file) {

@@ -19,7 +19,7 @@ namespace IO {
 namespace internal {
 
 // "# region 1 lumen" or "# patch 2 inlet", as write_medit() writes them; any other comment says nothing here.
-template <class Mesh> void read_medit_comment(std::string_view line, Mesh& mesh) {
+inline void read_medit_comment(std::string_view line, Mixed_mesh& mesh) {
   line.remove_prefix(line.empty() ? 0 : 1);
   line = trimmed(line);
   for (const char* what : {"region ", "patch "}) {
@@ -36,19 +36,21 @@ template <class Mesh> void read_medit_comment(std::string_view line, Mesh& mesh)
   }
 }
 
-template <class Mesh> void read_medit_vertices(Text_cursor& in, Mesh& mesh) {
+inline void read_medit_vertices(Text_cursor& in, Mixed_mesh& mesh) {
   const std::size_t n = in.count("number of vertices", 7);
   if (!mesh.points.empty())
     in.fail("a second section Vertices begins; the elements before it refer to the first");
   mesh.points.resize(n);
-  for (Coordinates& p : mesh.points) {
-    for (double& x : p)
+  for (Point_3& p : mesh.points) {
+    Coordinates c;
+    for (double& x : c)
       x = in.number("coordinate of a vertex");
+    p = to_point(c);
     in.integer("reference of a vertex");
   }
 }
 
-template <class Mesh> void read_medit_elements(Text_cursor& in, const Element_kind& kind, Mesh& mesh) {
+inline void read_medit_elements(Text_cursor& in, const Element_kind& kind, Mixed_mesh& mesh) {
   const std::size_t n = in.count("number of elements", 2 * kind.corners);
   std::array<std::int64_t, 8> corners;
   for (std::size_t i = 0; i < n; ++i) {
@@ -69,7 +71,7 @@ inline void skip_medit_section(Text_cursor& in) {
 }
 
 // The tensors beside the mesh, if there are as many as points: else they belong to another mesh of that name.
-template <class Mesh> void read_medit_solution(const std::string& name, Mesh& mesh) {
+inline void read_medit_solution(const std::string& name, Mixed_mesh& mesh) {
   if (!std::filesystem::exists(name))
     return;
   const Input_file file(name);
@@ -88,8 +90,8 @@ template <class Mesh> void read_medit_solution(const std::string& name, Mesh& me
   mesh.point_arrays.push_back(std::move(metric));
 }
 
-// `Mesh` is a Mixed_mesh of Coordinates. Sections of other entities are passed over.
-template <class Mesh> void read_medit(const Input_file& file, Mesh& mesh) {
+// Sections of other entities are passed over.
+inline void read_medit(const Input_file& file, Mixed_mesh& mesh) {
   Text_cursor in(file);
   bool known = false, ended = false;
   while (!ended && !in.at_end()) {

@@ -20,7 +20,7 @@ inline bool is_symmetric_tensor(const double* t) {
 }
 
 // Data that not every node has are passed over. Tensors that are symmetric, all of them, are kept in six components.
-template <class Mesh> void read_msh_point_array(const Gmsh_node_data& d, Mesh& mesh) {
+inline void read_msh_point_array(const Gmsh_node_data& d, Mixed_mesh& mesh) {
   const std::size_t n = mesh.points.size();
   if (d.nodes.size() != n)
     return;
@@ -42,10 +42,10 @@ template <class Mesh> void read_msh_point_array(const Gmsh_node_data& d, Mesh& m
   mesh.point_arrays.push_back(std::move(folded));
 }
 
-// `Mesh` is a Mixed_mesh of Coordinates. Points and lines among the elements are passed over.
-template <class Mesh> void read_msh(const Input_file& file, Mesh& mesh) {
+// Points and lines among the elements are passed over.
+inline void read_msh(const Input_file& file, Mixed_mesh& mesh) {
   Gmsh_file msh(file);
-  mesh.points.swap(msh.points);
+  mesh.points = to_points(msh.points);
   for (const auto& n : msh.names)
     if (n.first.first == 3)
       mesh.region_names[n.first.second] = n.second;

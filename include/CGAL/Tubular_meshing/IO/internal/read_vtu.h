@@ -18,7 +18,7 @@ namespace IO {
 namespace internal {
 
 // Field arrays that are pairs of a label and a dimension; other arrays are passed over.
-template <class Mesh> void read_names(const Vtk_xml_file& vtu, pugi::xml_node fields, Mesh& mesh) {
+inline void read_names(const Vtk_xml_file& vtu, pugi::xml_node fields, Mixed_mesh& mesh) {
   for (const pugi::xml_node array : fields.children("DataArray")) {
     if (array.attribute("type").value() != std::string("Int32"))
       continue;
@@ -38,7 +38,7 @@ inline std::vector<int> vtu_labels(const Vtk_xml_file& vtu, pugi::xml_node piece
 }
 
 // A piece's array continues the one of the same name of the pieces before it.
-template <class Mesh> void read_point_arrays(const Vtk_xml_file& vtu, pugi::xml_node piece, std::size_t n, Mesh& mesh) {
+inline void read_point_arrays(const Vtk_xml_file& vtu, pugi::xml_node piece, std::size_t n, Mixed_mesh& mesh) {
   for (const pugi::xml_node array : piece.child("PointData").children("DataArray")) {
     const std::string name = array.attribute("Name").value();
     const int components = array.attribute("NumberOfComponents").as_int(1);
@@ -54,8 +54,7 @@ template <class Mesh> void read_point_arrays(const Vtk_xml_file& vtu, pugi::xml_
   }
 }
 
-template <class Mesh>
-void read_vtu_cells(const Vtk_xml_file& vtu, pugi::xml_node piece, std::size_t points, std::size_t shift, Mesh& mesh) {
+inline void read_vtu_cells(const Vtk_xml_file& vtu, pugi::xml_node piece, std::size_t points, std::size_t shift, Mixed_mesh& mesh) {
   const std::size_t n = vtu.count(piece, "NumberOfCells");
   const pugi::xml_node cells = piece.child("Cells");
   const auto types = vtu.values<std::int64_t>(vtu.find(cells, "types"));
@@ -82,13 +81,12 @@ void read_vtu_cells(const Vtk_xml_file& vtu, pugi::xml_node piece, std::size_t p
   });
 }
 
-// `Mesh` is a Mixed_mesh of Coordinates.
-template <class Mesh> void read_vtu(const Input_file& file, Mesh& mesh) {
+inline void read_vtu(const Input_file& file, Mixed_mesh& mesh) {
   const Vtk_xml_file vtu(file, "UnstructuredGrid");
   read_names(vtu, vtu.dataset().child("FieldData"), mesh);
   for (const pugi::xml_node piece : vtu.dataset().children("Piece")) {
     const std::size_t shift = mesh.points.size();
-    const std::vector<Coordinates> points = vtu.points(piece);
+    const std::vector<Point_3> points = to_points(vtu.points(piece));
     mesh.points.insert(mesh.points.end(), points.begin(), points.end());
     read_point_arrays(vtu, piece, points.size(), mesh);
     read_vtu_cells(vtu, piece, points.size(), shift, mesh);

@@ -20,7 +20,7 @@ namespace internal {
 
 /* Adds layers of cells on a surface to a mesh that has its vertices: those of a layer after those of the layer before,
  * in the order of the surface's. */
-template <class Point> class Layer_builder {
+class Layer_builder {
 public:
   typedef std::uint32_t Index;
   typedef Layer_surface::Face Face;
@@ -29,7 +29,7 @@ public:
    * \param levels as in Layer_options
    * \param inward whether the cells are on the other side of the surface than those of a wall */
   Layer_builder(const Layer_surface& surface, std::vector<Index> base, std::size_t layers, bool inward,
-                Mixed_mesh<Point>& mesh)
+                Mixed_mesh& mesh)
       : surface_(surface)
       , base_(std::move(base))
       , first_(Index(mesh.points.size()))
@@ -128,7 +128,7 @@ private:
   const Index first_;
   const std::size_t layers_;
   const bool inward_;
-  Mixed_mesh<Point>& mesh_;
+  Mixed_mesh& mesh_;
 };
 
 } // namespace internal

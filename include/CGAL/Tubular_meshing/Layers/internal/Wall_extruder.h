@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_LAYERS_INTERNAL_WALL_EXTRUDER_H
 #define CGAL_TUBULAR_MESHING_LAYERS_INTERNAL_WALL_EXTRUDER_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/Layers/Layer_report.h>
 #include <CGAL/Tubular_meshing/Layers/internal/Layer_builder.h>
@@ -82,12 +83,12 @@ struct Wall_parameters {
 };
 
 /* The thickness wanted at each vertex: a multiple of the local radius. */
-template <class Point, class LocalRadius>
+template <class LocalRadius>
 std::vector<double> multiples_of_radius(const Layer_surface& surface, const LocalRadius& radius, double factor) {
   std::vector<double> wanted;
   wanted.reserve(surface.number_of_vertices());
   for (const Vector_3d& p : surface.points) {
-    const double r = CGAL::to_double(radius(Point(p.x, p.y, p.z)));
+    const double r = CGAL::to_double(radius(Point_3(p.x, p.y, p.z)));
     if (!(r > 0 && r <= (std::numeric_limits<double>::max)()))
       throw Input_error("The local radius at " + place_of(p) + " is " + std::to_string(r) +
                         ", but layers need one above 0.");
@@ -96,8 +97,8 @@ std::vector<double> multiples_of_radius(const Layer_surface& surface, const Loca
   return wanted;
 }
 
-template <class Point> Layer_report<Point> report_of(const Layer_surface& surface, const Layer_engine& engine) {
-  Layer_report<Point> report;
+inline Layer_report report_of(const Layer_surface& surface, const Layer_engine& engine) {
+  Layer_report report;
   report.vertices = surface.number_of_vertices();
   report.rounds = engine.rounds();
   double sum = 0;
@@ -107,31 +108,31 @@ template <class Point> Layer_report<Point> report_of(const Layer_surface& surfac
     report.reduced_vertices += ratio < 0.99;
     if (ratio < report.min_ratio) {
       report.min_ratio = ratio;
-      report.worst_place = Point(surface.points[v].x, surface.points[v].y, surface.points[v].z);
+      report.worst_place = Point_3(surface.points[v].x, surface.points[v].y, surface.points[v].z);
     }
   }
   report.mean_ratio = sum / double(report.vertices);
   return report;
 }
 
-template <class Point> class Wall_extruder {
+class Wall_extruder {
 public:
   typedef std::uint32_t Index;
 
-  Wall_extruder(Mixed_mesh<Point>& mesh, const Wall_parameters& parameters)
+  Wall_extruder(Mixed_mesh& mesh, const Wall_parameters& parameters)
       : mesh_(mesh)
       , p_(parameters) {
     check_mesh();
   }
 
-  template <class LocalRadius> Layer_report<Point> run(const LocalRadius& radius) {
-    Mixed_mesh<Point> facets; // the mesh stays as it was if there is no wall
+  template <class LocalRadius> Layer_report run(const LocalRadius& radius) {
+    Mixed_mesh facets; // the mesh stays as it was if there is no wall
     facets.points = mesh_.points;
     facets.triangles = mesh_.triangles;
     facets.quads = mesh_.quads;
     if (p_.tetrahedral)
       split_wall_quads(facets);
-    const Wall_facets<Point> wall(facets);
+    const Wall_facets wall(facets);
     const Layer_surface surface = wall.surface(false);
     const Layer_options options = options_for_layers();
     std::vector<Vector_3d> points = surface.points;
@@ -141,9 +142,9 @@ public:
     if (!wall.has_all_caps(surface)) // an open surface: then the wall is closed by its own near side
       closure = turned_triangles(surface);
     const Layer_engine engine(surface, std::move(points), caps, std::move(closure),
-                              multiples_of_radius<Point>(surface, radius, total_thickness()), options);
+                              multiples_of_radius(surface, radius, total_thickness()), options);
 
-    Layer_report<Point> report = report_of<Point>(surface, engine);
+    Layer_report report = report_of(surface, engine);
     report.relabelled_facets = wall.number_of_relabelled_facets();
     mesh_.triangles = std::move(facets.triangles);
     mesh_.quads = std::move(facets.quads);
@@ -177,11 +178,11 @@ private:
                             ", or on a surface.");
     for (std::size_t i = 0; i < mesh_.points.size(); ++i)
       if (!std::isfinite(squared_norm(Vector_3d(mesh_.points[i]))))
-        throw Input_error("Point " + std::to_string(i) + " of the mesh has coordinates that are not finite.");
+        throw Input_error("Point_3 " + std::to_string(i) + " of the mesh has coordinates that are not finite.");
   }
 
   // Along the better diagonal; cells that have quads there would have to be split too.
-  void split_wall_quads(Mixed_mesh<Point>& facets) const {
+  void split_wall_quads(Mixed_mesh& facets) const {
     Element_block<4> kept;
     for (std::size_t i = 0; i < facets.quads.size(); ++i) {
       const auto& q = facets.quads.vertices[i];
@@ -213,13 +214,13 @@ private:
   }
 
   void build(const Layer_surface& surface, const std::vector<Index>& base, const Layer_engine& engine,
-             const std::vector<double>& levels, Layer_report<Point>& report) {
+             const std::vector<double>& levels, Layer_report& report) {
     const std::size_t layers = levels.size() - 1, first = std::size_t(p_.first.layers);
     report.prisms = mesh_.prisms.size();
     report.hexahedra = mesh_.hexahedra.size();
     report.tetrahedra = mesh_.tetrahedra.size();
     const int outer = labels::outer_wall_for(largest_patch(surface));
-    Layer_builder<Point> builder(surface, base, layers, false, mesh_);
+    Layer_builder builder(surface, base, layers, false, mesh_);
     builder.add_points(levels, [&](Index v) { return engine.vector(v); });
     builder.add_cells(0, first, labels::wall_region, p_.tetrahedral);
     builder.add_cells(first, layers, labels::wall_region + 1, p_.tetrahedral);
@@ -271,7 +272,7 @@ private:
     }
   }
 
-  Mixed_mesh<Point>& mesh_;
+  Mixed_mesh& mesh_;
   const Wall_parameters p_;
 };
 

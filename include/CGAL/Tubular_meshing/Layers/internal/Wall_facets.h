@@ -26,14 +26,14 @@ namespace internal {
 
 /* The facets of a mesh, parted into those of its wall and those of its openings. The vertices of the wall are numbered
  * in the order of the mesh's points. */
-template <class Point> class Wall_facets {
+class Wall_facets {
 public:
   typedef std::uint32_t Index;
   typedef Layer_surface::Face Face;
 
   /* Facets of the wall in the plane of an opening become the opening's, in the mesh: nothing can grow on them that
    * stays in that plane. */
-  explicit Wall_facets(Mixed_mesh<Point>& mesh)
+  explicit Wall_facets(Mixed_mesh& mesh)
       : mesh_(mesh) {
     check_indices(mesh.triangles);
     check_indices(mesh.quads);
@@ -216,7 +216,7 @@ private:
 
   static constexpr double in_plane = 0.99;
 
-  Mixed_mesh<Point>& mesh_;
+  Mixed_mesh& mesh_;
   std::vector<Cap_edge> cap_edges_;
   std::vector<Index> mesh_vertices_, number_;
   std::size_t relabelled_ = 0;

@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_LAYERS_INTERNAL_LABELLED_FACETS_H
 #define CGAL_TUBULAR_MESHING_LAYERS_INTERNAL_LABELLED_FACETS_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 #include <CGAL/Tubular_meshing/base/labels.h>
@@ -19,9 +20,8 @@ namespace Tubular_meshing {
 namespace internal {
 
 /* A surface, open or closed, as a mesh of nothing but facets. Vertices keep their order. */
-template <class Point, class FacePatchMap>
-Mixed_mesh<Point> labelled_facets(const CGAL::Surface_mesh<Point>& surface, FacePatchMap patch) {
-  Mixed_mesh<Point> mesh;
+inline Mixed_mesh labelled_facets(const CGAL::Surface_mesh<Point_3>& surface, Face_patch_map patch) {
+  Mixed_mesh mesh;
   std::vector<std::uint32_t> number(surface.number_of_vertices() + surface.number_of_removed_vertices(), 0);
   for (auto v : surface.vertices()) {
     number[std::size_t(v)] = std::uint32_t(mesh.points.size());
@@ -52,7 +52,7 @@ template <std::size_t N, class Keep> void keep_elements(Element_block<N>& elemen
 }
 
 /* Takes away the points that no element has; the others keep their order. Returns the former number of each. */
-template <class Point> std::vector<std::uint32_t> remove_unused_points(Mixed_mesh<Point>& mesh) {
+inline std::vector<std::uint32_t> remove_unused_points(Mixed_mesh& mesh) {
   const std::uint32_t none = std::uint32_t(-1);
   std::vector<std::uint32_t> number(mesh.points.size(), none), former;
   const auto for_each_vertex = [&](const auto& visit) {
@@ -81,7 +81,7 @@ template <class Point> std::vector<std::uint32_t> remove_unused_points(Mixed_mes
 }
 
 /* Of a surface with a wall, leaves the wall. */
-template <class Point> void remove_openings(Mixed_mesh<Point>& mesh) {
+inline void remove_openings(Mixed_mesh& mesh) {
   int largest = 0; // of the lumen's own patches: the first name of the wall's ends them
   for (const auto& name : mesh.patch_names)
     if (name.second == "outer_wall")

@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_LAYERS_INTERNAL_TRIANGLE_CROSSINGS_H
 #define CGAL_TUBULAR_MESHING_LAYERS_INTERNAL_TRIANGLE_CROSSINGS_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Layers/internal/Box_tree.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
 

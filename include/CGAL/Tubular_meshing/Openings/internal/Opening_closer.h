@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_OPENINGS_INTERNAL_OPENING_CLOSER_H
 #define CGAL_TUBULAR_MESHING_OPENINGS_INTERNAL_OPENING_CLOSER_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Rims/Opening_site.h>
 #include <CGAL/Tubular_meshing/Rims/Rim_flattener.h>
 #include <CGAL/Tubular_meshing/Rims/planar_cap.h>
@@ -30,8 +31,8 @@ namespace internal {
 /* Gives one opening a planar cap. There are two ways to a planar rim: to flatten the one there is, and to trim the tube
  * by a plane a bit further in. The first is tried where the rim sags little; a result counts only if no triangle has
  * folded and the neighbourhood does not intersect itself more than before. */
-template <class Point> class Opening_closer {
-  typedef CGAL::Surface_mesh<Point> Mesh;
+class Opening_closer {
+  typedef CGAL::Surface_mesh<Point_3> Mesh;
   typedef typename Mesh::Halfedge_index Halfedge;
   typedef typename Mesh::Face_index Face;
 
@@ -40,8 +41,8 @@ public:
       : mesh_(mesh) {}
 
   /* Updates the site: its cap, its rim, and their shape. */
-  void close(Opening_site<Point>& site) {
-    const Point where = site.shape.center;
+  void close(Opening_site& site) {
+    const Point_3 where = site.shape.center;
     if (!site.is_open()) {
       if (flatten(site))
         return;
@@ -58,7 +59,7 @@ public:
   }
 
   /* Fills a hole as it is. */
-  void fill(Opening_site<Point>& site) {
+  void fill(Opening_site& site) {
     site.cap = fill_loop(site.rim, site.shape.plane, mesh_);
     if (site.cap.empty())
       throw Meshing_error("The hole of the wall at " + coordinates(site.shape.center) +
@@ -69,11 +70,11 @@ private:
   static constexpr double max_sag = 0.2; // of the radius
 
   // False if this would fold the wall or make the surface intersect itself; then nothing is changed.
-  bool flatten(Opening_site<Point>& site) {
+  bool flatten(Opening_site& site) {
     const bool was_open = site.is_open();
     if (!was_open && has_ear_behind(site))
       return false;
-    Rim_flattener<Point> flattener(mesh_, site.shape.plane, site);
+    Rim_flattener flattener(mesh_, site.shape.plane, site);
     if (!flattener.flatten())
       return false;
     if (was_open)
@@ -91,17 +92,17 @@ private:
   }
 
   // First by planes parallel to the rim's; a rim too ragged to have a direction leaves that of the wall behind it.
-  bool trim(Opening_site<Point>& site) {
-    const Rim_shape<Point> ragged = site.shape;
+  bool trim(Opening_site& site) {
+    const Rim_shape ragged = site.shape;
     return trim(site, ragged, ragged.plane) || trim(site, ragged, cross_section(site, ragged));
   }
 
   // Goes further in as long as the result is not sound.
-  bool trim(Opening_site<Point>& site, const Rim_shape<Point>& ragged, const Rim_plane<Point>& across) {
+  bool trim(Opening_site& site, const Rim_shape& ragged, const Rim_plane& across) {
     const double reach = 2 * (ragged.reach + 2 * ragged.radius + ragged.sag);
     for (double margin : {0.05, 0.15, 0.4, 0.8, 1.6}) {
       const double depth = deepest(site.rim, across) + margin * ragged.radius;
-      const Halfedge border = trim_by_plane(mesh_, Point(across.origin() - depth * across.normal()), across.normal(),
+      const Halfedge border = trim_by_plane(mesh_, Point_3(across.origin() - depth * across.normal()), across.normal(),
                                             site.rim.front(), reach + depth);
       if (border == Mesh::null_halfedge())
         continue;
@@ -122,11 +123,11 @@ private:
   }
 
   // Perpendicular to the direction in which the faces behind the rim look least.
-  Rim_plane<Point> cross_section(const Opening_site<Point>& site, const Rim_shape<Point>& ragged) const {
+  Rim_plane cross_section(const Opening_site& site, const Rim_shape& ragged) const {
     Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
-    Vector_of<Point> inwards(0, 0, 0); // from the rim to the faces behind it
+    Vector_3 inwards(0, 0, 0); // from the rim to the faces behind it
     for (Face f : wall_around(site)) {
-      const Vector_of<Point> n = area_vector(mesh_.halfedge(f), mesh_);
+      const Vector_3 n = area_vector(mesh_.halfedge(f), mesh_);
       const double area = std::sqrt(n.squared_length());
       const Eigen::Vector3d e = Eigen::Vector3d(n.x(), n.y(), n.z()) / (ragged.radius * ragged.radius);
       if (area > 0)
@@ -134,14 +135,14 @@ private:
       inwards = inwards + area * (mesh_.point(mesh_.target(mesh_.halfedge(f))) - ragged.plane.origin());
     }
     const Eigen::Vector3d axis = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors().col(0);
-    Vector_of<Point> normal(axis[0], axis[1], axis[2]);
+    Vector_3 normal(axis[0], axis[1], axis[2]);
     if (normal * inwards > 0)
       normal = -normal;
-    const Vector_of<Point> along = std::abs(axis[0]) < 0.7 ? Vector_of<Point>(1, 0, 0) : Vector_of<Point>(0, 1, 0);
-    return Rim_plane<Point>(ragged.plane.origin(), normal, along);
+    const Vector_3 along = std::abs(axis[0]) < 0.7 ? Vector_3(1, 0, 0) : Vector_3(0, 1, 0);
+    return Rim_plane(ragged.plane.origin(), normal, along);
   }
 
-  double deepest(const std::vector<Halfedge>& rim, const Rim_plane<Point>& plane) const {
+  double deepest(const std::vector<Halfedge>& rim, const Rim_plane& plane) const {
     double depth = 0;
     for (Halfedge h : rim)
       depth = (std::max)(depth, -plane.height(mesh_.point(mesh_.target(h))));
@@ -149,25 +150,25 @@ private:
   }
 
   // A wall face with two edges on the rim would come to lie in the plane.
-  bool has_ear_behind(const Opening_site<Point>& site) const {
+  bool has_ear_behind(const Opening_site& site) const {
     for (std::size_t i = 0; i < site.rim.size(); ++i)
       if (mesh_.face(mesh_.opposite(site.rim[i])) == mesh_.face(mesh_.opposite(site.rim[(i + 1) % site.rim.size()])))
         return true;
     return false;
   }
 
-  void measure(Opening_site<Point>& site) const {
-    const Rim_plane<Point> plane = site.shape.plane;
-    site.shape = Rim_shape<Point>();
+  void measure(Opening_site& site) const {
+    const Rim_plane plane = site.shape.plane;
+    site.shape = Rim_shape();
     site.shape.plane = plane;
-    const std::vector<Point> rim = rim_points(site.rim, mesh_);
+    const std::vector<Point_3> rim = rim_points(site.rim, mesh_);
     rim_weights(rim, site.shape.perimeter);
     measure_in_plane(rim, site.shape);
   }
 
   // --- soundness ---
 
-  bool is_sound(const Opening_site<Point>& site, Rim_flattener<Point>* flattener) {
+  bool is_sound(const Opening_site& site, Rim_flattener* flattener) {
     const std::vector<Face> wall = wall_around(site);
     std::vector<Face> all = wall;
     all.insert(all.end(), site.cap.begin(), site.cap.end());
@@ -192,9 +193,9 @@ private:
   }
 
   // The faces connected to the rim within a ball that holds the cap.
-  std::vector<Face> wall_around(const Opening_site<Point>& site) const {
-    Rim_shape<Point> shape = site.shape;
-    for (const Point& p : rim_points(site.rim, mesh_))
+  std::vector<Face> wall_around(const Opening_site& site) const {
+    Rim_shape shape = site.shape;
+    for (const Point_3& p : rim_points(site.rim, mesh_))
       shape.reach = (std::max)(shape.reach, point_distance(p, shape.center));
     const double radius = 1.3 * shape.reach;
     std::unordered_set<Face> visited(site.cap.begin(), site.cap.end());

@@ -4,6 +4,8 @@
 #ifndef CGAL_TUBULAR_MESHING_OPENINGS_INTERNAL_MATCH_CENTERLINES_H
 #define CGAL_TUBULAR_MESHING_OPENINGS_INTERNAL_MATCH_CENTERLINES_H
 
+#include <CGAL/Tubular_meshing/Centerlines/Centerline_graph.h>
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/base/Nearest_tree.h>
 #include <CGAL/Tubular_meshing/base/Opening.h>
 #include <CGAL/Tubular_meshing/Rims/Opening_site.h>
@@ -42,7 +44,7 @@ public:
   };
 
   /* `fallback_radius` is for graphs without radii. O(n log n) in the number of points of the end branches. */
-  template <class Graph> Centerline_ends(const Graph& graph, double fallback_radius) {
+  Centerline_ends(const Centerline_graph& graph, double fallback_radius) {
     for (std::size_t n = 0; n < graph.nodes().size(); ++n)
       if (graph.nodes()[n].is_end())
         add_end(graph, n, fallback_radius);
@@ -61,7 +63,7 @@ public:
 
   /* Gives each unmatched end the nearest of sites[first...] that it passes through. A flat end, which is only one
    * because a centerline ends there, must moreover be met in the direction of its normal. O(log n) a site. */
-  template <class P> void match(const std::vector<Opening_site<P>>& sites, std::size_t first, bool inside_out) {
+  void match(const std::vector<Opening_site>& sites, std::size_t first, bool inside_out) {
     std::vector<End> updated = ends_;
     for (std::size_t s = first; s < sites.size(); ++s) {
       const auto& shape = sites[s].shape;
@@ -83,7 +85,7 @@ public:
   }
 
   /* Drops those of sites[first...] that belong to no end. */
-  template <class P> void keep_matched(std::vector<Opening_site<P>>& sites, std::size_t first) {
+  void keep_matched(std::vector<Opening_site>& sites, std::size_t first) {
     std::vector<std::size_t> end_of_site(sites.size(), none);
     for (std::size_t e = 0; e < ends_.size(); ++e)
       if (ends_[e].site != none)
@@ -98,7 +100,7 @@ public:
   }
 
 private:
-  template <class Graph> void add_end(const Graph& graph, std::size_t n, double fallback_radius) {
+  void add_end(const Centerline_graph& graph, std::size_t n, double fallback_radius) {
     const std::size_t b = graph.nodes()[n].branches[0];
     const auto& branch = graph.branches()[b];
     std::vector<std::size_t> points(branch.points.begin(), branch.points.end()); // to go from the tip inwards
@@ -136,7 +138,7 @@ private:
     end_of_segment_.push_back(ends_.size());
   }
 
-  template <class Shape> bool is_met_head_on(std::size_t segment, const Shape& shape, bool inside_out) const {
+  bool is_met_head_on(std::size_t segment, const Rim_shape& shape, bool inside_out) const {
     const Vector outwards = tree_.shape(segment).source() - tree_.shape(segment).target();
     const auto& n = shape.plane.normal();
     const double cosine = outwards.x() * n.x() + outwards.y() * n.y() + outwards.z() * n.z();

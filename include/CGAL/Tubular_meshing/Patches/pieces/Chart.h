@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_PATCHES_PIECES_CHART_H
 #define CGAL_TUBULAR_MESHING_PATCHES_PIECES_CHART_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Plane/Metric_tensor_2.h>
 #include <CGAL/Tubular_meshing/Patches/Patch_parameterization.h>
 #include <CGAL/Tubular_meshing/Patches/internal/remeshing/Peak_finder.h>
@@ -21,9 +22,9 @@ namespace internal {
 /* What the mesher of the plane asks of a part of the surface: the metric (11) at a place of the plane, which
  * `metric(location)` gives as a Plane_metric, and the point of the surface there. Not for several threads: it remembers
  * the place last asked for. */
-template <class Point_3, class Metric> class Patch_chart {
+template <class Metric> class Patch_chart {
 public:
-  typedef Patch_parameterization<Point_3> Map;
+  typedef Patch_parameterization Map;
   typedef typename Map::Point_2 Point_2;
 
   Patch_chart(const Map& map, const Metric& metric)
@@ -75,7 +76,7 @@ private:
 
 /* The same for a cap, which is planar: `metric(point, first, second)` is a Metric_tensor_2 of the plane along these two
  * directions. */
-template <class Point_3, class Point_2, class Metric> class Cap_chart {
+template <class Point_2, class Metric> class Cap_chart {
 public:
   Cap_chart(const std::vector<Point_3>& rim, const Metric& metric)
       : metric_(metric)

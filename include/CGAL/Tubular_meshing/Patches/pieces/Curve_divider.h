@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_PATCHES_PIECES_CURVE_DIVIDER_H
 #define CGAL_TUBULAR_MESHING_PATCHES_PIECES_CURVE_DIVIDER_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
 #include <CGAL/Tubular_meshing/Rims/rim_corners.h>
 
@@ -17,16 +18,16 @@ namespace Tubular_meshing {
 namespace internal {
 
 /* A point of a closed polyline: on edge `edge`, which it divides as t : 1 − t. */
-template <class Point_3> struct Curve_position {
+struct Curve_position {
   std::size_t edge;
   double t;
   Point_3 point;
 };
 
 /* Divides a closed polyline into edges as long as a size field asks for, all of the same length in it. */
-template <class Point_3> class Curve_divider {
+class Curve_divider {
 public:
-  typedef std::vector<Curve_position<Point_3>> Points;
+  typedef std::vector<Curve_position> Points;
 
   /* size(position) is the wanted length there, along the polyline; corners, as is_rim_corner() sees them, are kept if
    * `keep_corners`. */
@@ -81,7 +82,7 @@ private:
     const Vector_3d a(polyline[edge]), b(polyline[(edge + 1) % polyline.size()]);
     return a + t * (b - a);
   }
-  static Curve_position<Point_3> at(const std::vector<Point_3>& polyline, std::size_t edge, double t) {
+  static Curve_position at(const std::vector<Point_3>& polyline, std::size_t edge, double t) {
     if (t == 0)
       return {edge, t, polyline[edge]};
     const Vector_3d p = on_edge(polyline, edge, t);
@@ -160,7 +161,7 @@ private:
     return best;
   }
 
-  Curve_position<Point_3> point_at(const std::vector<Point_3>& polyline, double length) const {
+  Curve_position point_at(const std::vector<Point_3>& polyline, double length) const {
     if (length >= total())
       length -= total();
     const auto after = std::upper_bound(stations_.begin() + 1, stations_.end() - 1, length,

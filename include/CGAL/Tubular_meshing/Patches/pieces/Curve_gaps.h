@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_PATCHES_PIECES_CURVE_GAPS_H
 #define CGAL_TUBULAR_MESHING_PATCHES_PIECES_CURVE_GAPS_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Patches/Surface_patch.h>
 #include <CGAL/Tubular_meshing/base/Nearest_tree.h>
 
@@ -21,11 +22,11 @@ namespace internal {
 
 /* How near the curves that bound a patch come to each other: where two junction loops nearly touch, edges much longer
  * than the gap between them would give flat triangles. O(n log n) to build, O(log n) a query and neighbour. */
-template <class Point_3> class Curve_gaps {
+class Curve_gaps {
 public:
   typedef std::vector<std::vector<Point_3>> Polylines;
 
-  Curve_gaps(const Surface_cut<Point_3>& cut, const Polylines& polylines)
+  Curve_gaps(const Surface_cut& cut, const Polylines& polylines)
       : neighbours_(polylines.size()) {
     for (const std::vector<Point_3>& polyline : polylines) {
       std::vector<Segment> segments;

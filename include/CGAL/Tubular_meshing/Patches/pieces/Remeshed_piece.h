@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_PATCHES_PIECES_REMESHED_PIECE_H
 #define CGAL_TUBULAR_MESHING_PATCHES_PIECES_REMESHED_PIECE_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Patches/Surface_patch.h>
 #include <CGAL/Tubular_meshing/Patches/Patch_parameterization.h>
 #include <CGAL/Tubular_meshing/Patches/pieces/Chart.h>
@@ -23,7 +24,7 @@ namespace internal {
 
 /* A piece of the surface in its new faces. Its points are those of its curves, one curve after another, then those
  * inside. */
-template <class Point_3> struct Remeshed_piece {
+struct Remeshed_piece {
   struct Side {
     std::size_t curve;
     bool forward;
@@ -37,11 +38,11 @@ template <class Point_3> struct Remeshed_piece {
 };
 
 /* The points of a curve on a loop of a patch, in the plane, in the order of the loop. */
-template <class Point_3>
-std::vector<typename Patch_parameterization<Point_3>::Point_2>
-loop_polygon(const Patch_parameterization<Point_3>& map, std::size_t l, bool forward, std::size_t edges,
-             const std::vector<Curve_position<Point_3>>& points) {
-  std::vector<typename Patch_parameterization<Point_3>::Point_2> polygon;
+inline std::vector<typename Patch_parameterization::Point_2> loop_polygon(const Patch_parameterization& map,
+                                                                          std::size_t l, bool forward,
+                                                                          std::size_t edges,
+                                                                          const std::vector<Curve_position>& points) {
+  std::vector<typename Patch_parameterization::Point_2> polygon;
   for (const auto& p : points)
     polygon.push_back(
         map.uv(forward ? map.on_loop_edge(l, p.edge, p.t) : map.on_loop_edge(l, edges - 1 - p.edge, 1 - p.t)));
@@ -51,11 +52,10 @@ loop_polygon(const Patch_parameterization<Point_3>& map, std::size_t l, bool for
 }
 
 /* The loops of a patch in the plane, the outer one first; the piece gets its sides. */
-template <class Point_3>
-std::vector<std::vector<typename Patch_parameterization<Point_3>::Point_2>>
-patch_polygons(const Patch_parameterization<Point_3>& map, const Surface_cut<Point_3>& cut, std::size_t k,
-               const std::vector<std::vector<Curve_position<Point_3>>>& curve_points, Remeshed_piece<Point_3>& piece) {
-  std::vector<std::vector<typename Patch_parameterization<Point_3>::Point_2>> polygons;
+inline std::vector<std::vector<typename Patch_parameterization::Point_2>>
+patch_polygons(const Patch_parameterization& map, const Surface_cut& cut, std::size_t k,
+               const std::vector<std::vector<Curve_position>>& curve_points, Remeshed_piece& piece) {
+  std::vector<std::vector<typename Patch_parameterization::Point_2>> polygons;
   const auto add_loop = [&](std::size_t l) {
     const Patch_loop& loop = cut.patches[k].loops[l];
     piece.sides.push_back({loop.curve, loop.forward});
@@ -77,9 +77,9 @@ template <class Chart> auto embedding_of(const Chart& chart) {
 /* Fills polygons of the plane with triangles, which are judged under the embedding `image`, or in the metric if it is
  * No_embedding. A rim runs with the wall on its left: seen along its normal, as the cap's chart is, the cap is turned
  * inwards, which `turn` sets right. */
-template <class Chart, class Embedding, class Point_2, class Point_3>
+template <class Chart, class Embedding, class Point_2>
 void triangulate_piece(const Chart& chart, const Embedding& image, const std::vector<std::vector<Point_2>>& polygons,
-                       bool turn, Remeshed_piece<Point_3>& piece) {
+                       bool turn, Remeshed_piece& piece) {
   const auto metric = [&](const Point_2& uv) { return chart.metric(uv); };
   auto plane =
       triangulate_in_metric(polygons, metric, parameters::embedding(image).interior_points(chart.hidden_places()));
@@ -95,9 +95,9 @@ void triangulate_piece(const Chart& chart, const Embedding& image, const std::ve
 }
 
 /* The points of a rim in the plane of its cap, counterclockwise; the piece gets its side. */
-template <class Chart, class Point_3>
-auto cap_polygons(const Chart& chart, std::size_t rim, const std::vector<Curve_position<Point_3>>& points,
-                  Remeshed_piece<Point_3>& piece) {
+template <class Chart>
+auto cap_polygons(const Chart& chart, std::size_t rim, const std::vector<Curve_position>& points,
+                  Remeshed_piece& piece) {
   std::vector<std::vector<decltype(chart.uv(points[0].point))>> polygons(1);
   piece.sides.push_back({rim, false});
   for (const auto& p : points)

@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_PATCHES_PIECES_SURFACE_REMESHER_H
 #define CGAL_TUBULAR_MESHING_PATCHES_PIECES_SURFACE_REMESHER_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Patches/Surface_patch.h>
 #include <CGAL/Tubular_meshing/Patches/Patch_parameterization.h>
 #include <CGAL/Tubular_meshing/Patches/Patch_report.h>
@@ -32,21 +33,20 @@ namespace internal {
  *
  * Where the outcome is no surface, as pieces touch themselves or each other in meshes that are too coarse for them, the
  * pieces concerned are meshed again, finer. */
-template <class Point_3, class Mesher> class Surface_remesher {
+template <class Mesher> class Surface_remesher {
 public:
   typedef CGAL::Surface_mesh<Point_3> Surface;
-  typedef Patch_parameterization<Point_3> Map;
+  typedef Patch_parameterization Map;
   typedef std::size_t size_type;
 
   /* The mesher of the same surface, cut and maps. */
-  Surface_remesher(const Surface& surface, const Surface_cut<Point_3>& cut, const std::vector<Map>& maps,
-                   Mesher& mesher)
+  Surface_remesher(const Surface& surface, const Surface_cut& cut, const std::vector<Map>& maps, Mesher& mesher)
       : surface_(surface)
       , cut_(cut)
       , maps_(maps)
       , mesher_(mesher) {}
 
-  Remeshed_surface<Point_3> run() {
+  Remeshed_surface run() {
     const int most_rounds = 6, rounds_for_shape = 2;
     mesher_.mesh_all();
     for (int round = 0;; ++round) {
@@ -191,7 +191,7 @@ private:
   void improve() {
     Surface& surface = result_.surface;
     const auto shape = mesher_.shape();
-    Triangle_improver<Point_3, decltype(shape)> improver(surface, shape);
+    Triangle_improver<decltype(shape)> improver(surface, shape);
     const std::vector<Face> bad = improver.bad_triangles();
     if (bad.empty())
       return;
@@ -227,10 +227,10 @@ private:
   }
 
   const Surface& surface_;
-  const Surface_cut<Point_3>& cut_;
+  const Surface_cut& cut_;
   const std::vector<Map>& maps_;
   Mesher& mesher_;
-  Remeshed_surface<Point_3> result_;
+  Remeshed_surface result_;
   std::vector<size_type> piece_of_face_;
 };
 

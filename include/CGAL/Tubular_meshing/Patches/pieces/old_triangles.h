@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_PATCHES_PIECES_OLD_TRIANGLES_H
 #define CGAL_TUBULAR_MESHING_PATCHES_PIECES_OLD_TRIANGLES_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Patches/Surface_patch.h>
 #include <CGAL/Tubular_meshing/base/Nearest_tree.h>
 
@@ -18,15 +19,13 @@ namespace Tubular_meshing {
 namespace internal {
 
 /* The triangles of the marked patches of a cut surface, and of their neighbours, to move vertices on. */
-template <class Point_3>
-Nearest_tree<Double_kernel::Triangle_3> old_triangles(const CGAL::Surface_mesh<Point_3>& surface,
-                                                      const Surface_cut<Point_3>& cut,
-                                                      const std::vector<char>& is_marked) {
+inline Nearest_tree<Double_kernel::Triangle_3>
+old_triangles(const CGAL::Surface_mesh<Point_3>& surface, const Surface_cut& cut, const std::vector<char>& is_marked) {
   std::vector<char> is_near = is_marked;
   for (std::size_t k = 0; k < cut.patches.size(); ++k)
     if (is_marked[k])
       for (const Patch_loop& loop : cut.patches[k].loops)
-        if (loop.neighbour != Cut_curve<Point_3>::none)
+        if (loop.neighbour != Cut_curve::none)
           is_near[loop.neighbour] = 1;
   std::vector<Double_kernel::Triangle_3> triangles;
   for (std::size_t k = 0; k < cut.patches.size(); ++k)

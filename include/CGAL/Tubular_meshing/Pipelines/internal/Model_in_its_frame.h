@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_PIPELINES_INTERNAL_MODEL_IN_ITS_FRAME_H
 #define CGAL_TUBULAR_MESHING_PIPELINES_INTERNAL_MODEL_IN_ITS_FRAME_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Centerlines/Centerline_field.h>
 #include <CGAL/Tubular_meshing/Centerlines/Centerline_graph.h>
 #include <CGAL/Tubular_meshing/Centerlines/Wall_distance.h>
@@ -33,19 +34,19 @@ namespace internal {
 /* A model's surface and centerlines in the model's own frame: around the origin, along its principal axes, of unit
  * extent. Meshed there, it gives the same mesh in any unit, place and orientation, but for what rounding makes of it.
  */
-template <class Point> class Model_in_its_frame {
+class Model_in_its_frame {
 public:
-  typedef typename Tubular_model<Point>::Surface Surface;
-  typedef typename Tubular_model<Point>::Face_patch_map Face_patch_map;
+  typedef typename Tubular_model::Surface Surface;
+  typedef typename Tubular_model::Face_patch_map Face_patch_map;
 
-  explicit Model_in_its_frame(const Tubular_model<Point>& model)
+  explicit Model_in_its_frame(const Tubular_model& model)
       : frame_(points_of(model.surface))
       , surface_(model.surface)
-      , patch_(surface_.template add_property_map<typename Surface::Face_index, int>("f:patch", 0).first) {
+      , patch_(surface_.add_property_map<typename Surface::Face_index, int>("f:patch", 0).first) {
     for (auto v : surface_.vertices())
       surface_.point(v) = to_frame(surface_.point(v));
-    std::vector<Point> points;
-    for (const Point& p : model.centerlines.points())
+    std::vector<Point_3> points;
+    for (const Point_3& p : model.centerlines.points())
       points.push_back(to_frame(p));
     std::vector<double> radii;
     for (double r : model.centerlines.radii())
@@ -53,30 +54,30 @@ public:
     std::vector<std::vector<std::size_t>> branches;
     for (const auto& b : model.centerlines.branches())
       branches.push_back(b.points);
-    centerlines_ = Centerline_graph<Point>(std::move(points), std::move(radii), std::move(branches));
+    centerlines_ = Centerline_graph(std::move(points), std::move(radii), std::move(branches));
   }
 
   const Surface& surface() const { return surface_; }
   Surface& surface() { return surface_; } // to be cut
-  const Centerline_graph<Point>& centerlines() const { return centerlines_; }
+  const Centerline_graph& centerlines() const { return centerlines_; }
   Face_patch_map patch() const { return patch_; }
 
   // With the limits of the size brought to the frame's unit.
-  template <class NamedParameters> Centerline_sizing_field<Point> sizing_field(const NamedParameters& np) const {
-    return Centerline_sizing_field<Point>(Centerline_field<Point>(centerlines_),
-                                          Wall_distance<Point>(surface_, patch_, labels::wall), in_frame(np));
+  template <class NamedParameters> Centerline_sizing_field sizing_field(const NamedParameters& np) const {
+    return Centerline_sizing_field(Centerline_field(centerlines_), Wall_distance(surface_, patch_, labels::wall),
+                                   in_frame(np));
   }
-  template <class NamedParameters> Centerline_metric_field<Point> metric_field(const NamedParameters& np) const {
-    return Centerline_metric_field<Point>(surface_, patch_, centerlines_, in_frame(np));
+  template <class NamedParameters> Centerline_metric_field metric_field(const NamedParameters& np) const {
+    return Centerline_metric_field(surface_, patch_, centerlines_, in_frame(np));
   }
 
-  Point from_frame(const Point& p) const {
+  Point_3 from_frame(const Point_3& p) const {
     const auto q = frame_.from_canonical(to_double_point(p));
-    return Point(q.x(), q.y(), q.z());
+    return Point_3(q.x(), q.y(), q.z());
   }
 
-  void bring_back(Mixed_mesh<Point>& mesh) const {
-    for (Point& p : mesh.points)
+  void bring_back(Mixed_mesh& mesh) const {
+    for (Point_3& p : mesh.points)
       p = from_frame(p);
     for (Point_array& a : mesh.point_arrays)
       if (a.name == "metric" && a.components == 6)
@@ -88,7 +89,7 @@ public:
     for (auto v : surface.vertices())
       surface.point(v) = from_frame(surface.point(v));
   }
-  void bring_back(Remeshed_surface<Point>& remeshed) const {
+  void bring_back(Remeshed_surface& remeshed) const {
     bring_back(remeshed.surface);
     for (Metric_tensor_3& metric : remeshed.metrics) {
       std::array<double, 6> m = metric.components();
@@ -105,9 +106,9 @@ private:
     return points;
   }
 
-  Point to_frame(const Point& p) const {
+  Point_3 to_frame(const Point_3& p) const {
     const auto q = frame_.to_frame(to_double_point(p));
-    return Point(q.x(), q.y(), q.z());
+    return Point_3(q.x(), q.y(), q.z());
   }
 
   template <class NamedParameters> auto in_frame(const NamedParameters& np) const {
@@ -130,7 +131,7 @@ private:
   Canonical_frame frame_;
   Surface surface_;
   Face_patch_map patch_;
-  Centerline_graph<Point> centerlines_;
+  Centerline_graph centerlines_;
 };
 
 } // namespace internal

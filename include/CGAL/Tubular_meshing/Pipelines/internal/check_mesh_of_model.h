@@ -21,7 +21,7 @@ namespace Tubular_meshing {
 namespace internal {
 
 // What a mesh of the model must be beyond valid: of the model's topology, with all of its patches.
-template <class Point> std::string differences(const Mixed_mesh<Point>& mesh, const Tubular_model<Point>& model) {
+inline std::string differences(const Mixed_mesh& mesh, const Tubular_model& model) {
   const Validity_report report = validity_report(mesh);
   std::string s = report.defects();
   const auto add = [&](const std::string& what) { s += (s.empty() ? "" : ", ") + what; };
@@ -47,7 +47,7 @@ inline void check_memory(double tetrahedra) {
                         " million tetrahedra, more than the memory of this machine holds: make it coarser.");
 }
 
-template <class Point> void check_differences(const Mixed_mesh<Point>& mesh, const Tubular_model<Point>& model) {
+inline void check_differences(const Mixed_mesh& mesh, const Tubular_model& model) {
   const std::string s = differences(mesh, model);
   if (!s.empty())
     throw Meshing_error("The mesh came out with " + s +

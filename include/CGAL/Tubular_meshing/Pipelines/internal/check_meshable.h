@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_PIPELINES_INTERNAL_CHECK_MESHABLE_H
 #define CGAL_TUBULAR_MESHING_PIPELINES_INTERNAL_CHECK_MESHABLE_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
@@ -24,9 +25,9 @@ namespace internal {
 
 /* What no mesher can do with: a surface in pieces, or one that intersects itself. Named here, with its place, rather
  * than by a mesher that fails or never ends. */
-template <class Point_3> void check_no_crossings(const CGAL::Surface_mesh<Point_3>& surface) {
+inline void check_no_crossings(const CGAL::Surface_mesh<Point_3>& surface) {
   namespace PMP = CGAL::Polygon_mesh_processing;
-  typedef typename CGAL::Surface_mesh<Point_3>::Face_index Face;
+  typedef Surface::Face_index Face;
   std::vector<std::pair<Face, Face>> crossings;
   PMP::self_intersections<CGAL::Parallel_if_available_tag>(surface, std::back_inserter(crossings));
   if (!crossings.empty()) {
@@ -38,9 +39,9 @@ template <class Point_3> void check_no_crossings(const CGAL::Surface_mesh<Point_
   }
 }
 
-template <class Point_3> void check_one_piece(CGAL::Surface_mesh<Point_3>& surface) {
-  typedef typename CGAL::Surface_mesh<Point_3>::Face_index Face;
-  auto piece = surface.template add_property_map<Face, std::size_t>("f:tubular_meshing_piece").first;
+inline void check_one_piece(CGAL::Surface_mesh<Point_3>& surface) {
+  typedef Surface::Face_index Face;
+  auto piece = surface.add_property_map<Face, std::size_t>("f:tubular_meshing_piece").first;
   const std::size_t pieces = CGAL::Polygon_mesh_processing::connected_components(surface, piece);
   std::vector<std::size_t> size(pieces, 0);
   Face stray;

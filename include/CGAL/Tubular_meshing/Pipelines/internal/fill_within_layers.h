@@ -29,20 +29,19 @@ template <class NamedParameters> bool wants_boundary_layer(const NamedParameters
 
 /* Meshes the lumen by fill(surface, patch, mesh): all of it, or, where layers are wanted along the wall, what they
  * leave of it. All in the model's frame. */
-template <class Point, class Fill, class NamedParameters>
-void fill_within_layers(const Remeshed_surface<Point>& surface, const Model_in_its_frame<Point>& framed,
-                        const Fill& fill, Mixed_mesh<Point>& mesh, const NamedParameters& np) {
-  typedef std::reference_wrapper<Layer_report<Point>> Report;
+template <class Fill, class NamedParameters>
+void fill_within_layers(const Remeshed_surface& surface, const Model_in_its_frame& framed, const Fill& fill,
+                        Mixed_mesh& mesh, const NamedParameters& np) {
+  typedef std::reference_wrapper<Layer_report> Report;
   if (!wants_boundary_layer(np))
     return fill(surface.surface, surface.patch, mesh);
   stage_observer(np)("boundary layer");
-  auto layer =
-      extrude_boundary_layer(surface.surface, surface.patch, Centerline_field<Point>(framed.centerlines()), np);
-  Layer_report<Point> unheard;
-  Layer_report<Point>& report = choose(np, internal_np::boundary_layer_report, Report(unheard));
+  auto layer = extrude_boundary_layer(surface.surface, surface.patch, Centerline_field(framed.centerlines()), np);
+  Layer_report unheard;
+  Layer_report& report = choose(np, internal_np::boundary_layer_report, Report(unheard));
   report = layer.report;
   report.worst_place = framed.from_frame(report.worst_place);
-  Mixed_mesh<Point> inside;
+  Mixed_mesh inside;
   try {
     fill(layer.inner, layer.patch, inside);
   } catch (const Meshing_error&) { // its places are in the frame

@@ -23,9 +23,7 @@ inline double distance_between(const Coordinates& a, const Coordinates& b) {
   return length(minus(a, b));
 }
 inline double triangle_area(const Triangle_soup& soup, const Index_triangle& t) {
-  return length(cross(minus(soup.points[t[1]], soup.points[t[0]]),
-                                    minus(soup.points[t[2]], soup.points[t[0]]))) /
-         2;
+  return length(cross(minus(soup.points[t[1]], soup.points[t[0]]), minus(soup.points[t[2]], soup.points[t[0]]))) / 2;
 }
 
 /* The edges of a soup with the sides of triangles at each: side 3 t + k runs from corner k of triangle t to the next.

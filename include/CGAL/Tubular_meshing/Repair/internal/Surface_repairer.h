@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_REPAIR_INTERNAL_SURFACE_REPAIRER_H
 #define CGAL_TUBULAR_MESHING_REPAIR_INTERNAL_SURFACE_REPAIRER_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Repair/Repair_report.h>
 #include <CGAL/Tubular_meshing/Rims/Opening_site.h>
 #include <CGAL/Tubular_meshing/Repair/internal/Soup_edges.h>
@@ -41,14 +42,14 @@ namespace Tubular_meshing {
 namespace internal {
 
 /* The repairs, one after the other: first those of the triangles as a soup, then those of the mesh that they make. */
-template <class Point> class Surface_repairer {
-  typedef CGAL::Surface_mesh<Point> Mesh;
+class Surface_repairer {
+  typedef CGAL::Surface_mesh<Point_3> Mesh;
   typedef typename Mesh::Vertex_index Vertex;
   typedef typename Mesh::Halfedge_index Halfedge;
   typedef typename Mesh::Face_index Face;
 
 public:
-  Surface_repairer(Mesh& mesh, Repair_report<Point>& report)
+  Surface_repairer(Mesh& mesh, Repair_report& report)
       : mesh_(mesh)
       , report_(report) {}
 
@@ -67,7 +68,7 @@ public:
     report_islands(drop_islands(mesh_));
     turn_outward();
     remove_needles();
-    Touching_loop_splitter<Point>(mesh_).split();
+    Touching_loop_splitter(mesh_).split();
     close_pinholes();
     replace_needles();
     const bool is_mended = mend_crossings() && is_sound();
@@ -77,10 +78,10 @@ public:
   }
 
   void smooth() {
-    const std::vector<Point> before(mesh_.points().begin(), mesh_.points().end());
+    const std::vector<Point_3> before(mesh_.points().begin(), mesh_.points().end());
     const bool was_bad = !find_bad_faces(mesh_).empty();
-    Noise_smoother<Point>(mesh_).smooth();
-    if (!was_bad && !find_bad_faces(mesh_).empty() && !Crossing_mender<Point>(mesh_).mend(find_bad_faces(mesh_)))
+    Noise_smoother(mesh_).smooth();
+    if (!was_bad && !find_bad_faces(mesh_).empty() && !Crossing_mender(mesh_).mend(find_bad_faces(mesh_)))
       throw Meshing_error("Smoothing makes the surface intersect itself at " +
                           coordinates(find_bad_faces(mesh_).crossing) + ": leave the smoothing out.");
     double farthest = 0;
@@ -91,7 +92,7 @@ public:
   }
 
 private:
-  static Point point(const Coordinates& c) { return Point(c[0], c[1], c[2]); }
+  static Point_3 point(const Coordinates& c) { return Point_3(c[0], c[1], c[2]); }
 
   // --- the soup ---
 
@@ -145,7 +146,7 @@ private:
   }
 
   void make_mesh(Triangle_soup& soup) {
-    std::vector<Point> points;
+    std::vector<Point_3> points;
     points.reserve(soup.points.size());
     for (const Coordinates& p : soup.points)
       points.push_back(point(p));
@@ -161,7 +162,7 @@ private:
 
   // --- the mesh ---
 
-  void report_islands(const Dropped_islands<Point>& dropped) {
+  void report_islands(const Dropped_islands& dropped) {
     if (dropped.count == 0)
       return;
     report_.add(Surface_defect::islands, dropped.count, dropped.extent,
@@ -181,11 +182,11 @@ private:
   }
 
   void remove_needles() {
-    Needle_remover<Point> remover(mesh_);
+    Needle_remover remover(mesh_);
     const std::vector<Face> needles = remover.find();
     if (needles.empty())
       return;
-    const Point place = mesh_.point(mesh_.target(mesh_.halfedge(needles.front())));
+    const Point_3 place = mesh_.point(mesh_.target(mesh_.halfedge(needles.front())));
     const std::size_t left = remover.remove(needles);
     if (left < needles.size())
       report_.add(Surface_defect::needle_triangles, needles.size() - left, 0,
@@ -196,14 +197,14 @@ private:
 
   // Those that can neither be collapsed nor flipped away go with the faces around them.
   void replace_needles() {
-    const Needle_remover<Point> remover(mesh_);
+    const Needle_remover remover(mesh_);
     const std::vector<Face> needles = remover.find();
     if (needles.empty())
       return;
     note_flat_ends();
-    const Point place = mesh_.point(mesh_.target(mesh_.halfedge(needles.front())));
+    const Point_3 place = mesh_.point(mesh_.target(mesh_.halfedge(needles.front())));
     const Mesh before = mesh_;
-    if (!Crossing_mender<Point>(mesh_).replace_all([&] { return remover.find(); }) || !keeps_ends()) {
+    if (!Crossing_mender(mesh_).replace_all([&] { return remover.find(); }) || !keeps_ends()) {
       mesh_ = before;
       return;
     }
@@ -216,8 +217,8 @@ private:
 
   // Tells the openings from the holes, and closes these.
   void close_pinholes() {
-    Loop_classifier<Point> classifier(mesh_);
-    std::vector<Opening_site<Point>> openings, pinholes;
+    Loop_classifier classifier(mesh_);
+    std::vector<Opening_site> openings, pinholes;
     for (auto& loop : border_cycles(mesh_)) {
       const Loop_kind kind = classifier.classify(loop);
       if (kind == Loop_kind::torn_wall)
@@ -232,10 +233,10 @@ private:
     fill(pinholes);
   }
 
-  void fill(const std::vector<Opening_site<Point>>& pinholes) {
+  void fill(const std::vector<Opening_site>& pinholes) {
     if (pinholes.empty())
       return;
-    const Opening_site<Point>* largest = &pinholes.front();
+    const Opening_site* largest = &pinholes.front();
     for (const auto& hole : pinholes) {
       if (!fill_wall(mesh_, hole.rim.front(), true))
         throw Input_error("The hole of the wall at " + coordinates(hole.shape.center) +
@@ -251,12 +252,12 @@ private:
 
   // False if something is left; then the mesh is as it was.
   bool mend_crossings() {
-    const Bad_faces<Point> bad = find_bad_faces(mesh_);
+    const Bad_faces bad = find_bad_faces(mesh_);
     if (bad.empty())
       return true;
     note_flat_ends();
     const Mesh before = mesh_;
-    const bool mended = Crossing_mender<Point>(mesh_).mend(bad) && keeps_ends();
+    const bool mended = Crossing_mender(mesh_).mend(bad) && keeps_ends();
     const std::string end = mended ? "; they were smoothed or replaced." : "; they could not be mended locally.";
     if (bad.crossings > 0) {
       const std::string what = counted(bad.crossings, "pair of triangles crosses", "pairs of triangles cross") +
@@ -284,7 +285,7 @@ private:
 
   // Whether the ends are where they were, and nothing else is open.
   bool keeps_ends() const {
-    std::vector<Tube_end<Point>> ends;
+    std::vector<Tube_end> ends;
     append_ends(border_cycles(mesh_), ends);
     append_ends(flat_ends(mesh_), ends);
     return ends.size() == tube_ends_.size() && first_not_among(tube_ends_, ends) == nullptr &&
@@ -300,7 +301,7 @@ private:
           reason_ = "The border touches itself at " + coordinates(mesh_.point(mesh_.target(h)));
           return false;
         }
-    const std::vector<Face> needles = Needle_remover<Point>(mesh_).find();
+    const std::vector<Face> needles = Needle_remover(mesh_).find();
     if (needles.empty())
       return true;
     reason_ = "Triangles of almost no area at " +
@@ -326,12 +327,12 @@ private:
 
   void wrap() {
     note_flat_ends();
-    const std::vector<Tube_end<Point>> ends = tube_ends_;
+    const std::vector<Tube_end> ends = tube_ends_;
     const long handles = number_of_handles();
-    std::vector<Point> points(mesh_.points().begin(), mesh_.points().end());
+    std::vector<Point_3> points(mesh_.points().begin(), mesh_.points().end());
     std::vector<Index_triangle> triangles = triangles_and_fans(points);
-    Surface_wrapper<Point> wrapper(std::move(points), std::move(triangles), ends,
-                                   reason_.empty() ? "The surface is to be wrapped" : reason_);
+    Surface_wrapper wrapper(std::move(points), std::move(triangles), ends,
+                            reason_.empty() ? "The surface is to be wrapped" : reason_);
     wrapper.wrap(mesh_, smallest_radius());
     drop_islands(mesh_);
     const std::string what =
@@ -342,9 +343,9 @@ private:
     refuse_wrap(ends, handles);
   }
 
-  void refuse_wrap(const std::vector<Tube_end<Point>>& ends, long handles) const {
+  void refuse_wrap(const std::vector<Tube_end>& ends, long handles) const {
     const std::string what = reason_.empty() ? "The surface cannot be wrapped" : reason_ + ", and wrapping it fails";
-    std::vector<Tube_end<Point>> found;
+    std::vector<Tube_end> found;
     append_ends(border_cycles(mesh_), found);
     for (const auto& lost : {first_not_among(ends, found), first_not_among(found, ends)})
       if (lost != nullptr)
@@ -364,9 +365,9 @@ private:
     if (!tube_ends_.empty())
       return smallest;
     double volume = 0, area = 0;
-    const Point& o = mesh_.point(*mesh_.vertices().begin());
+    const Point_3& o = mesh_.point(*mesh_.vertices().begin());
     for (Face f : mesh_.faces()) {
-      const Vector_of<Point> n = area_vector(mesh_.halfedge(f), mesh_);
+      const Vector_3 n = area_vector(mesh_.halfedge(f), mesh_);
       volume += (mesh_.point(mesh_.target(mesh_.halfedge(f))) - o) * n / 3;
       area += std::sqrt(n.squared_length());
     }
@@ -374,7 +375,7 @@ private:
   }
 
   // Appends the centres of the fans to the points.
-  std::vector<Index_triangle> triangles_and_fans(std::vector<Point>& points) const {
+  std::vector<Index_triangle> triangles_and_fans(std::vector<Point_3>& points) const {
     std::vector<Index_triangle> triangles;
     for (Face f : mesh_.faces()) {
       const Halfedge h = mesh_.halfedge(f);
@@ -391,8 +392,8 @@ private:
   }
 
   Mesh& mesh_;
-  Repair_report<Point>& report_;
-  std::vector<Tube_end<Point>> tube_ends_; ///< as they were before what was amiss between them was mended
+  Repair_report& report_;
+  std::vector<Tube_end> tube_ends_; ///< as they were before what was amiss between them was mended
   bool knows_flat_ends_ = false;
   std::string reason_; ///< why the surface is wrapped
 };

@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_REPAIR_INTERNAL_DROP_ISLANDS_H
 #define CGAL_TUBULAR_MESHING_REPAIR_INTERNAL_DROP_ISLANDS_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Rims/Opening_site.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 
@@ -23,14 +24,14 @@ namespace Tubular_meshing {
 namespace internal {
 
 /* The border loops of any manifold mesh: unlike border_loops(), they may touch, and bound no area. */
-template <class Point> std::vector<Opening_site<Point>> border_cycles(const CGAL::Surface_mesh<Point>& mesh) {
-  typedef typename CGAL::Surface_mesh<Point>::Halfedge_index Halfedge;
-  std::vector<Opening_site<Point>> loops;
+inline std::vector<Opening_site> border_cycles(const CGAL::Surface_mesh<Point_3>& mesh) {
+  typedef Surface::Halfedge_index Halfedge;
+  std::vector<Opening_site> loops;
   std::unordered_set<Halfedge> visited;
   for (Halfedge first : mesh.halfedges()) {
     if (!mesh.is_border(first) || visited.count(first))
       continue;
-    Opening_site<Point> loop;
+    Opening_site loop;
     for (Halfedge h = first; visited.insert(h).second; h = mesh.next(h))
       loop.rim.push_back(h);
     loop.shape = measure_rim(rim_points(loop.rim, mesh));
@@ -39,16 +40,16 @@ template <class Point> std::vector<Opening_site<Point>> border_cycles(const CGAL
   return loops;
 }
 
-template <class Point> struct Dropped_islands {
+struct Dropped_islands {
   std::size_t count = 0, triangles = 0;
   double share = 0, extent = 0; ///< of the whole area; the diagonal of the largest one's box
-  Point place;                  ///< on the largest one
+  Point_3 place;                ///< on the largest one
 };
 
 /* Keeps the component of the largest area. Throws Input_error where one that would go has a rim that faces a rim of
  * what stays within a radius: that is a vessel with a gap, no island. O(n). */
-template <class Point> class Island_dropper {
-  typedef CGAL::Surface_mesh<Point> Mesh;
+class Island_dropper {
+  typedef CGAL::Surface_mesh<Point_3> Mesh;
   typedef typename Mesh::Halfedge_index Halfedge;
   typedef typename Mesh::Face_index Face;
 
@@ -57,8 +58,8 @@ public:
       : mesh_(mesh)
       , component_(mesh.num_faces(), none) {}
 
-  Dropped_islands<Point> drop() {
-    Dropped_islands<Point> dropped;
+  Dropped_islands drop() {
+    Dropped_islands dropped;
     double total = 0;
     for (Face f : mesh_.faces())
       if (component_[std::size_t(f)] == none)
@@ -121,7 +122,7 @@ private:
 
   void refuse_gap(std::size_t kept) const {
     const auto loops = border_cycles(mesh_);
-    const auto component_of = [&](const Opening_site<Point>& loop) {
+    const auto component_of = [&](const Opening_site& loop) {
       return component_[std::size_t(mesh_.face(mesh_.opposite(loop.rim.front())))];
     };
     std::vector<std::size_t> number_of_loops(area_.size(), 0);
@@ -147,8 +148,8 @@ private:
   std::vector<double> area_;
 };
 
-template <class Point> Dropped_islands<Point> drop_islands(CGAL::Surface_mesh<Point>& mesh) {
-  return Island_dropper<Point>(mesh).drop();
+inline Dropped_islands drop_islands(CGAL::Surface_mesh<Point_3>& mesh) {
+  return Island_dropper(mesh).drop();
 }
 
 } // namespace internal

@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_REPAIR_INTERNAL_FILL_WALL_H
 #define CGAL_TUBULAR_MESHING_REPAIR_INTERNAL_FILL_WALL_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Rims/Rim_shape.h>
 
 #include <CGAL/Origin.h>
@@ -22,9 +23,8 @@ namespace Tubular_meshing {
 namespace internal {
 
 /* The mean of a vertex' neighbours, relative to the vertex: the umbrella vector. */
-template <class Point>
-Vector_of<Point> umbrella(typename CGAL::Surface_mesh<Point>::Vertex_index v, const CGAL::Surface_mesh<Point>& mesh) {
-  Vector_of<Point> sum(0, 0, 0);
+inline Vector_3 umbrella(Surface::Vertex_index v, const CGAL::Surface_mesh<Point_3>& mesh) {
+  Vector_3 sum(0, 0, 0);
   double n = 0;
   for (auto w : CGAL::vertices_around_target(mesh.halfedge(v), mesh)) {
     sum = sum + (mesh.point(w) - mesh.point(v));
@@ -34,9 +34,7 @@ Vector_of<Point> umbrella(typename CGAL::Surface_mesh<Point>::Vertex_index v, co
 }
 
 /* Pulls vertices to the means of their neighbours, one after the other: towards a membrane. */
-template <class Point>
-void relax(CGAL::Surface_mesh<Point>& mesh,
-           const std::vector<typename CGAL::Surface_mesh<Point>::Vertex_index>& vertices, int sweeps) {
+inline void relax(CGAL::Surface_mesh<Point_3>& mesh, const std::vector<Surface::Vertex_index>& vertices, int sweeps) {
   for (int i = 0; i < sweeps; ++i)
     for (auto v : vertices)
       mesh.point(v) = mesh.point(v) + umbrella(v, mesh);
@@ -44,11 +42,9 @@ void relax(CGAL::Surface_mesh<Point>& mesh,
 
 /* Bends a patch so that it continues the surface around it: descent along the umbrella of the umbrella vectors (Kobbelt
  * et al., Interactive multi-resolution modeling on arbitrary meshes, 1998), in a fixed number of sweeps. */
-template <class Point>
-void bend(CGAL::Surface_mesh<Point>& mesh,
-          const std::vector<typename CGAL::Surface_mesh<Point>::Vertex_index>& vertices, int sweeps) {
-  typedef typename CGAL::Surface_mesh<Point>::Vertex_index Vertex;
-  std::unordered_map<Vertex, Vector_of<Point>> first;
+inline void bend(CGAL::Surface_mesh<Point_3>& mesh, const std::vector<Surface::Vertex_index>& vertices, int sweeps) {
+  typedef Surface::Vertex_index Vertex;
+  std::unordered_map<Vertex, Vector_3> first;
   for (int i = 0; i < sweeps; ++i) {
     for (Vertex v : vertices) {
       first[v] = umbrella(v, mesh);
@@ -56,7 +52,7 @@ void bend(CGAL::Surface_mesh<Point>& mesh,
         first[w] = umbrella(w, mesh);
     }
     for (Vertex v : vertices) {
-      Vector_of<Point> second(0, 0, 0);
+      Vector_3 second(0, 0, 0);
       double n = 0, weight = 0;
       for (Vertex w : CGAL::vertices_around_target(mesh.halfedge(v), mesh)) {
         second = second + (first[w] - first[v]);
@@ -70,9 +66,8 @@ void bend(CGAL::Surface_mesh<Point>& mesh,
 
 /* Fills a hole of the wall by triangles of the size of those around it, as a membrane, or bent like the wall around.
  * False, with the mesh as it was, if there is no triangulation. */
-template <class Point>
-bool fill_wall(CGAL::Surface_mesh<Point>& mesh, typename CGAL::Surface_mesh<Point>::Halfedge_index border, bool bent) {
-  typedef CGAL::Surface_mesh<Point> Mesh;
+inline bool fill_wall(CGAL::Surface_mesh<Point_3>& mesh, Surface::Halfedge_index border, bool bent) {
+  typedef CGAL::Surface_mesh<Point_3> Mesh;
   std::vector<typename Mesh::Face_index> faces;
   std::vector<typename Mesh::Vertex_index> vertices;
   Polygon_mesh_processing::triangulate_and_refine_hole(mesh, border, std::back_inserter(faces),

@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_REPAIR_INTERNAL_MEND_CROSSINGS_H
 #define CGAL_TUBULAR_MESHING_REPAIR_INTERNAL_MEND_CROSSINGS_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Rims/Opening_site.h>
 #include <CGAL/Tubular_meshing/Repair/internal/fill_wall.h>
 
@@ -28,20 +29,19 @@ namespace Tubular_meshing {
 namespace internal {
 
 /* What is wrong with the shape of a surface: faces that cross each other, or turn back on each other. */
-template <class Point> struct Bad_faces {
-  typedef typename CGAL::Surface_mesh<Point>::Face_index Face;
+struct Bad_faces {
+  typedef Surface::Face_index Face;
   std::vector<Face> faces; ///< sorted
   std::size_t crossings = 0, folds = 0;
-  Point crossing, fold; ///< where the first ones are
+  Point_3 crossing, fold; ///< where the first ones are
 
   bool empty() const { return faces.empty(); }
 };
 
-template <class Point>
-bool is_folded(typename CGAL::Surface_mesh<Point>::Edge_index e, const CGAL::Surface_mesh<Point>& mesh) {
+inline bool is_folded(Surface::Edge_index e, const CGAL::Surface_mesh<Point_3>& mesh) {
   if (mesh.is_border(e))
     return false;
-  const Vector_of<Point> m = area_vector(mesh.halfedge(e, 0), mesh), n = area_vector(mesh.halfedge(e, 1), mesh);
+  const Vector_3 m = area_vector(mesh.halfedge(e, 0), mesh), n = area_vector(mesh.halfedge(e, 1), mesh);
   const double cosine = m * n; // times the areas
   return cosine < 0 &&
          cosine * cosine > 0.81 * m.squared_length() * n.squared_length(); // turns by more than 154 degrees
@@ -49,10 +49,9 @@ bool is_folded(typename CGAL::Surface_mesh<Point>::Edge_index e, const CGAL::Sur
 
 /* The pairs of faces that cross each other, in order. O(n log n), and more than all else that is done to a clean
  * surface. On one thread: CGAL's parallel version took twice the time on two cores. */
-template <class Point>
-std::vector<std::pair<typename CGAL::Surface_mesh<Point>::Face_index, typename CGAL::Surface_mesh<Point>::Face_index>>
-find_crossings(const CGAL::Surface_mesh<Point>& mesh) {
-  typedef typename CGAL::Surface_mesh<Point>::Face_index Face;
+inline std::vector<std::pair<Surface::Face_index, Surface::Face_index>>
+find_crossings(const CGAL::Surface_mesh<Point_3>& mesh) {
+  typedef Surface::Face_index Face;
   std::vector<std::pair<Face, Face>> pairs;
   Polygon_mesh_processing::self_intersections(mesh, std::back_inserter(pairs));
   for (auto& pair : pairs)
@@ -62,8 +61,8 @@ find_crossings(const CGAL::Surface_mesh<Point>& mesh) {
   return pairs;
 }
 
-template <class Point> Bad_faces<Point> find_bad_faces(const CGAL::Surface_mesh<Point>& mesh) {
-  Bad_faces<Point> bad;
+inline Bad_faces find_bad_faces(const CGAL::Surface_mesh<Point_3>& mesh) {
+  Bad_faces bad;
   const auto pairs = find_crossings(mesh);
   bad.crossings = pairs.size();
   if (!pairs.empty())
@@ -88,8 +87,8 @@ template <class Point> Bad_faces<Point> find_bad_faces(const CGAL::Surface_mesh<
  * which is taken back where it does not help, then by replacing them with a patch that is bent like the wall around it,
  * then ever larger patches, without bending: walls that pierce each other retreat from each other. Where bad faces
  * reach a rim, they are removed, and the notch is filled up to a chord. O(n log n) for each of at most ten rounds. */
-template <class Point> class Crossing_mender {
-  typedef CGAL::Surface_mesh<Point> Mesh;
+class Crossing_mender {
+  typedef CGAL::Surface_mesh<Point_3> Mesh;
   typedef typename Mesh::Vertex_index Vertex;
   typedef typename Mesh::Halfedge_index Halfedge;
   typedef typename Mesh::Face_index Face;
@@ -100,7 +99,7 @@ public:
       : mesh_(mesh) {}
 
   /* Whether nothing bad is left. */
-  bool mend(Bad_faces<Point> bad) {
+  bool mend(Bad_faces bad) {
     for (int round = 0; round < 4 && !bad.empty(); ++round)
       bad = smooth(bad, (round + 1) / 2, round < 2);
     return bad.empty() || replace_all([&] { return find_bad_faces(mesh_).faces; });
@@ -119,8 +118,8 @@ public:
   }
 
 private:
-  Bad_faces<Point> smooth(const Bad_faces<Point>& bad, int rings, bool bent) {
-    std::vector<std::vector<std::pair<Vertex, Point>>> before;
+  Bad_faces smooth(const Bad_faces& bad, int rings, bool bent) {
+    std::vector<std::vector<std::pair<Vertex, Point_3>>> before;
     std::vector<Faces> patches = patches_around(bad.faces, rings);
     for (const Faces& patch : patches) {
       std::vector<Vertex> vertices = inner_vertices(patch);
@@ -131,7 +130,7 @@ private:
       if (bent)
         bend(mesh_, vertices, 40);
     }
-    const Bad_faces<Point> left = find_bad_faces(mesh_);
+    const Bad_faces left = find_bad_faces(mesh_);
     for (std::size_t i = 0; i < patches.size(); ++i)
       if (std::any_of(left.faces.begin(), left.faces.end(), [&](Face f) { return patches[i].count(f) > 0; }))
         for (const auto& v : before[i])
@@ -244,7 +243,7 @@ private:
     if (first == sides.end())
       return;
     std::vector<Vertex> notch = {mesh_.source(*first)};
-    std::vector<Point> polyline = {mesh_.point(notch.front())};
+    std::vector<Point_3> polyline = {mesh_.point(notch.front())};
     for (Halfedge h = *first; in_notch(h); h = mesh_.next(h)) {
       notch.push_back(mesh_.target(h));
       polyline.push_back(mesh_.point(notch.back()));

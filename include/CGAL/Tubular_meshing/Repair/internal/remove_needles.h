@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_REPAIR_INTERNAL_REMOVE_NEEDLES_H
 #define CGAL_TUBULAR_MESHING_REPAIR_INTERNAL_REMOVE_NEEDLES_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Rims/Opening_site.h>
 
 #include <CGAL/Surface_mesh.h>
@@ -23,12 +24,12 @@ namespace internal {
  * collapsing it, flat ones by flipping the longest side, or, where this is on a rim, by removing the triangle. Each of
  * these moves the surface by about a thousandth of an edge; what would turn a neighbour over is not done. O(n) for each
  * of at most ten passes. */
-template <class Point> class Needle_remover {
-  typedef CGAL::Surface_mesh<Point> Mesh;
+class Needle_remover {
+  typedef CGAL::Surface_mesh<Point_3> Mesh;
   typedef typename Mesh::Vertex_index Vertex;
   typedef typename Mesh::Halfedge_index Halfedge;
   typedef typename Mesh::Face_index Face;
-  typedef Vector_of<Point> Vector;
+  typedef Vector_3 Vector;
 
 public:
   static constexpr double least_flatness = 1e-3;
@@ -62,7 +63,7 @@ public:
 private:
   double side(Halfedge h) const { return point_distance(mesh_.point(mesh_.source(h)), mesh_.point(mesh_.target(h))); }
 
-  static double flatness(const Point& a, const Point& b, const Point& c) {
+  static double flatness(const Point_3& a, const Point_3& b, const Point_3& c) {
     const double longest =
         (std::max)((b - a).squared_length(), (std::max)((c - b).squared_length(), (a - c).squared_length()));
     return longest > 0 ? std::sqrt(CGAL::cross_product(b - a, c - a).squared_length()) / longest : 0;
@@ -94,7 +95,7 @@ private:
     if (is_end_of_small_loop(e))
       return false;
     // on a rim the point that stays is the rim's
-    const Point p = mesh_.is_border(from) && !mesh_.is_border(to) ? mesh_.point(from) : mesh_.point(to);
+    const Point_3 p = mesh_.is_border(from) && !mesh_.is_border(to) ? mesh_.point(from) : mesh_.point(to);
     if (turns_a_face(from, to, p) || turns_a_face(to, from, p))
       return false;
     mesh_.point(CGAL::Euler::collapse_edge(e, mesh_)) = p;
@@ -112,14 +113,14 @@ private:
   }
 
   // Whether a face at v, but not at w, turns over when v moves to p.
-  bool turns_a_face(Vertex v, Vertex w, const Point& p) const {
+  bool turns_a_face(Vertex v, Vertex w, const Point_3& p) const {
     for (Halfedge h : CGAL::halfedges_around_target(mesh_.halfedge(v), mesh_)) {
       if (mesh_.is_border(h))
         continue;
       const Vertex a = mesh_.source(h), b = mesh_.target(mesh_.next(h));
       if (a == w || b == w || is_needle(mesh_.face(h)))
         continue;
-      const Point &pa = mesh_.point(a), &pb = mesh_.point(b), &old = mesh_.point(v);
+      const Point_3 &pa = mesh_.point(a), &pb = mesh_.point(b), &old = mesh_.point(v);
       const Vector before = CGAL::cross_product(pb - old, pa - old), after = CGAL::cross_product(pb - p, pa - p);
       if (before * after < 0.5 * std::sqrt(before.squared_length() * after.squared_length()) ||
           flatness(pa, pb, p) < least_flatness)
@@ -139,8 +140,8 @@ private:
     const Vertex a = mesh_.target(mesh_.next(h)), b = mesh_.target(mesh_.next(o));
     if (a == b || mesh_.halfedge(a, b) != Mesh::null_halfedge())
       return false;
-    const Point &pa = mesh_.point(a), &pb = mesh_.point(b), &s = mesh_.point(mesh_.source(h)),
-                &t = mesh_.point(mesh_.target(h));
+    const Point_3 &pa = mesh_.point(a), &pb = mesh_.point(b), &s = mesh_.point(mesh_.source(h)),
+                  &t = mesh_.point(mesh_.target(h));
     const Vector before = CGAL::cross_product(t - s, pa - s) + CGAL::cross_product(s - t, pb - t);
     const Vector one = CGAL::cross_product(pb - s, pa - s), two = CGAL::cross_product(pa - t, pb - t);
     if (before * one <= 0 || before * two <= 0 ||

@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_REPAIR_INTERNAL_REPORT_ORIENTATION_H
 #define CGAL_TUBULAR_MESHING_REPAIR_INTERNAL_REPORT_ORIENTATION_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Repair/Repair_report.h>
 #include <CGAL/Tubular_meshing/Rims/Opening_site.h>
 #include <CGAL/Tubular_meshing/Repair/internal/Soup_edges.h>
@@ -17,8 +18,7 @@ namespace Tubular_meshing {
 namespace internal {
 
 // Points may have been doubled meanwhile: corners are compared as points.
-template <class Point>
-bool is_reversed(const std::vector<Point>& points, const Index_triangle& before, const Index_triangle& after) {
+inline bool is_reversed(const std::vector<Point_3>& points, const Index_triangle& before, const Index_triangle& after) {
   for (int k = 0; k < 3; ++k)
     if (points[before[0]] == points[after[k]])
       return points[before[1]] != points[after[(k + 1) % 3]];
@@ -26,9 +26,8 @@ bool is_reversed(const std::vector<Point>& points, const Index_triangle& before,
 }
 
 /* Reports what orienting a soup has changed: triangles that were turned, and points that were doubled. */
-template <class Point>
-void report_orientation(const std::vector<Point>& points, const std::vector<Index_triangle>& before,
-                        const std::vector<Index_triangle>& after, Repair_report<Point>& report) {
+inline void report_orientation(const std::vector<Point_3>& points, const std::vector<Index_triangle>& before,
+                               const std::vector<Index_triangle>& after, Repair_report& report) {
   std::size_t turned = 0, first_turned = after.size(), first_kept = after.size();
   std::size_t doubled = 0, first_doubled = points.size();
   std::size_t old_points = 0;
@@ -48,7 +47,7 @@ void report_orientation(const std::vector<Point>& points, const std::vector<Inde
   const bool most = 2 * turned > after.size();
   const std::size_t n = most ? after.size() - turned : turned;
   if (n > 0) {
-    const Point& place = points[after[most ? first_kept : first_turned][0]];
+    const Point_3& place = points[after[most ? first_kept : first_turned][0]];
     report.add(Surface_defect::turned_triangles, n, 0,
                counted(n, "triangle was", "triangles were") + " oriented against the others and turned, the first at " +
                    coordinates(place) + ".",

@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_REPAIR_INTERNAL_SMOOTH_NOISE_H
 #define CGAL_TUBULAR_MESHING_REPAIR_INTERNAL_SMOOTH_NOISE_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Rims/Opening_site.h>
 #include <CGAL/Tubular_meshing/Rims/flat_ends.h>
 #include <CGAL/Tubular_meshing/Repair/internal/drop_islands.h>
@@ -22,18 +23,18 @@ namespace internal {
  * (A signal processing approach to fair surface design, 1995), pass band 0.1, ten rounds; what volume that gains or
  * loses is then made up for by moving the wall along its normals, all over by the same length. A vertex on a rim moves
  * along the rim only, as a vertex of that curve; flat caps stay as they are. O(n) a round. */
-template <class Point> class Noise_smoother {
-  typedef CGAL::Surface_mesh<Point> Mesh;
+class Noise_smoother {
+  typedef CGAL::Surface_mesh<Point_3> Mesh;
   typedef typename Mesh::Vertex_index Vertex;
   typedef typename Mesh::Halfedge_index Halfedge;
-  typedef Vector_of<Point> Vector;
+  typedef Vector_3 Vector;
 
 public:
   /* The mesh has no garbage, and is turned outward. */
   explicit Noise_smoother(Mesh& mesh)
       : mesh_(mesh)
       , fixed_(mesh.num_vertices(), false) {
-    for (const auto& end : Flat_end_finder<Point>(mesh, false).find(certain_flat_end()))
+    for (const auto& end : Flat_end_finder(mesh, false).find(certain_flat_end()))
       for (auto f : end.cap)
         for (Vertex v : CGAL::vertices_around_face(mesh.halfedge(f), mesh))
           fixed_[std::size_t(v)] = true;
@@ -62,8 +63,8 @@ private:
   // Of the surface with its border loops closed by fans.
   double closed_volume() const {
     double volume = 0;
-    const Point o = mesh_.point(*mesh_.vertices().begin());
-    const auto add = [&](const Point& a, const Point& b, const Point& c) {
+    const Point_3 o = mesh_.point(*mesh_.vertices().begin());
+    const auto add = [&](const Point_3& a, const Point_3& b, const Point_3& c) {
       volume += (a - o) * CGAL::cross_product(b - o, c - o) / 6;
     };
     for (auto f : mesh_.faces()) {

@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_REPAIR_INTERNAL_SPLIT_TOUCHING_LOOPS_H
 #define CGAL_TUBULAR_MESHING_REPAIR_INTERNAL_SPLIT_TOUCHING_LOOPS_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Repair/internal/drop_islands.h>
 
 #include <CGAL/Surface_mesh.h>
@@ -23,8 +24,8 @@ namespace internal {
  * loops that touch: the end of a vessel, say, and a triangle that is missing beside it. There the two vertices become
  * one again, so that each loop can be judged, and filled, by itself. Vertices are looked up by their coordinates:
  * O(b log b) in the border's length. */
-template <class Point> class Touching_loop_splitter {
-  typedef CGAL::Surface_mesh<Point> Mesh;
+class Touching_loop_splitter {
+  typedef CGAL::Surface_mesh<Point_3> Mesh;
   typedef typename Mesh::Vertex_index Vertex;
   typedef typename Mesh::Halfedge_index Halfedge;
 
@@ -46,7 +47,7 @@ private:
   std::size_t split(const std::vector<Halfedge>& rim) {
     std::size_t number = 0;
     std::vector<Halfedge> path; // what is left of the loop up to here
-    std::map<Point, std::size_t> place;
+    std::map<Point_3, std::size_t> place;
     for (Halfedge h : rim) {
       const auto known = place.find(mesh_.point(mesh_.target(h)));
       path.push_back(h);
@@ -73,7 +74,7 @@ private:
   bool can_join(Halfedge h, Halfedge k) const {
     if (mesh_.target(h) == mesh_.target(k))
       return false;
-    std::set<Point> around;
+    std::set<Point_3> around;
     for (Vertex v : CGAL::vertices_around_target(h, mesh_))
       around.insert(mesh_.point(v));
     const auto others = CGAL::vertices_around_target(k, mesh_);

@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_REPAIR_INTERNAL_TUBE_ENDS_H
 #define CGAL_TUBULAR_MESHING_REPAIR_INTERNAL_TUBE_ENDS_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Rims/Opening_site.h>
 #include <CGAL/Tubular_meshing/Rims/flat_ends.h>
 #include <CGAL/Tubular_meshing/Repair/internal/drop_islands.h>
@@ -19,15 +20,15 @@ namespace Tubular_meshing {
 namespace internal {
 
 /* Where a tube ends, and how. */
-template <class Point> struct Tube_end {
-  Point center;
-  Vector_of<Point> normal; ///< unit, out of the lumen
+struct Tube_end {
+  Point_3 center;
+  Vector_3 normal; ///< unit, out of the lumen
   double radius = 0, reach = 0, sag = 0;
   bool is_open = true; ///< else there is a flat cap
 };
 
-template <class Point> Tube_end<Point> tube_end(const Opening_site<Point>& site) {
-  Tube_end<Point> end;
+inline Tube_end tube_end(const Opening_site& site) {
+  Tube_end end;
   end.center = site.shape.center;
   end.normal = site.shape.plane.normal();
   end.radius = site.shape.radius;
@@ -37,26 +38,23 @@ template <class Point> Tube_end<Point> tube_end(const Opening_site<Point>& site)
   return end;
 }
 
-template <class Point>
-void append_ends(const std::vector<Opening_site<Point>>& sites, std::vector<Tube_end<Point>>& ends) {
+inline void append_ends(const std::vector<Opening_site>& sites, std::vector<Tube_end>& ends) {
   for (const auto& site : sites)
     ends.push_back(tube_end(site));
 }
 
-template <class Point> std::vector<Opening_site<Point>> flat_ends(const CGAL::Surface_mesh<Point>& mesh) {
-  return Flat_end_finder<Point>(mesh, false).find(certain_flat_end());
+inline std::vector<Opening_site> flat_ends(const CGAL::Surface_mesh<Point_3>& mesh) {
+  return Flat_end_finder(mesh, false).find(certain_flat_end());
 }
 
 /* Whether an end is where, and as wide as, another was. */
-template <class Point> bool is_same_end(const Tube_end<Point>& a, const Tube_end<Point>& b) {
+inline bool is_same_end(const Tube_end& a, const Tube_end& b) {
   return point_distance(a.center, b.center) < 0.5 * b.radius && a.radius > 0.6 * b.radius &&
          b.radius > 0.6 * a.radius && a.normal * b.normal > 0.5;
 }
 
 /* The first of the ends that is not among others; null if there is none. O(k^2) for k ends. */
-template <class Point>
-const Tube_end<Point>* first_not_among(const std::vector<Tube_end<Point>>& ends,
-                                       const std::vector<Tube_end<Point>>& others) {
+inline const Tube_end* first_not_among(const std::vector<Tube_end>& ends, const std::vector<Tube_end>& others) {
   for (const auto& end : ends)
     if (std::none_of(others.begin(), others.end(), [&](const auto& other) { return is_same_end(other, end); }))
       return &end;

@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_REPAIR_INTERNAL_WALL_BEHIND_LOOP_H
 #define CGAL_TUBULAR_MESHING_REPAIR_INTERNAL_WALL_BEHIND_LOOP_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Rims/Opening_site.h>
 
 #include <CGAL/Surface_mesh.h>
@@ -30,17 +31,17 @@ struct Wall_behind {
 
 /* Integrates over the part of the wall that is connected to the loop and within reach, triangles bisected where they
  * are large against the reach. O(k) for k faces there. */
-template <class Point> class Wall_surveyor {
-  typedef CGAL::Surface_mesh<Point> Mesh;
+class Wall_surveyor {
+  typedef CGAL::Surface_mesh<Point_3> Mesh;
   typedef typename Mesh::Face_index Face;
-  typedef Vector_of<Point> Vector;
-  typedef std::array<Point, 3> Corners;
+  typedef Vector_3 Vector;
+  typedef std::array<Point_3, 3> Corners;
 
 public:
   explicit Wall_surveyor(const Mesh& mesh)
       : mesh_(mesh) {}
 
-  Wall_behind survey(const Opening_site<Point>& loop) {
+  Wall_behind survey(const Opening_site& loop) {
     center_ = loop.shape.center;
     const double radius = loop.shape.perimeter / (2 * CGAL_PI); // a slit's area says nothing of its length
     reach_ = 2 * radius;
@@ -59,7 +60,7 @@ public:
 
 private:
   // Those at the loop, and those that are connected to them by edges within reach.
-  std::vector<Face> faces_within_reach(const Opening_site<Point>& loop) const {
+  std::vector<Face> faces_within_reach(const Opening_site& loop) const {
     std::vector<Face> faces;
     std::unordered_set<Face> seen = {Mesh::null_face()};
     for (auto h : loop.rim)
@@ -77,7 +78,7 @@ private:
   }
 
   double distance_to_edge(typename Mesh::Halfedge_index h) const {
-    const Point &p = mesh_.point(mesh_.source(h)), &q = mesh_.point(mesh_.target(h));
+    const Point_3 &p = mesh_.point(mesh_.source(h)), &q = mesh_.point(mesh_.target(h));
     const Vector d = q - p, w = center_ - p;
     const double t = (std::max)(0., (std::min)(1., (w * d) / d.squared_length()));
     return std::sqrt((w - t * d).squared_length());
@@ -90,15 +91,15 @@ private:
     while (!parts.empty()) {
       const auto [t, depth] = parts.back();
       parts.pop_back();
-      const Point middle = CGAL::centroid(t[0], t[1], t[2]);
+      const Point_3 middle = CGAL::centroid(t[0], t[1], t[2]);
       const double distance = point_distance(middle, center_);
       const int longest = longest_side(t);
       const double size = point_distance(t[longest], t[(longest + 1) % 3]);
       if (distance - size > reach_)
         continue;
       if (size > 0.4 * reach_ && depth < 16) {
-        const Point &a = t[longest], &b = t[(longest + 1) % 3], &c = t[(longest + 2) % 3];
-        const Point m = CGAL::midpoint(a, b);
+        const Point_3 &a = t[longest], &b = t[(longest + 1) % 3], &c = t[(longest + 2) % 3];
+        const Point_3 m = CGAL::midpoint(a, b);
         parts.push_back({{a, m, c}, depth + 1});
         parts.push_back({{m, b, c}, depth + 1});
       } else if (distance < reach_) {
@@ -120,7 +121,7 @@ private:
   }
 
   const Mesh& mesh_;
-  Point center_;
+  Point_3 center_;
   Vector normal_, area_vector_;
   double reach_ = 0, area_ = 0, depth_ = 0;
 };

@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_REPAIR_INTERNAL_WALL_HOLES_H
 #define CGAL_TUBULAR_MESHING_REPAIR_INTERNAL_WALL_HOLES_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Rims/Opening_site.h>
 #include <CGAL/Tubular_meshing/Repair/internal/wall_behind_loop.h>
 #include <CGAL/Tubular_meshing/base/cgal_compatibility.h>
@@ -28,11 +29,10 @@ namespace internal {
  * rim and what leans out on one side leans in on the other; near 1 round a hole of the wall, since the loop continues
  * the faces. Does not depend on the orientation of the mesh. On real vessels and airways the rims of openings stay
  * below 0.22, holes of the wall above 0.8. */
-template <class Point>
-double alignment_with_wall(const Opening_site<Point>& loop, const CGAL::Surface_mesh<Point>& mesh) {
+inline double alignment_with_wall(const Opening_site& loop, const CGAL::Surface_mesh<Point_3>& mesh) {
   double sum = 0, perimeter = 0;
   for (auto h : loop.rim) {
-    const Vector_of<Point> n = area_vector(mesh.opposite(h), mesh);
+    const Vector_3 n = area_vector(mesh.opposite(h), mesh);
     const double area = std::sqrt(n.squared_length());
     if (!(area > 0))
       continue;
@@ -61,9 +61,9 @@ enum class Loop_kind { opening, pinhole, torn_wall };
  *
  * The mesh has to be turned outward, and loops that touch to be split. The tree of the faces is built at the first loop
  * that lies in the wall: a clean surface does not pay for it. */
-template <class Point> class Loop_classifier {
-  typedef CGAL::Surface_mesh<Point> Mesh;
-  typedef typename Kernel_traits<Point>::Kernel Kernel;
+class Loop_classifier {
+  typedef CGAL::Surface_mesh<Point_3> Mesh;
+  typedef typename Kernel_traits<Point_3>::Kernel Kernel;
   typedef CGAL::AABB_face_graph_triangle_primitive<Mesh> Primitive;
   typedef CGAL::AABB_tree<Aabb_traits<Kernel, Primitive>> Tree;
 
@@ -72,7 +72,7 @@ public:
       : mesh_(mesh)
       , surveyor_(mesh) {}
 
-  Loop_kind classify(const Opening_site<Point>& loop) {
+  Loop_kind classify(const Opening_site& loop) {
     if (!(loop.shape.radius > 0))
       return Loop_kind::pinhole; // it encloses nothing
     const bool has_few_edges = loop.rim.size() <= 6;
@@ -95,7 +95,7 @@ public:
 
   /* The radius of a loop, as a fraction of the lumen's behind it: of half the median way to the opposite wall, along
    * rays that spread by 20 degrees. */
-  double size_ratio(const Opening_site<Point>& loop) {
+  double size_ratio(const Opening_site& loop) {
     if (!tree_)
       tree_.reset(new Tree(faces(mesh_).begin(), faces(mesh_).end(), mesh_));
     const double perimeter_radius = loop.shape.perimeter / (2 * CGAL_PI);
@@ -109,7 +109,7 @@ public:
   }
 
 private:
-  bool is_small(const Opening_site<Point>& loop, double alignment) {
+  bool is_small(const Opening_site& loop, double alignment) {
     if (loop.rim.size() <= 6)
       return true;
     const double ratio = size_ratio(loop);
@@ -117,21 +117,21 @@ private:
   }
 
   // Round, plane, and finer than what a few missing triangles leave.
-  static bool looks_cut(const Opening_site<Point>& loop) {
+  static bool looks_cut(const Opening_site& loop) {
     return loop.rim.size() > 12 && loop.shape.sag < 0.03 * loop.shape.radius &&
            4 * CGAL_PI * loop.shape.area > 0.94 * loop.shape.perimeter * loop.shape.perimeter;
   }
 
   // So thin that its own normal means nothing: an ellipse of 10:1 is not.
-  static bool is_thin(const Opening_site<Point>& loop) {
+  static bool is_thin(const Opening_site& loop) {
     return 4 * CGAL_PI * loop.shape.area < 0.2 * loop.shape.perimeter * loop.shape.perimeter;
   }
 
   // Small against the faces around it.
-  bool is_tiny(const Opening_site<Point>& loop) const { return loop.shape.radius < 0.35 * edge_length_behind(loop); }
+  bool is_tiny(const Opening_site& loop) const { return loop.shape.radius < 0.35 * edge_length_behind(loop); }
 
   // The mean length of the edges that lead from the loop into the wall.
-  double edge_length_behind(const Opening_site<Point>& loop) const {
+  double edge_length_behind(const Opening_site& loop) const {
     double sum = 0, n = 0;
     for (auto rim : loop.rim)
       for (auto h : CGAL::halfedges_around_target(rim, mesh_))
@@ -142,28 +142,27 @@ private:
     return n > 0 ? sum / n : 0;
   }
 
-  void add_way(const Opening_site<Point>& loop, const Vector_of<Point>& axis, int i, double radius,
-               std::vector<double>& ways) const {
-    Vector_of<Point> direction = axis;
+  void add_way(const Opening_site& loop, const Vector_3& axis, int i, double radius, std::vector<double>& ways) const {
+    Vector_3 direction = axis;
     if (i > 0) {
       const auto p = loop.shape.plane.in_space({std::cos(i * CGAL_PI / 3), std::sin(i * CGAL_PI / 3)});
       direction = direction + 0.36 * (p - loop.shape.plane.origin());
     }
     direction = direction / std::sqrt(direction.squared_length());
     // from a bit behind the loop, past its own ragged edge
-    const Point from = loop.shape.center + 0.1 * radius * direction;
+    const Point_3 from = loop.shape.center + 0.1 * radius * direction;
     const auto hit = tree_->first_intersected_primitive(typename Kernel::Ray_3(from, direction));
     if (!hit)
       return;
     const auto h = mesh_.halfedge(*hit);
-    const Vector_of<Point> n = area_vector(h, mesh_);
+    const Vector_3 n = area_vector(h, mesh_);
     const double across = n * direction;
     if (across != 0)
       ways.push_back((n * (mesh_.point(mesh_.target(h)) - loop.shape.center)) / across);
   }
 
   const Mesh& mesh_;
-  Wall_surveyor<Point> surveyor_;
+  Wall_surveyor surveyor_;
   std::unique_ptr<Tree> tree_;
 };
 

@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_REPAIR_INTERNAL_WRAP_SURFACE_H
 #define CGAL_TUBULAR_MESHING_REPAIR_INTERNAL_WRAP_SURFACE_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/base/Nearest_tree.h>
 #include <CGAL/Tubular_meshing/Rims/Opening_site.h>
 #include <CGAL/Tubular_meshing/Repair/internal/Soup_edges.h>
@@ -30,15 +31,15 @@ namespace internal {
 /* Replaces a surface that cannot be mended by an alpha wrap around it (Portaneri et al., Alpha wrapping with an offset,
  * 2022; CGAL's Alpha_wrap_3): the ends are closed by fans, the whole is wrapped with balls of a third of the smallest
  * end's radius, the wrap is drawn onto the surface again, by the offset it keeps, and cut open at the ends. */
-template <class Point> class Surface_wrapper {
-  typedef CGAL::Surface_mesh<Point> Mesh;
+class Surface_wrapper {
+  typedef CGAL::Surface_mesh<Point_3> Mesh;
   typedef typename Mesh::Vertex_index Vertex;
   typedef typename Mesh::Face_index Face;
-  typedef Vector_of<Point> Vector;
+  typedef Vector_3 Vector;
 
 public:
   /* Takes the soup, with the fans in the ends; `reason` begins the sentence of an error. */
-  Surface_wrapper(std::vector<Point> points, std::vector<Index_triangle> triangles, std::vector<Tube_end<Point>> ends,
+  Surface_wrapper(std::vector<Point_3> points, std::vector<Index_triangle> triangles, std::vector<Tube_end> ends,
                   const std::string& reason)
       : points_(std::move(points))
       , triangles_(std::move(triangles))
@@ -84,13 +85,13 @@ private:
         shapes.push_back(s);
     }
     const Nearest_tree<Triangle> tree(std::move(shapes));
-    std::vector<Point> before(mesh.num_vertices());
+    std::vector<Point_3> before(mesh.num_vertices());
     std::vector<bool> drawn(mesh.num_vertices(), false);
     for (Vertex v : mesh.vertices()) {
       before[std::size_t(v)] = mesh.point(v);
       const auto nearest = tree.nearest(to_double_point(mesh.point(v)));
       if (nearest.squared_distance < 4 * offset_ * offset_) {
-        mesh.point(v) = Point(nearest.point.x(), nearest.point.y(), nearest.point.z());
+        mesh.point(v) = Point_3(nearest.point.x(), nearest.point.y(), nearest.point.z());
         drawn[std::size_t(v)] = true;
       }
     }
@@ -134,12 +135,12 @@ private:
   }
 
   // Cuts a little further in than where the end was, all that is connected to the face at its centre.
-  bool open(Mesh& mesh, const Tube_end<Point>& end, Face face) const {
+  bool open(Mesh& mesh, const Tube_end& end, Face face) const {
     if (mesh.is_removed(face))
       return false;
     for (double margin : {0.02, 0.1, 0.25, 0.5, 1.}) {
       const double depth = end.sag + margin * end.radius;
-      const Point origin = end.center - depth * end.normal;
+      const Point_3 origin = end.center - depth * end.normal;
       for (Vertex v : CGAL::vertices_around_face(mesh.halfedge(face), mesh))
         if ((mesh.point(v) - origin) * end.normal > 0 &&
             trim_by_plane(mesh, origin, end.normal, std::vector<Vertex>{v}, 2 * (end.reach + depth)) !=
@@ -149,9 +150,9 @@ private:
     return false;
   }
 
-  std::vector<Point> points_;
+  std::vector<Point_3> points_;
   std::vector<Index_triangle> triangles_;
-  std::vector<Tube_end<Point>> ends_;
+  std::vector<Tube_end> ends_;
   std::string reason_;
   double alpha_ = 0, offset_ = 0;
 };

@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_PATCH_PROJECTION_H
 #define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_PATCH_PROJECTION_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Volume/internal/Tetrahedron_store.h>
 #include <CGAL/Tubular_meshing/base/Nearest_tree.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
@@ -30,7 +31,7 @@ class Patch_projection {
 public:
   typedef std::vector<std::int32_t> Patches; // sorted
 
-  template <class SurfaceMesh, class FacePatchMap> Patch_projection(const SurfaceMesh& surface, FacePatchMap patch) {
+  Patch_projection(const Surface& surface, Face_patch_map patch) {
     Triangles triangles;
     Segments segments;
     for (auto f : faces(surface)) {
@@ -127,7 +128,7 @@ private:
     }
   }
 
-  template <class SurfaceMesh, class Vertex> static Double_kernel::Point_3 point(const SurfaceMesh& surface, Vertex v) {
+  template <class Surface, class Vertex> static Double_kernel::Point_3 point(const Surface& surface, Vertex v) {
     return to_double_point(get(CGAL::vertex_point, surface, v));
   }
   static Double_kernel::Point_3 point(const Tetrahedron_store& mesh, Tetrahedron_store::Index v) {

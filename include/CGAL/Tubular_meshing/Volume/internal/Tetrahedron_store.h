@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_TETRAHEDRON_STORE_H
 #define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_TETRAHEDRON_STORE_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
@@ -64,9 +65,9 @@ public:
     return {k[i][j], 6 - i - j - k[i][j]};
   }
 
-  template <class Point> explicit Tetrahedron_store(const Mixed_mesh<Point>& mesh) {
+  explicit Tetrahedron_store(const Mixed_mesh& mesh) {
     points_.reserve(mesh.points.size());
-    for (const Point& p : mesh.points)
+    for (const Point_3& p : mesh.points)
       points_.emplace_back(p);
     tetrahedra_.reserve(mesh.tetrahedra.size());
     for (std::size_t i = 0; i < mesh.tetrahedra.size(); ++i)
@@ -77,7 +78,7 @@ public:
 
   /* Back to a Mixed_mesh: points, in their order, tetrahedra and labelled triangles; the rest of `mesh` stays as it is.
    * Returns the points' numbers there, by vertex: `none` for those that no tetrahedron has any more. */
-  template <class Point> std::vector<Index> write_to(Mixed_mesh<Point>& mesh) const {
+  std::vector<Index> write_to(Mixed_mesh& mesh) const {
     std::vector<Index> number = number_of_used_vertices();
     mesh.points.clear();
     for (Index v = 0; v < points_.size(); ++v)

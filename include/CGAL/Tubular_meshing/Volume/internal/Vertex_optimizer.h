@@ -110,9 +110,10 @@ private:
     Shape_energy here;
     if (!energy(v, old, normals, true, here))
       return;
-    Vector_3d step = at.dimension == 3   ? newton_step(here.hessian, here.gradient)
-                     : at.dimension == 2 ? tangential_step(here.hessian, here.gradient, normals[0])
-                                         : step_along(here.hessian, here.gradient, normalized(cross(normals[0], normals[1])));
+    Vector_3d step = at.dimension == 3 ? newton_step(here.hessian, here.gradient)
+                     : at.dimension == 2
+                         ? tangential_step(here.hessian, here.gradient, normals[0])
+                         : step_along(here.hessian, here.gradient, normalized(cross(normals[0], normals[1])));
     for (int attempt = 0; attempt < 4; ++attempt, step = 0.4 * step) {
       const Vector_3d moved = old + step, p = project(moved, at);
       // a projection longer than the step has landed on another part of the surface

@@ -17,7 +17,7 @@ namespace internal {
 
 /* The cells and labelled facets of a Mesh_3 complex as a Mixed_mesh; its vertices are those that a cell of the complex
  * uses. Linear in the size of the triangulation. */
-template <class C3t3, class Point> void mesh_complex_to_mixed_mesh(const C3t3& c3t3, Mixed_mesh<Point>& mesh) {
+template <class C3t3> void mesh_complex_to_mixed_mesh(const C3t3& c3t3, Mixed_mesh& mesh) {
   typedef typename C3t3::Triangulation Triangulation;
   typedef typename Triangulation::Vertex_handle Vertex_handle;
   const Triangulation& tr = c3t3.triangulation();

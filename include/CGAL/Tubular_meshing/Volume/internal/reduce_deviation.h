@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REDUCE_DEVIATION_H
 #define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REDUCE_DEVIATION_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/base/Nearest_tree.h>
 #include <CGAL/Tubular_meshing/Volume/internal/Tetrahedron_store.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
@@ -23,11 +24,11 @@ namespace internal {
 /* Brings the mesh to the vertices of the surface that it has cut off: where one is further from the mesh than a part of
  * the facet there, the nearest vertex of that facet with the same patches is moved onto it, if the elements around
  * allow. A coarse input has few vertices, and each of them is a corner. O(n log n). */
-template <class Surface, class FacePatchMap, class Optimizer> class Deviation_reducer {
+template <class Optimizer> class Deviation_reducer {
 public:
   typedef Tetrahedron_store::Index Index;
 
-  Deviation_reducer(const Surface& surface, FacePatchMap patch, Tetrahedron_store& store, Optimizer& vertices,
+  Deviation_reducer(const Surface& surface, Face_patch_map patch, Tetrahedron_store& store, Optimizer& vertices,
                     int threads)
       : surface_(surface)
       , patch_(patch)
@@ -108,7 +109,7 @@ private:
   }
 
   const Surface& surface_;
-  FacePatchMap patch_;
+  Face_patch_map patch_;
   Tetrahedron_store& store_;
   Optimizer& vertices_;
   int threads_;
@@ -116,10 +117,10 @@ private:
   Nearest_tree<Triangle> tree_;
 };
 
-template <class Surface, class FacePatchMap, class Optimizer>
-void reduce_deviation(const Surface& surface, FacePatchMap patch, Tetrahedron_store& store, Optimizer& vertices,
+template <class Optimizer>
+void reduce_deviation(const Surface& surface, Face_patch_map patch, Tetrahedron_store& store, Optimizer& vertices,
                       int threads) {
-  Deviation_reducer<Surface, FacePatchMap, Optimizer>(surface, patch, store, vertices, threads).run();
+  Deviation_reducer<Optimizer>(surface, patch, store, vertices, threads).run();
 }
 
 } // namespace internal

@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_LAYERS_INTERNAL_BOUNDARY_LAYER_BOUNDARY_LAYER_MAKER_H
 #define CGAL_TUBULAR_MESHING_LAYERS_INTERNAL_BOUNDARY_LAYER_BOUNDARY_LAYER_MAKER_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/Layers/Layer_report.h>
 #include <CGAL/Tubular_meshing/Layers/internal/Layer_builder.h>
@@ -130,19 +131,19 @@ inline Rim_cap mesh_rim(const std::vector<Vector_3d>& rim, const Vector_3d& norm
 }
 
 /* \tparam Result a Boundary_layer */
-template <class Point, class Result> class Boundary_layer_maker {
+template <class Result> class Boundary_layer_maker {
 public:
   typedef std::uint32_t Index;
   typedef typename Result::Surface Surface;
   typedef typename Surface::Vertex_index Vertex;
 
-  Boundary_layer_maker(Mixed_mesh<Point> facets, const Boundary_layer_heights& heights, Result& result)
+  Boundary_layer_maker(Mixed_mesh facets, const Boundary_layer_heights& heights, Result& result)
       : facets_(std::move(facets))
       , heights_(heights)
       , result_(result) {}
 
   template <class LocalRadius> void run(const LocalRadius& radius) {
-    const Wall_facets<Point> wall(facets_);
+    const Wall_facets wall(facets_);
     const Layer_surface surface = wall.surface(true);
     check_openings(wall, surface);
     Layer_options options;
@@ -151,15 +152,15 @@ public:
     options.inward = true;
     options.threads = heights_.threads;
     const Layer_engine engine(surface, surface.points, {}, {},
-                              multiples_of_radius<Point>(surface, radius, heights_.total()), options);
-    result_.report = report_of<Point>(surface, engine);
+                              multiples_of_radius(surface, radius, heights_.total()), options);
+    result_.report = report_of(surface, engine);
     result_.report.relabelled_facets = wall.number_of_relabelled_facets();
     make_layers(surface, wall.mesh_vertices(), engine, options.levels);
     make_inner_surface(surface);
   }
 
 private:
-  void check_openings(const Wall_facets<Point>& wall, const Layer_surface& surface) const {
+  void check_openings(const Wall_facets& wall, const Layer_surface& surface) const {
     if (!wall.has_all_caps(surface))
       throw Input_error("The surface is open: boundary layers need it closed at its openings.");
     for (const Layer_surface::Rim& rim : surface.rims)
@@ -171,14 +172,14 @@ private:
 
   void make_layers(const Layer_surface& surface, const std::vector<Index>& vertices, const Layer_engine& engine,
                    const std::vector<double>& levels) {
-    Mixed_mesh<Point>& mesh = result_.layers;
+    Mixed_mesh& mesh = result_.layers;
     const std::size_t layers = levels.size() - 1;
     std::vector<Index> base;
     for (Index v : vertices) {
       base.push_back(Index(mesh.points.size()));
       mesh.points.push_back(facets_.points[v]);
     }
-    Layer_builder<Point> builder(surface, base, layers, true, mesh);
+    Layer_builder builder(surface, base, layers, true, mesh);
     builder.add_points(levels, [&](Index v) { return engine.vector(v); });
     builder.add_cells(0, layers, labels::lumen, false);
     builder.add_facets(0, labels::wall);
@@ -220,7 +221,7 @@ private:
     }
     const Rim_cap cap = mesh_rim(points, rim.normal);
     for (const Vector_3d& p : cap.inner_points) {
-      vertices.push_back(result_.inner.add_vertex(Point(p.x, p.y, p.z)));
+      vertices.push_back(result_.inner.add_vertex(Point_3(p.x, p.y, p.z)));
       result_.mesh_points.push_back(no_point);
     }
     for (const auto& t : cap.triangles)
@@ -235,7 +236,7 @@ private:
     result_.patch[f] = label;
   }
 
-  Mixed_mesh<Point> facets_;
+  Mixed_mesh facets_;
   const Boundary_layer_heights heights_;
   Result& result_;
 };

@@ -26,7 +26,7 @@ namespace internal {
  * extension. They are made in the plane, where the unrolled tube becomes an annulus by the exponential map: that is
  * conformal, so that Delaunay triangles of the annulus are good ones on the tube. Points between rim and ring are those
  * of hexagonal lattices, halved where the rim is finer, and smoothed. */
-template <class Point> class Extension_band {
+class Extension_band {
   typedef CGAL::Exact_predicates_inexact_constructions_kernel Plane_kernel;
   typedef Plane_kernel::Point_2 Point_2;
 
@@ -36,7 +36,7 @@ public:
   std::vector<Index_triangle> triangles;
 
   /* The least height of the ring: there the straight edges of the rim cannot meet it in the annulus. */
-  static double least_height(const Extension_profile<Point>& profile) {
+  static double least_height(const Extension_profile& profile) {
     double height = profile.highest();
     for (std::size_t i = 0; i < profile.size(); ++i) {
       const Point_2 a = on_annulus(profile.rim(i)), b = on_annulus(profile.rim(i + 1));
@@ -46,7 +46,7 @@ public:
     return height;
   }
 
-  explicit Extension_band(const Extension_profile<Point>& profile)
+  explicit Extension_band(const Extension_profile& profile)
       : profile_(profile)
       , rim_size_(profile.size())
       , spacing_(profile.edge_length()) {
@@ -274,7 +274,7 @@ private:
     }
   }
 
-  const Extension_profile<Point>& profile_;
+  const Extension_profile& profile_;
   const std::size_t rim_size_;
   const double spacing_; // of the ring
   std::size_t fixed_ = 0;

@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_OPENINGS_INTERNAL_EXTENSION_EXTENSION_BUILDER_H
 #define CGAL_TUBULAR_MESHING_OPENINGS_INTERNAL_EXTENSION_EXTENSION_BUILDER_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Rims/Opening_site.h>
 #include <CGAL/Tubular_meshing/Openings/internal/extension/Extension_band.h>
 #include <CGAL/Tubular_meshing/Openings/internal/extension/Extension_profile.h>
@@ -21,8 +22,8 @@ namespace Tubular_meshing {
 namespace internal {
 
 /* Adds the triangles of one extension to a mesh: the band at the rim, and regular rings from there to the end. */
-template <class Point> class Extension_builder {
-  typedef CGAL::Surface_mesh<Point> Mesh;
+class Extension_builder {
+  typedef CGAL::Surface_mesh<Point_3> Mesh;
   typedef typename Mesh::Vertex_index Vertex;
   typedef typename Mesh::Halfedge_index Halfedge;
   typedef typename Mesh::Face_index Face;
@@ -35,8 +36,8 @@ public:
       : mesh_(mesh) {}
 
   /* The rim's halfedges are border halfedges, in order. False if a triangle does not fit the mesh. */
-  bool build(const Extension_profile<Point>& profile, const std::vector<Halfedge>& from) {
-    const Extension_band<Point> band(profile);
+  bool build(const Extension_profile& profile, const std::vector<Halfedge>& from) {
+    const Extension_band band(profile);
     std::vector<Vertex> vertices;
     for (Halfedge h : from)
       vertices.push_back(mesh_.target(h));
@@ -62,8 +63,7 @@ private:
   }
 
   // Each ring stands half a step turned on the one before. `ring` is the first, and then the last.
-  bool add_rings(const Extension_profile<Point>& profile, const Extension_band<Point>& band,
-                 std::vector<Vertex>& ring) {
+  bool add_rings(const Extension_profile& profile, const Extension_band& band, std::vector<Vertex>& ring) {
     const std::size_t corners = ring.size();
     const double left = profile.end() - band.ring_height(), row = 0.866 * profile.edge_length();
     const int rows = left > 0 ? (std::max)(1, int(std::lround(left / row))) : 0;

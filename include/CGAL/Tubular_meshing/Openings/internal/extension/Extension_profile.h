@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_OPENINGS_INTERNAL_EXTENSION_EXTENSION_PROFILE_H
 #define CGAL_TUBULAR_MESHING_OPENINGS_INTERNAL_EXTENSION_EXTENSION_PROFILE_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Rims/Rim_shape.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -28,8 +29,8 @@ struct Unrolled_point {
 /* The shape of one extension: the surface that leads from a rim to a circle around the axis, as a function of angle and
  * height. Angles are lengths along the rim's projection across the axis, so that they increase around any rim, be it
  * noisy or not convex; at the circle they are polar angles. Heights are counted from the centre of the projection. */
-template <class Point> class Extension_profile {
-  typedef Vector_of<Point> Vector;
+class Extension_profile {
+  typedef Vector_3 Vector;
   typedef CGAL::Exact_predicates_inexact_constructions_kernel Plane_kernel;
 
 public:
@@ -38,15 +39,15 @@ public:
 
   Extension_profile() {}
   /* `rim` turns left about `direction`, the unit vector of the axis. */
-  Extension_profile(const std::vector<Point>& rim, const Vector& direction) {
-    Rim_shape<Point> across;
+  Extension_profile(const std::vector<Point_3>& rim, const Vector& direction) {
+    Rim_shape across;
     rim_weights(rim, across.perimeter);
-    const Point& farthest = *std::max_element(rim.begin(), rim.end(), [&](const Point& p, const Point& q) {
+    const Point_3& farthest = *std::max_element(rim.begin(), rim.end(), [&](const Point_3& p, const Point_3& q) {
       return squared_distance_to_axis(p, rim[0], direction) < squared_distance_to_axis(q, rim[0], direction);
     });
     if (!(squared_distance_to_axis(farthest, rim[0], direction) > 0))
       return;
-    across.plane = Rim_plane<Point>(rim[0], direction, farthest - rim[0]);
+    across.plane = Rim_plane(rim[0], direction, farthest - rim[0]);
     measure_in_plane(rim, across);
     radius_ = across.radius;
     if (!(radius_ > 0) || !is_simple_across(rim, across.plane)) {
@@ -54,7 +55,7 @@ public:
       return;
     }
     const Vector shift = heights_mean(rim, across) * direction;
-    axis_ = Rim_plane<Point>(across.center + shift, direction, farthest - rim[0]);
+    axis_ = Rim_plane(across.center + shift, direction, farthest - rim[0]);
     unroll(rim);
     choose_corners();
     end_ = highest_;
@@ -64,7 +65,7 @@ public:
   bool is_valid() const { return radius_ > 0; }
 
   double radius() const { return radius_; } ///< of the disk that has the area of the rim seen along the axis
-  const Rim_plane<Point>& axis() const { return axis_; }
+  const Rim_plane& axis() const { return axis_; }
   std::size_t size() const { return rim_.size(); } ///< of the rim
   const Unrolled_point& rim(std::size_t i) const { return rim_[i % rim_.size()]; }
   double lowest() const { return lowest_; }
@@ -88,7 +89,7 @@ public:
     return {i, to > from ? (std::min)(1., (std::max)(0., (angle - from) / (to - from))) : 0};
   }
 
-  Point point(const Unrolled_point& p) const {
+  Point_3 point(const Unrolled_point& p) const {
     const auto [i, s] = rim_at(p.angle);
     const std::size_t j = (i + 1) % rim_.size();
     const double base = (1 - s) * rim_[i].height + s * rim_[j].height;
@@ -101,16 +102,16 @@ public:
     return axis_.in_space({radius_ * q[0], radius_ * q[1]}) + radius_ * p.height * axis_.normal();
   }
 
-  Point axis_point(double height) const { return axis_.origin() + radius_ * height * axis_.normal(); }
+  Point_3 axis_point(double height) const { return axis_.origin() + radius_ * height * axis_.normal(); }
 
 private:
-  static double squared_distance_to_axis(const Point& p, const Point& origin, const Vector& direction) {
+  static double squared_distance_to_axis(const Point_3& p, const Point_3& origin, const Vector& direction) {
     return CGAL::cross_product(p - origin, direction).squared_length();
   }
 
-  static bool is_simple_across(const std::vector<Point>& rim, const Rim_plane<Point>& plane) {
+  static bool is_simple_across(const std::vector<Point_3>& rim, const Rim_plane& plane) {
     std::vector<Plane_kernel::Point_2> polygon;
-    for (const Point& p : rim) {
+    for (const Point_3& p : rim) {
       const auto q = plane.in_plane(p);
       polygon.emplace_back(q[0], q[1]);
     }
@@ -118,7 +119,7 @@ private:
   }
 
   // Over the plane, weighted by the lengths of edges: of the rim's own centre.
-  static double heights_mean(const std::vector<Point>& rim, const Rim_shape<Point>& across) {
+  static double heights_mean(const std::vector<Point_3>& rim, const Rim_shape& across) {
     double perimeter = 0, sum = 0;
     const std::vector<double> weights = rim_weights(rim, perimeter);
     for (std::size_t i = 0; i < rim.size(); ++i)
@@ -126,7 +127,7 @@ private:
     return sum;
   }
 
-  void unroll(const std::vector<Point>& rim) {
+  void unroll(const std::vector<Point_3>& rim) {
     double length = 0;
     std::vector<double> lengths;
     for (std::size_t i = 0; i < rim.size(); ++i) {
@@ -163,7 +164,7 @@ private:
     circle_radius_ = std::sqrt(2 * CGAL_PI / (corners_ * std::sin(2 * CGAL_PI / corners_)));
   }
 
-  Rim_plane<Point> axis_; // the plane across
+  Rim_plane axis_; // the plane across
   double radius_ = 0;
   std::vector<Unrolled_point> rim_;
   std::vector<std::array<double, 2>> section_; // of the rim across the axis, in radii

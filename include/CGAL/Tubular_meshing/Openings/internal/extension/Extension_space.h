@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_OPENINGS_INTERNAL_EXTENSION_EXTENSION_SPACE_H
 #define CGAL_TUBULAR_MESHING_OPENINGS_INTERNAL_EXTENSION_EXTENSION_SPACE_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Openings/internal/extension/Extension_profile.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
@@ -35,11 +36,11 @@ constexpr double extension_clearance = 1.05; // of the radius: what keeps clear 
 constexpr double extension_step = 0.5;       // in radii
 
 /* A piece of the tube that has to be free for an extension: a prism around it, from one height to another. */
-template <class Point> class Extension_prism {
-  typedef typename Kernel_traits<Point>::Kernel::Triangle_3 Triangle;
+class Extension_prism {
+  typedef typename Kernel_traits<Point_3>::Kernel::Triangle_3 Triangle;
 
 public:
-  Extension_prism(const Extension_profile<Point>& profile, double from, double to)
+  Extension_prism(const Extension_profile& profile, double from, double to)
       : profile_(profile)
       , from_(from)
       , to_(to) {}
@@ -58,7 +59,7 @@ public:
         if (contains(mesh.point(v)))
           return true;
     for (int i = 0; i < sides; ++i) {
-      const Point a = corner(i, from_), b = corner(i + 1, from_), c = corner(i + 1, to_), d = corner(i, to_);
+      const Point_3 a = corner(i, from_), b = corner(i + 1, from_), c = corner(i + 1, to_), d = corner(i, to_);
       if (tree.do_intersect(Triangle(a, b, c)) || tree.do_intersect(Triangle(a, c, d)) ||
           tree.do_intersect(Triangle(d, c, profile_.axis_point(to_))))
         return true;
@@ -69,31 +70,31 @@ public:
 private:
   static constexpr int sides = 12;
 
-  Point corner(int i, double height) const {
+  Point_3 corner(int i, double height) const {
     const double angle = 2 * CGAL_PI * i / sides;
     const double wide = extension_clearance / std::cos(CGAL_PI / sides) * profile_.radius();
     return profile_.axis().in_space({wide * std::cos(angle), wide * std::sin(angle)}) +
            profile_.radius() * height * profile_.axis().normal();
   }
 
-  bool contains(const Point& p) const {
+  bool contains(const Point_3& p) const {
     const auto q = profile_.axis().in_plane(p);
     const double height = profile_.axis().height(p);
     return height > from_ * profile_.radius() && height < to_ * profile_.radius() &&
            std::hypot(q[0], q[1]) < extension_clearance * profile_.radius();
   }
 
-  const Extension_profile<Point>& profile_;
+  const Extension_profile& profile_;
   const double from_, to_;
 };
 
 /* The height up to which a tube slightly wider than the extension does not meet the wall, in steps. */
-template <class Point, class Mesh, class Tree>
-Extension_limit free_of_wall(const Extension_profile<Point>& profile, const Mesh& mesh, const Tree& wall) {
+template <class Mesh, class Tree>
+Extension_limit free_of_wall(const Extension_profile& profile, const Mesh& mesh, const Tree& wall) {
   double from = profile.highest() + 0.1;
   while (from < profile.end()) {
     const double to = (std::min)(from + extension_step, profile.end());
-    if (Extension_prism<Point>(profile, from, to).meets(mesh, wall))
+    if (Extension_prism(profile, from, to).meets(mesh, wall))
       return {from, Extension_limit::wall};
     from = to;
   }
@@ -114,9 +115,9 @@ inline double squared_segment_distance(const Vector_3d& p, const Vector_3d& u, c
 
 /* Lets extensions that come near each other grow together, a step of their radius each in turn, until the next step
  * would bring two too close: what is left of the limits. Expected O(m log m) in their number. */
-template <class Point> class Extension_growth {
+class Extension_growth {
 public:
-  Extension_growth(const std::vector<Extension_profile<Point>>& profiles, const std::vector<bool>& wanted,
+  Extension_growth(const std::vector<Extension_profile>& profiles, const std::vector<bool>& wanted,
                    std::vector<Extension_limit>& limits)
       : profiles_(profiles)
       , limits_(limits)
@@ -182,7 +183,7 @@ private:
     return Extension_limit::none;
   }
 
-  const std::vector<Extension_profile<Point>>& profiles_;
+  const std::vector<Extension_profile>& profiles_;
   std::vector<Extension_limit>& limits_;
   std::vector<std::vector<std::size_t>> near_;
 };

@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_OPENINGS_INTERNAL_EXTENSION_WALL_DIRECTION_H
 #define CGAL_TUBULAR_MESHING_OPENINGS_INTERNAL_EXTENSION_WALL_DIRECTION_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Rims/Opening_site.h>
 
 #include <CGAL/Surface_mesh.h>
@@ -24,10 +25,9 @@ namespace Tubular_meshing {
 namespace internal {
 
 /* The vertices within `reach` of the rim along edges of the wall, with their distances. O(k log k) in their number. */
-template <class Point>
-std::unordered_map<typename CGAL::Surface_mesh<Point>::Vertex_index, double>
-depths_behind_rim(const Opening_site<Point>& site, double reach, const CGAL::Surface_mesh<Point>& mesh) {
-  typedef typename CGAL::Surface_mesh<Point>::Vertex_index Vertex;
+inline std::unordered_map<Surface::Vertex_index, double> depths_behind_rim(const Opening_site& site, double reach,
+                                                                           const CGAL::Surface_mesh<Point_3>& mesh) {
+  typedef Surface::Vertex_index Vertex;
   typedef std::pair<double, Vertex> Entry;
   std::unordered_map<Vertex, double> depth;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
@@ -57,9 +57,8 @@ depths_behind_rim(const Opening_site<Point>& site, double reach, const CGAL::Sur
  * (the least eigenvector of their normals' spread; the nearer the rim, the more a face weighs). An oblique cut does not
  * tilt it, as it does the normal of the rim. Where the wall has no direction, as at a hole in a dome, or is too short
  * to tell, it is the rim's normal. `outwards` is that normal. */
-template <class Point>
-Vector_of<Point> wall_direction(const Opening_site<Point>& site, const Vector_of<Point>& outwards,
-                                const CGAL::Surface_mesh<Point>& mesh) {
+inline Vector_3 wall_direction(const Opening_site& site, const Vector_3& outwards,
+                               const CGAL::Surface_mesh<Point_3>& mesh) {
   const double clear = 0.25, vague = 0.75; // ratios of the two smaller eigenvalues
   const double reach = site.shape.radius;
   const auto depth = depths_behind_rim(site, reach, mesh);
@@ -68,11 +67,11 @@ Vector_of<Point> wall_direction(const Opening_site<Point>& site, const Vector_of
     return known == depth.end() ? reach : known->second;
   };
 
-  std::unordered_set<typename CGAL::Surface_mesh<Point>::Face_index> visited;
+  std::unordered_set<Surface::Face_index> visited;
   Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
   for (auto rim : site.rim) // from the rim on, so that the order, and with it the rounding, is that of the mesh
     for (auto g : CGAL::halfedges_around_target(rim, mesh)) {
-      std::vector<typename CGAL::Surface_mesh<Point>::Halfedge_index> stack = {g};
+      std::vector<Surface::Halfedge_index> stack = {g};
       while (!stack.empty()) {
         const auto h = stack.back();
         stack.pop_back();
@@ -97,7 +96,7 @@ Vector_of<Point> wall_direction(const Opening_site<Point>& site, const Vector_of
   const double ratio = solver.eigenvalues()[1] > 0 ? solver.eigenvalues()[0] / solver.eigenvalues()[1] : 1;
   const double trust = (std::min)(1., (std::max)(0., (vague - ratio) / (vague - clear)));
   const Eigen::Vector3d d = solver.eigenvectors().col(0);
-  Vector_of<Point> direction(d.x(), d.y(), d.z());
+  Vector_3 direction(d.x(), d.y(), d.z());
   if (direction * outwards < 0)
     direction = -direction;
   direction = trust * direction + (1 - trust) * outwards;

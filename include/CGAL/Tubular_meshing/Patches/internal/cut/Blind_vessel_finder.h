@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_PATCHES_INTERNAL_CUT_BLIND_VESSEL_FINDER_H
 #define CGAL_TUBULAR_MESHING_PATCHES_INTERNAL_CUT_BLIND_VESSEL_FINDER_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Centerlines/Centerline_field.h>
 #include <CGAL/Tubular_meshing/Patches/internal/cut/Cut_surface.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
@@ -21,9 +22,9 @@ namespace internal {
 /* Finds vessels that have no centerline, as they end blind: parts of a patch that are far from the centerlines for the
  * radius there, that no curve bounds, and that are longer than wide. An aneurysm's sac is round, and is none.
  * O(n log n) in the surface and the graph, and O(graph) for each such part. */
-template <class Point_3, class FacePatchMap> class Blind_vessel_finder {
+class Blind_vessel_finder {
 public:
-  typedef Cut_surface<Point_3, FacePatchMap> Surface;
+  typedef Cut_surface Surface;
   typedef typename Surface::Mesh Mesh;
   typedef typename Mesh::Face_index Face;
   typedef typename Mesh::Halfedge_index Halfedge;
@@ -35,7 +36,7 @@ public:
     std::size_t branch; // that it leaves
   };
 
-  Blind_vessel_finder(const Surface& surface, const Centerline_graph<Point_3>& graph)
+  Blind_vessel_finder(const Surface& surface, const Centerline_graph& graph)
       : surface_(surface)
       , mesh_(surface.mesh())
       , graph_(graph)
@@ -141,8 +142,8 @@ private:
 
   const Surface& surface_;
   const Mesh& mesh_;
-  const Centerline_graph<Point_3>& graph_;
-  Centerline_field<Point_3> field_;
+  const Centerline_graph& graph_;
+  Centerline_field field_;
   std::vector<double> distance_; // of each vertex from the centerlines
   std::vector<char> is_far_;
 };

@@ -18,9 +18,9 @@ namespace Tubular_meshing {
 namespace internal {
 
 /* A branch as a curve: position, direction and radius by abscissa. */
-template <class Point_3> class Branch_axis {
+class Branch_axis {
 public:
-  typedef Centerline_graph<Point_3> Graph;
+  typedef Centerline_graph Graph;
 
   Branch_axis(const Graph& graph, std::size_t branch)
       : graph_(graph)

@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_PATCHES_INTERNAL_CUT_CUT_SURFACE_H
 #define CGAL_TUBULAR_MESHING_PATCHES_INTERNAL_CUT_CUT_SURFACE_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
 #include <CGAL/Tubular_meshing/base/labels.h>
 
@@ -31,7 +32,7 @@ template <class Mesh> struct Curve_point {
 
 /* A closed labelled surface while it is being cut: knows its rims and the curves cut so far, and which faces have come
  * from one of the original ones. */
-template <class Point_3, class FacePatchMap> class Cut_surface {
+class Cut_surface {
 public:
   typedef CGAL::Surface_mesh<Point_3> Mesh;
   typedef typename Mesh::Vertex_index Vertex;
@@ -40,12 +41,12 @@ public:
   typedef typename Mesh::Face_index Face;
   typedef std::vector<Curve_point<Mesh>> Curve;
 
-  Cut_surface(Mesh& mesh, FacePatchMap patch)
+  Cut_surface(Mesh& mesh, Face_patch_map patch)
       : mesh_(mesh)
       , patch_(patch)
       , number_of_original_faces_(mesh.number_of_faces())
-      , on_curve_(mesh.template add_property_map<Edge, bool>("e:tubular_meshing_on_curve", false).first)
-      , taken_(mesh.template add_property_map<Vertex, bool>("v:tubular_meshing_taken", false).first) {
+      , on_curve_(mesh.add_property_map<Edge, bool>("e:tubular_meshing_on_curve", false).first)
+      , taken_(mesh.add_property_map<Vertex, bool>("v:tubular_meshing_taken", false).first) {
     for (Edge e : mesh.edges())
       if (is_wall(mesh.face(mesh.halfedge(e, 0))) != is_wall(mesh.face(mesh.halfedge(e, 1))))
         take(mesh.halfedge(e));
@@ -162,7 +163,7 @@ private:
   }
 
   Mesh& mesh_;
-  FacePatchMap patch_;
+  Face_patch_map patch_;
   const std::size_t number_of_original_faces_;
   typename Mesh::template Property_map<Edge, bool> on_curve_;
   typename Mesh::template Property_map<Vertex, bool> taken_;

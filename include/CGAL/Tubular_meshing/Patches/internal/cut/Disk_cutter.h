@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_PATCHES_INTERNAL_CUT_DISK_CUTTER_H
 #define CGAL_TUBULAR_MESHING_PATCHES_INTERNAL_CUT_DISK_CUTTER_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Patches/internal/cut/Branch_axis.h>
 #include <CGAL/Tubular_meshing/Patches/internal/cut/Cut_surface.h>
 #include <CGAL/Tubular_meshing/Patches/internal/cut/Section_finder.h>
@@ -39,12 +40,12 @@ template <class Mesh> struct Branch_cut {
 };
 
 /* Tries disks across the branches, cuts the surface along them, and keeps account of the cuts. */
-template <class Point_3, class FacePatchMap> class Disk_cutter {
+class Disk_cutter {
 public:
-  typedef Cut_surface<Point_3, FacePatchMap> Surface;
+  typedef Cut_surface Surface;
   typedef typename Surface::Mesh Mesh;
-  typedef Centerline_graph<Point_3> Graph;
-  typedef Branch_axis<Point_3> Axis;
+  typedef Centerline_graph Graph;
+  typedef Branch_axis Axis;
   typedef std::size_t size_type;
 
   static constexpr int number_of_tilts = 17;
@@ -123,8 +124,8 @@ private:
 
   Surface& surface_;
   const Graph& graph_;
-  Section_finder<Point_3, FacePatchMap> finder_;
-  Section_snapper<Point_3, FacePatchMap> snapper_;
+  Section_finder finder_;
+  Section_snapper snapper_;
   std::vector<Branch_cut<Mesh>> cuts_;
   std::vector<std::vector<size_type>> cuts_of_branch_;
   Plane_section<Mesh> section_; // of the last disk tried, and its curve: kept for their memory

@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_PATCHES_INTERNAL_CUT_PATCH_LABELLER_H
 #define CGAL_TUBULAR_MESHING_PATCHES_INTERNAL_CUT_PATCH_LABELLER_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Patches/Surface_patch.h>
 #include <CGAL/Tubular_meshing/Patches/internal/cut/Cut_surface.h>
 #include <CGAL/Tubular_meshing/Patches/internal/cut/Disk_cutter.h>
@@ -23,17 +24,17 @@ namespace internal {
 
 /* Turns the cuts into patches: flood fill between curves, then records, in the order of the centerlines. O(n) in the
  * surface, O(n log n) in the number of patches. */
-template <class Point_3, class FacePatchMap> class Patch_labeller {
+class Patch_labeller {
 public:
-  typedef Cut_surface<Point_3, FacePatchMap> Surface;
-  typedef Disk_cutter<Point_3, FacePatchMap> Cutter;
+  typedef Cut_surface Surface;
+  typedef Disk_cutter Cutter;
   typedef typename Surface::Mesh Mesh;
   typedef typename Mesh::Face_index Face;
   typedef typename Mesh::Halfedge_index Halfedge;
   typedef typename Mesh::Vertex_index Vertex;
   typedef std::size_t size_type;
 
-  Patch_labeller(const Surface& surface, const Cutter& cutter, Surface_cut<Point_3>& result)
+  Patch_labeller(const Surface& surface, const Cutter& cutter, Surface_cut& result)
       : surface_(surface)
       , mesh_(surface.mesh())
       , cutter_(cutter)
@@ -43,7 +44,7 @@ public:
   const Graph_partition<Cutter>& partition() const { return partition_; }
 
   void label() {
-    result_.patch_of_face = mesh_.template add_property_map<Face, int>("f:surface_patch", -1).first;
+    result_.patch_of_face = mesh_.add_property_map<Face, int>("f:surface_patch", -1).first;
     for (Face f : mesh_.faces())
       result_.patch_of_face[f] = -1;
     fill();
@@ -61,7 +62,7 @@ public:
   }
 
 private:
-  typedef Cut_curve<Point_3> Curve;
+  typedef Cut_curve Curve;
   static constexpr size_type none = Curve::none;
 
   // Labels connected faces alike, curves being the borders.
@@ -199,7 +200,7 @@ private:
   void count_elements() {
     for (Face f : mesh_.faces())
       if (result_.patch_of_face[f] >= 0) {
-        Surface_patch<Point_3>& patch = result_.patches[size_type(result_.patch_of_face[f])];
+        Surface_patch& patch = result_.patches[size_type(result_.patch_of_face[f])];
         patch.faces.push_back(f);
         ++patch.euler_characteristic;
       }
@@ -213,7 +214,7 @@ private:
         ++result_.patches[patch_at(mesh_.halfedge(v))].euler_characteristic;
   }
 
-  void describe(Surface_patch<Point_3>& patch, size_type piece) {
+  void describe(Surface_patch& patch, size_type piece) {
     const size_type k = patch.loops.size();
     patch.kind = k == 0   ? Patch_kind::closed
                  : k == 1 ? Patch_kind::disk
@@ -258,7 +259,7 @@ private:
   Mesh& mesh_;
   const Cutter& cutter_;
   const Graph_partition<Cutter> partition_;
-  Surface_cut<Point_3>& result_;
+  Surface_cut& result_;
   std::vector<size_type> piece_of_patch_, patch_of_piece_;
   std::vector<bool> has_several_pieces_;
 };

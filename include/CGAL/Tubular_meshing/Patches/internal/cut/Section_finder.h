@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_PATCHES_INTERNAL_CUT_SECTION_FINDER_H
 #define CGAL_TUBULAR_MESHING_PATCHES_INTERNAL_CUT_SECTION_FINDER_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Centerlines/Centerline_graph.h>
 #include <CGAL/Tubular_meshing/Centerlines/graph_segments.h>
 #include <CGAL/Tubular_meshing/Patches/internal/cut/Cut_surface.h>
@@ -27,19 +28,19 @@ namespace internal {
  * A section is accepted if it runs over the wall alone, meets no curve cut before, goes once round the point, and the
  * centerlines go through the disk in this one point: then it separates the part of the branch before the point from
  * the part behind it, and nothing else. */
-template <class Point_3, class FacePatchMap> class Section_finder {
+class Section_finder {
 public:
-  typedef Cut_surface<Point_3, FacePatchMap> Surface;
+  typedef Cut_surface Surface;
   typedef typename Surface::Mesh Mesh;
   typedef typename Mesh::Face_index Face;
   typedef typename Mesh::Halfedge_index Halfedge;
   typedef typename Mesh::Vertex_index Vertex;
   typedef Plane_section<Mesh> Section;
 
-  Section_finder(const Surface& surface, const Centerline_graph<Point_3>& graph)
+  Section_finder(const Surface& surface, const Centerline_graph& graph)
       : surface_(surface)
       , first_hit_(triangles(surface))
-      , centerlines_(Graph_segments<Centerline_graph<Point_3>>(graph).segments) {}
+      , centerlines_(Graph_segments<Centerline_graph>(graph).segments) {}
 
   /* The section around the plane's origin, no point of it further than `reach`. False if there is none to accept. */
   bool find(const Section_plane& plane, double reach, Section& section) const {

@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_PATCHES_INTERNAL_CUT_SECTION_SNAPPER_H
 #define CGAL_TUBULAR_MESHING_PATCHES_INTERNAL_CUT_SECTION_SNAPPER_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Patches/internal/cut/Cut_surface.h>
 #include <CGAL/Tubular_meshing/Patches/internal/cut/Plane_section.h>
 
@@ -25,9 +26,9 @@ namespace internal {
  * A section crosses the edges about a vertex one after the other. When it snaps to the vertex, all these crossings
  * become the one: the curve, which leaves the plane by no more than the vertex does, then goes straight from the edges
  * before to the vertex, and on. It stays a closed curve through the same faces. */
-template <class Point_3, class FacePatchMap> class Section_snapper {
+class Section_snapper {
 public:
-  typedef Cut_surface<Point_3, FacePatchMap> Surface;
+  typedef Cut_surface Surface;
   typedef typename Surface::Mesh Mesh;
   typedef typename Mesh::Vertex_index Vertex;
   typedef typename Mesh::Halfedge_index Halfedge;

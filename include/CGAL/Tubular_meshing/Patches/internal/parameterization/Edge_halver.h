@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_PATCHES_INTERNAL_PARAMETERIZATION_EDGE_HALVER_H
 #define CGAL_TUBULAR_MESHING_PATCHES_INTERNAL_PARAMETERIZATION_EDGE_HALVER_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Patches/Indexed_patch.h>
 #include <CGAL/Tubular_meshing/Plane/Triangle_adjacency.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
@@ -18,12 +19,12 @@ namespace Tubular_meshing {
 namespace internal {
 
 /* A patch and where its parts were before they were divided. */
-template <class Point_3> struct Divided_patch {
-  Indexed_patch<Point_3> patch;
+struct Divided_patch {
+  Indexed_patch patch;
   std::vector<int> origin;                    ///< the given triangle that each triangle is part of
   std::vector<std::vector<double>> positions; ///< of the vertices of each loop on the given one, 1 an edge; and its end
 
-  explicit Divided_patch(Indexed_patch<Point_3> given)
+  explicit Divided_patch(Indexed_patch given)
       : patch(std::move(given))
       , origin(patch.triangles.size()) {
     std::iota(origin.begin(), origin.end(), 0);
@@ -37,9 +38,9 @@ template <class Point_3> struct Divided_patch {
 /* Divides triangles of a patch along with those of their edges that are to be halved: the surface stays what it is. Of
  * each triangle divided the longest edge is halved too (Rivara), unless it is on a loop, so that angles do not get ever
  * smaller. */
-template <class Point_3> class Edge_halver {
+class Edge_halver {
 public:
-  explicit Edge_halver(Divided_patch<Point_3>& divided)
+  explicit Edge_halver(Divided_patch& divided)
       : divided_(divided)
       , patch_(divided.patch) {}
 
@@ -163,8 +164,8 @@ private:
 
   bool is_halved(int h) const { return middle_[std::size_t(h)] >= 0; }
 
-  Divided_patch<Point_3>& divided_;
-  Indexed_patch<Point_3>& patch_;
+  Divided_patch& divided_;
+  Indexed_patch& patch_;
   std::vector<int> middle_; // of each halfedge, −1 if it stays
   std::vector<Patch_triangle> triangles_;
   std::vector<int> origins_;

@@ -36,8 +36,7 @@ struct Filled_patch {
   int pole = -1;
   std::vector<char> is_outer; ///< whether a vertex is on the outer loop
 
-  template <class Point_3>
-  explicit Filled_patch(const Indexed_patch<Point_3>& patch)
+  explicit Filled_patch(const Indexed_patch& patch)
       : points(patch.points.begin(), patch.points.end())
       , triangles(patch.triangles)
       , own_points(points.size())

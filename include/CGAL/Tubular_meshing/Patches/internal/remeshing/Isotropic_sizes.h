@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_PATCHES_INTERNAL_REMESHING_ISOTROPIC_SIZES_H
 #define CGAL_TUBULAR_MESHING_PATCHES_INTERNAL_REMESHING_ISOTROPIC_SIZES_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Patches/Surface_patch.h>
 #include <CGAL/Tubular_meshing/Plane/Metric_tensor_2.h>
 #include <CGAL/Tubular_meshing/Patches/Patch_parameterization.h>
@@ -26,16 +27,16 @@ namespace internal {
  *
  * Lengths are asked for along the curves between pieces, metrics over the plane of a patch and in that of a cap; a
  * `fineness` below 1 makes the sizes smaller. Metric_sizes answers the same questions for a metric. */
-template <class Point_3, class Size> class Isotropic_sizes {
+template <class Size> class Isotropic_sizes {
 public:
-  typedef Patch_parameterization<Point_3> Map;
+  typedef Patch_parameterization Map;
 
-  Isotropic_sizes(const CGAL::Surface_mesh<Point_3>&, const Surface_cut<Point_3>&, const std::vector<Map>& maps,
+  Isotropic_sizes(const CGAL::Surface_mesh<Point_3>&, const Surface_cut&, const std::vector<Map>& maps,
                   const Size& size)
       : maps_(maps)
       , size_(size) {}
 
-  double along_curve(std::size_t, const Curve_position<Point_3>& at) const { return size_(at.point); }
+  double along_curve(std::size_t, const Curve_position& at) const { return size_(at.point); }
 
   Plane_metric on_patch(std::size_t patch, const Patch_location& at, double fineness) const {
     const Map& map = maps_[patch];

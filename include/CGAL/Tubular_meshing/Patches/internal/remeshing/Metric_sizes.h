@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_PATCHES_INTERNAL_REMESHING_METRIC_SIZES_H
 #define CGAL_TUBULAR_MESHING_PATCHES_INTERNAL_REMESHING_METRIC_SIZES_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Fields/Metric_tensor_3.h>
 #include <CGAL/Tubular_meshing/Patches/Surface_patch.h>
 #include <CGAL/Tubular_meshing/Plane/Metric_tensor_2.h>
@@ -33,15 +34,14 @@ namespace internal {
  *
  * On patches it is the shadow of the metric on the tangent plane that counts, see metric_shadow(). The metric is asked
  * for at each place anew, only the tangent planes are those of the old triangles: it may vary within them. */
-template <class Point_3, class MetricField> class Metric_sizes {
+template <class MetricField> class Metric_sizes {
 public:
   typedef CGAL::Surface_mesh<Point_3> Surface;
-  typedef Patch_parameterization<Point_3> Map;
+  typedef Patch_parameterization Map;
   typedef std::size_t size_type;
 
   // O(n) in the old triangles.
-  Metric_sizes(const Surface& surface, const Surface_cut<Point_3>& cut, const std::vector<Map>& maps,
-               const MetricField& metric)
+  Metric_sizes(const Surface& surface, const Surface_cut& cut, const std::vector<Map>& maps, const MetricField& metric)
       : maps_(maps)
       , metric_(metric)
       , axes_(maps.begin(), maps.end()) {
@@ -49,7 +49,7 @@ public:
       set_directions(surface, cut, curve);
   }
 
-  double along_curve(size_type curve, const Curve_position<Point_3>& at) const {
+  double along_curve(size_type curve, const Curve_position& at) const {
     const Ribbon& ribbon = ribbons_[curve];
     const size_type next = (at.edge + 1) % ribbon.normals.size();
     const Vector_3d& direction = at.t > 0 ? ribbon.edges[at.edge] : ribbon.directions[at.edge];
@@ -79,7 +79,7 @@ public:
 
   // Triangles are good in the metric, and look stretched.
   template <class Chart> static No_embedding embedding(const Chart&) { return {}; }
-  Shape_in_metric<Point_3, MetricField> shape() const { return Shape_in_metric<Point_3, MetricField>(metric_); }
+  Shape_in_metric<MetricField> shape() const { return Shape_in_metric<MetricField>(metric_); }
 
 private:
   // A curve with the surface beside it: of its vertices directions and normals, of its edges directions, unit vectors.
@@ -87,7 +87,7 @@ private:
     std::vector<Vector_3d> directions, normals, edges;
   };
 
-  void set_directions(const Surface& surface, const Surface_cut<Point_3>& cut, const Cut_curve<Point_3>& curve) {
+  void set_directions(const Surface& surface, const Surface_cut& cut, const Cut_curve& curve) {
     ribbons_.emplace_back();
     Ribbon& ribbon = ribbons_.back();
     for (auto h : curve.halfedges)
@@ -101,8 +101,7 @@ private:
   }
 
   // At the source of a halfedge: the mean of the faces around, by area, but for those of caps.
-  static Vector_3d wall_normal(const Surface& surface, const Surface_cut<Point_3>& cut,
-                               typename Surface::Halfedge_index out) {
+  static Vector_3d wall_normal(const Surface& surface, const Surface_cut& cut, typename Surface::Halfedge_index out) {
     Vector_3d sum;
     for (auto h : surface.halfedges_around_target(surface.opposite(out)))
       if (!surface.is_border(h) && cut.patch_of_face[surface.face(h)] >= 0) {
@@ -128,8 +127,8 @@ private:
 
   const std::vector<Map>& maps_;
   const MetricField& metric_;
-  const std::vector<Tangent_planes<Point_3>> axes_; // of the patches
-  std::vector<Ribbon> ribbons_;                     // of the curves
+  const std::vector<Tangent_planes> axes_; // of the patches
+  std::vector<Ribbon> ribbons_;            // of the curves
 };
 
 } // namespace internal

@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_PATCHES_INTERNAL_REMESHING_PIECE_MESHER_H
 #define CGAL_TUBULAR_MESHING_PATCHES_INTERNAL_REMESHING_PIECE_MESHER_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Patches/Surface_patch.h>
 #include <CGAL/Tubular_meshing/Patches/Patch_parameterization.h>
 #include <CGAL/Tubular_meshing/Patches/pieces/Chart.h>
@@ -28,18 +29,18 @@ namespace internal {
 
 /* Meshes the pieces of a cut surface, each on its own: the patches and, after them, the caps. Each can be meshed again
  * with smaller sizes. `Sizes` tells what is wanted: Isotropic_sizes or Metric_sizes. */
-template <class Point_3, class Sizes> class Piece_mesher {
+template <class Sizes> class Piece_mesher {
 public:
   typedef CGAL::Surface_mesh<Point_3> Surface;
-  typedef Patch_parameterization<Point_3> Map;
+  typedef Patch_parameterization Map;
   typedef typename Map::Point_2 Point_2;
-  typedef Remeshed_piece<Point_3> Piece;
-  typedef std::vector<Curve_position<Point_3>> Curve_points;
+  typedef Remeshed_piece Piece;
+  typedef std::vector<Curve_position> Curve_points;
   typedef std::size_t size_type;
   static constexpr bool makes_quads = false;
 
-  Piece_mesher(const Surface& surface, const Surface_cut<Point_3>& cut, const std::vector<Map>& maps,
-               const Sizes& sizes, bool even, int threads)
+  Piece_mesher(const Surface& surface, const Surface_cut& cut, const std::vector<Map>& maps, const Sizes& sizes,
+               bool even, int threads)
       : cut_(cut)
       , maps_(maps)
       , sizes_(sizes)
@@ -100,7 +101,7 @@ private:
   // The longest edge in a gap, relative to its width: with 2, the worst triangle that fits has a gamma_T of 0.68.
   static constexpr double size_in_gap = 1.5;
 
-  static std::vector<std::vector<Point_3>> polylines_of(const Surface& surface, const Surface_cut<Point_3>& cut) {
+  static std::vector<std::vector<Point_3>> polylines_of(const Surface& surface, const Surface_cut& cut) {
     std::vector<std::vector<Point_3>> polylines;
     for (const auto& curve : cut.curves) {
       polylines.emplace_back();
@@ -139,11 +140,11 @@ private:
   void divide(size_type c) {
     const size_type fewest = 6; // a tube, not a prism
     const double f = (std::min)(fineness_[cut_.curves[c].left_patch], fineness_[piece_on_the_right(c)]);
-    const auto size = [&](const Curve_position<Point_3>& at) {
+    const auto size = [&](const Curve_position& at) {
       const double h = f * sizes_.along_curve(c, at), least = 0.1 * h;
       return (std::max)(least, size_in_gap * gaps_.gap(c, at.point, h / size_in_gap));
     };
-    const Curve_divider<Point_3> divider(polylines_[c], size, cut_.curves[c].is_rim());
+    const Curve_divider divider(polylines_[c], size, cut_.curves[c].is_rim());
     curve_points_[c] = divider.divide(polylines_[c], fewest, even_);
   }
 
@@ -162,7 +163,7 @@ private:
 
   void mesh_patch(size_type k, double fineness, Piece& piece) const {
     const auto metric = [&](const Patch_location& at) { return sizes_.on_patch(k, at, fineness); };
-    const Patch_chart<Point_3, decltype(metric)> chart(maps_[k], metric);
+    const Patch_chart<decltype(metric)> chart(maps_[k], metric);
     const auto polygons = patch_polygons(maps_[k], cut_, k, curve_points_, piece);
     triangulate_piece(chart, sizes_.embedding(chart), polygons, false, piece);
   }
@@ -171,18 +172,18 @@ private:
     const auto metric = [&](const Point_3& p, const Vector_3d& first, const Vector_3d& second) {
       return sizes_.in_plane(p, first, second, fineness);
     };
-    const Cap_chart<Point_3, Point_2, decltype(metric)> chart(polylines_[rim], metric);
+    const Cap_chart<Point_2, decltype(metric)> chart(polylines_[rim], metric);
     const auto polygons = cap_polygons(chart, rim, curve_points_[rim], piece);
     triangulate_piece(chart, sizes_.embedding(chart), polygons, true, piece);
   }
 
-  const Surface_cut<Point_3>& cut_;
+  const Surface_cut& cut_;
   const std::vector<Map>& maps_;
   const Sizes& sizes_;
   const bool even_;
   const int threads_;
   const std::vector<std::vector<Point_3>> polylines_; // the curves
-  const Curve_gaps<Point_3> gaps_;
+  const Curve_gaps gaps_;
   std::vector<size_type> rims_; // the curves with caps
   std::vector<Curve_points> curve_points_;
   std::vector<Piece> pieces_;

@@ -44,9 +44,9 @@ inline bool nearest_axes(const Vector_3d& a, const Vector_3d& b, Plane_axes& axe
  * the next one by the angle between their planes: a metric taken from it would have jumps, and its thin direction would
  * poke through coarse facets. So vertices get the mean rotation of their triangles, weighted by area, and points in
  * between the mean of their triangle's vertices, each time the nearest rotation to the mean of matrices. */
-template <class Point_3> class Tangent_planes {
+class Tangent_planes {
 public:
-  typedef Patch_parameterization<Point_3> Map;
+  typedef Patch_parameterization Map;
 
   // O(n) in the triangles.
   explicit Tangent_planes(const Map& map)

@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_PATCHES_INTERNAL_REMESHING_TRIANGLE_IMPROVER_H
 #define CGAL_TUBULAR_MESHING_PATCHES_INTERNAL_REMESHING_TRIANGLE_IMPROVER_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/base/Nearest_tree.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
@@ -24,7 +25,7 @@ namespace internal {
  * better is possible, but across the curves there is. Vertices move, on the surface, off their curves too, and edges
  * inside of patches are flipped; each step raises the worst quality of the triangles that it changes. `Shape` measures
  * it, see triangle_shapes.h. */
-template <class Point_3, class Shape> class Triangle_improver {
+template <class Shape> class Triangle_improver {
 public:
   typedef CGAL::Surface_mesh<Point_3> Surface;
   typedef typename Surface::Vertex_index Vertex;

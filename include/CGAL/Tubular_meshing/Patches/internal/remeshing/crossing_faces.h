@@ -4,6 +4,8 @@
 #ifndef CGAL_TUBULAR_MESHING_PATCHES_INTERNAL_REMESHING_CROSSING_FACES_H
 #define CGAL_TUBULAR_MESHING_PATCHES_INTERNAL_REMESHING_CROSSING_FACES_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
+
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/helpers.h>
@@ -20,7 +22,7 @@ namespace internal {
 
 /* Pairs of faces of a surface of triangles and quads that meet each other. A quad is two triangles, in both ways: a
  * face meets itself if these overlap, or if its diagonal is an edge already. O(n log n). */
-template <class Point_3> class Crossing_faces {
+class Crossing_faces {
 public:
   typedef CGAL::Surface_mesh<Point_3> Surface;
   typedef typename Surface::Face_index Face;
@@ -76,8 +78,8 @@ private:
   const Surface& surface_;
 };
 
-template <class Point_3> typename Crossing_faces<Point_3>::Pairs crossing_faces(const CGAL::Surface_mesh<Point_3>& s) {
-  return Crossing_faces<Point_3>(s).find();
+inline typename Crossing_faces::Pairs crossing_faces(const CGAL::Surface_mesh<Point_3>& s) {
+  return Crossing_faces(s).find();
 }
 
 } // namespace internal

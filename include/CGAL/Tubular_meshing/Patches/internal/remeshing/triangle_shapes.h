@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_PATCHES_INTERNAL_REMESHING_TRIANGLE_SHAPES_H
 #define CGAL_TUBULAR_MESHING_PATCHES_INTERNAL_REMESHING_TRIANGLE_SHAPES_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Fields/Metric_tensor_3.h>
 #include <CGAL/Tubular_meshing/base/element_measures.h>
 #include <CGAL/Tubular_meshing/Plane/Metric_tensor_2.h>
@@ -35,7 +36,7 @@ struct Shape_in_space {
 
 /* The same in the shadow of a metric, `metric(point)`: (12) in the mean of the corners' shapes. Caps, which want the
  * metric's section, are to be left as they are. */
-template <class Point_3, class Metric> class Shape_in_metric {
+template <class Metric> class Shape_in_metric {
 public:
   static constexpr bool is_for_caps = false;
 

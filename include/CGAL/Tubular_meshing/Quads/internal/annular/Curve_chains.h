@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_QUADS_INTERNAL_ANNULAR_CURVE_CHAINS_H
 #define CGAL_TUBULAR_MESHING_QUADS_INTERNAL_ANNULAR_CURVE_CHAINS_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Patches/Surface_patch.h>
 #include <CGAL/Tubular_meshing/Quads/internal/elliptic/Annular_chart.h>
 #include <CGAL/Tubular_meshing/Patches/Patch_parameterization.h>
@@ -25,9 +26,8 @@ namespace Tubular_meshing {
 namespace internal {
 
 /* The points of a curve on a loop of a patch, in the order of the loop. */
-template <class Point_3>
-std::vector<Patch_location> on_loop(const Patch_parameterization<Point_3>& map, std::size_t l, const Patch_loop& loop,
-                                    std::size_t edges, const std::vector<Curve_position<Point_3>>& points) {
+inline std::vector<Patch_location> on_loop(const Patch_parameterization& map, std::size_t l, const Patch_loop& loop,
+                                           std::size_t edges, const std::vector<Curve_position>& points) {
   std::vector<Patch_location> result;
   for (const auto& p : points)
     result.push_back(loop.forward ? map.on_loop_edge(l, p.edge, p.t)
@@ -40,14 +40,14 @@ std::vector<Patch_location> on_loop(const Patch_parameterization<Point_3>& map, 
 /* Divides the curves of a cut surface for grids: those that annular patches join, one after another, form a chain and
  * get the same even number of points, at equal distances unless another curve is close, and turned so that the grids
  * between them do not twist. */
-template <class Point_3, class Size> class Curve_chains {
+template <class Size> class Curve_chains {
 public:
   typedef CGAL::Surface_mesh<Point_3> Surface;
-  typedef Patch_parameterization<Point_3> Map;
-  typedef std::vector<Curve_position<Point_3>> Points;
+  typedef Patch_parameterization Map;
+  typedef std::vector<Curve_position> Points;
   typedef std::size_t size_type;
 
-  Curve_chains(const Surface& surface, const Surface_cut<Point_3>& cut, const std::vector<Map>& maps, const Size& size)
+  Curve_chains(const Surface& surface, const Surface_cut& cut, const std::vector<Map>& maps, const Size& size)
       : cut_(cut)
       , maps_(maps)
       , patches_at_(cut.curves.size()) {
@@ -83,7 +83,7 @@ private:
   };
 
   // What the size wants all along a curve.
-  void measure(const Surface& surface, const Cut_curve<Point_3>& curve, const Size& size) {
+  void measure(const Surface& surface, const Cut_curve& curve, const Size& size) {
     polylines_.emplace_back();
     std::vector<Point_3>& polyline = polylines_.back();
     for (auto v : curve.vertices)
@@ -101,10 +101,10 @@ private:
   // The distances on a curve are equal, but where another one of its patch comes close.
   void set_distances() {
     const double least = 0.3, of_gap = 1.5;
-    const Curve_gaps<Point_3> gaps(cut_, polylines_);
+    const Curve_gaps gaps(cut_, polylines_);
     for (size_type c = 0; c < polylines_.size(); ++c) {
       const double h = lengths_[c] / in_sizes_[c];
-      const auto distance = [&](const Curve_position<Point_3>& at) {
+      const auto distance = [&](const Curve_position& at) {
         return (std::max)(least * h, of_gap * gaps.gap(c, at.point, h / of_gap));
       };
       dividers_.emplace_back(polylines_[c], distance, false);
@@ -156,7 +156,7 @@ private:
   }
 
   // The mean place around the patch of points of one of its loops.
-  double mean_angle(const Annular_chart<Point_3>& chart, size_type k, size_type c, const Points& points) const {
+  double mean_angle(const Annular_chart& chart, size_type k, size_type c, const Points& points) const {
     const auto& loops = cut_.patches[k].loops;
     const size_type l = loops[0].curve == c ? 0 : 1;
     double sum = 0;
@@ -169,8 +169,8 @@ private:
    * around: while they move by a whole one, the mean angle grows, or falls, by 2π / n. */
   double best_start(const Link& link, size_type n, const Points& before) const {
     const int steps = 20;
-    const Annular_chart<Point_3> chart(maps_[link.patch]);
-    const double step = Annular_chart<Point_3>::period / double(n);
+    const Annular_chart chart(maps_[link.patch]);
+    const double step = Annular_chart::period / double(n);
     const auto angle_at = [&](double start) {
       return mean_angle(chart, link.patch, link.curve, points_from(link.curve, n, start));
     };
@@ -190,11 +190,11 @@ private:
     return low;
   }
 
-  const Surface_cut<Point_3>& cut_;
+  const Surface_cut& cut_;
   const std::vector<Map>& maps_;
   std::vector<std::vector<Point_3>> polylines_; // the curves
   std::vector<double> lengths_, in_sizes_;      // of each, in space, and in units of the size
-  std::vector<Curve_divider<Point_3>> dividers_;
+  std::vector<Curve_divider> dividers_;
   std::vector<std::vector<size_type>> patches_at_; // annular ones, of each curve
 };
 

@@ -21,9 +21,9 @@ namespace internal {
 /* Coordinates of an annular patch that unroll it: X, of period 2π, grows along loop 0, Y from loop 0 to loop 1. They
  * are the angle and the logarithm of the radius in the plane, so that they are conformal if the map is, and a tube is a
  * rectangle however long it is. Counterclockwise seen from outside, as the plane is. */
-template <class Point_3> class Annular_chart {
+class Annular_chart {
 public:
-  typedef Patch_parameterization<Point_3> Map;
+  typedef Patch_parameterization Map;
   typedef typename Map::Point_2 Point_2;
   static constexpr double period = 6.28318530717958647693;
 

@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_QUADS_INTERNAL_ELLIPTIC_ELLIPTIC_GRID_MAKER_H
 #define CGAL_TUBULAR_MESHING_QUADS_INTERNAL_ELLIPTIC_ELLIPTIC_GRID_MAKER_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Quads/internal/elliptic/Annular_chart.h>
 #include <CGAL/Tubular_meshing/Quads/internal/elliptic/Winslow_smoother.h>
 #include <CGAL/Tubular_meshing/base/element_measures.h>
@@ -23,10 +24,10 @@ namespace Tubular_meshing {
 namespace internal {
 
 /* Makes the grid of an annular patch, in the coordinates of its chart. */
-template <class Point_3> class Elliptic_grid_maker {
+class Elliptic_grid_maker {
 public:
-  typedef Annular_chart<Point_3> Chart;
-  typedef Patch_parameterization<Point_3> Map;
+  typedef Annular_chart Chart;
+  typedef Patch_parameterization Map;
   typedef std::array<std::vector<Patch_location>, 2> Loop_points;
 
   Elliptic_grid_maker(const Map& map, const Loop_points& ends)

@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_QUADS_INTERNAL_SURFACE_QUAD_PIECE_MESHER_H
 #define CGAL_TUBULAR_MESHING_QUADS_INTERNAL_SURFACE_QUAD_PIECE_MESHER_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Patches/Surface_patch.h>
 #include <CGAL/Tubular_meshing/Quads/elliptic_grid.h>
 #include <CGAL/Tubular_meshing/Quads/internal/annular/Curve_chains.h>
@@ -38,18 +39,18 @@ enum class Quad_piece_kind { grid, unstructured, unstructured_for_grid, cap };
 
 /* Meshes the pieces of a cut surface with quads, each on its own: the patches and, after them, the caps, these with
  * triangles unless quads are wanted. Each can be meshed again with smaller sizes. */
-template <class Point_3, class Size> class Quad_piece_mesher {
+template <class Size> class Quad_piece_mesher {
 public:
   typedef CGAL::Surface_mesh<Point_3> Surface;
-  typedef Patch_parameterization<Point_3> Map;
+  typedef Patch_parameterization Map;
   typedef typename Map::Point_2 Point_2;
-  typedef Remeshed_piece<Point_3> Piece;
-  typedef std::vector<Curve_position<Point_3>> Curve_points;
+  typedef Remeshed_piece Piece;
+  typedef std::vector<Curve_position> Curve_points;
   typedef std::size_t size_type;
   static constexpr bool makes_quads = true;
 
-  Quad_piece_mesher(const Surface& surface, const Surface_cut<Point_3>& cut, const std::vector<Map>& maps,
-                    const Size& size, bool quad_caps, int threads)
+  Quad_piece_mesher(const Surface& surface, const Surface_cut& cut, const std::vector<Map>& maps, const Size& size,
+                    bool quad_caps, int threads)
       : surface_(surface)
       , cut_(cut)
       , maps_(maps)
@@ -79,8 +80,8 @@ public:
   }
 
   /* Raises the worst quads of a surface made of the pieces. Returns the pieces where quads turn over even so. */
-  std::vector<size_type> improve(Remeshed_surface<Point_3>& result) const {
-    Quad_surface_improver<Point_3> improver(result, surface_, cut_);
+  std::vector<size_type> improve(Remeshed_surface& result) const {
+    Quad_surface_improver improver(result, surface_, cut_);
     improver.run();
     return improver.folded_patches();
   }
@@ -181,9 +182,9 @@ private:
 
   template <class Piece_size> void make_unstructured(size_type k, const Piece_size& size, Piece& piece) const {
     const auto polygons = patch_polygons(maps_[k], cut_, k, curve_points_, piece);
-    const Patch_sheet<Point_3> sheet(maps_[k]);
+    const Patch_sheet sheet(maps_[k]);
     const auto metric = [&](const Patch_location& at) { return maps_[k].induced_metric(at, size(maps_[k].point(at))); };
-    const Patch_chart<Point_3, decltype(metric)> chart(maps_[k], metric);
+    const Patch_chart<decltype(metric)> chart(maps_[k], metric);
     fill(sheet, chart, polygons, false, piece);
   }
 
@@ -194,7 +195,7 @@ private:
       ends[l] = on_loop(maps_[k], l, loop, cut_.curves[loop.curve].vertices.size(), curve_points_[loop.curve]);
       piece.sides.push_back({loop.curve, loop.forward});
     }
-    const Elliptic_grid<Point_3> grid = elliptic_grid(maps_[k], ends, size);
+    const Elliptic_grid grid = elliptic_grid(maps_[k], ends, size);
     const size_type n = grid.columns, last = grid.rows * n;
     piece.inner_points.assign(grid.points.begin() + std::ptrdiff_t(n), grid.points.begin() + std::ptrdiff_t(last));
     for (auto q : grid.quads()) {
@@ -211,7 +212,7 @@ private:
     const auto metric = [&](const Point_3& p, const Vector_3d&, const Vector_3d&) {
       return Metric_tensor_2::isotropic(size(p));
     };
-    typedef Cap_chart<Point_3, Point_2, decltype(metric)> Chart;
+    typedef Cap_chart<Point_2, decltype(metric)> Chart;
     const Chart chart(points, metric);
     const auto polygons = cap_polygons(chart, rim, curve_points_[rim], piece);
     if (!quad_caps_ || !fill(Cap_sheet<Chart, Point_2>(chart), chart, polygons, true, piece))
@@ -221,7 +222,7 @@ private:
   // False if there are no quads alone.
   template <class Sheet, class Chart, class Polygons>
   static bool fill(const Sheet& sheet, const Chart& chart, const Polygons& polygons, bool turn, Piece& piece) {
-    Patch_quadrangulator<Point_3, Sheet, Chart, Point_2> quadrangulator(sheet, chart, polygons);
+    Patch_quadrangulator<Sheet, Chart, Point_2> quadrangulator(sheet, chart, polygons);
     if (!quadrangulator.run())
       return false;
     const Quad_patch& mesh = quadrangulator.mesh();
@@ -245,12 +246,12 @@ private:
   }
 
   const Surface& surface_;
-  const Surface_cut<Point_3>& cut_;
+  const Surface_cut& cut_;
   const std::vector<Map>& maps_;
   const Size& size_;
   const bool quad_caps_;
   const int threads_;
-  const Curve_chains<Point_3, Size> chains_;
+  const Curve_chains<Size> chains_;
   std::vector<size_type> rims_; // the curves with caps
   std::vector<Curve_points> curve_points_;
   std::vector<Piece> pieces_;

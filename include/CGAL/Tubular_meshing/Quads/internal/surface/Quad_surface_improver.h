@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_QUADS_INTERNAL_SURFACE_QUAD_SURFACE_IMPROVER_H
 #define CGAL_TUBULAR_MESHING_QUADS_INTERNAL_SURFACE_QUAD_SURFACE_IMPROVER_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Patches/Surface_patch.h>
 #include <CGAL/Tubular_meshing/Quads/internal/surface/Wall_quads.h>
 #include <CGAL/Tubular_meshing/Quads/internal/unstructured/Quad_smoother.h>
@@ -47,11 +48,11 @@ private:
 
 /* Raises the worst quads of a wall. Within their patches, no better is possible, but across the curves there is:
  * vertices on curves move too, on the old surface; those on rims stay. */
-template <class Point_3> class Quad_surface_improver {
+class Quad_surface_improver {
 public:
   typedef CGAL::Surface_mesh<Point_3> Surface;
 
-  Quad_surface_improver(Remeshed_surface<Point_3>& result, const Surface& old_surface, const Surface_cut<Point_3>& cut)
+  Quad_surface_improver(Remeshed_surface& result, const Surface& old_surface, const Surface_cut& cut)
       : result_(result)
       , old_surface_(old_surface)
       , cut_(cut)
@@ -101,10 +102,10 @@ private:
     return marks;
   }
 
-  Remeshed_surface<Point_3>& result_;
+  Remeshed_surface& result_;
   const Surface& old_surface_;
-  const Surface_cut<Point_3>& cut_;
-  Wall_quads<Point_3> wall_;
+  const Surface_cut& cut_;
+  Wall_quads wall_;
 };
 
 } // namespace internal

@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_QUADS_INTERNAL_SURFACE_WALL_QUADS_H
 #define CGAL_TUBULAR_MESHING_QUADS_INTERNAL_SURFACE_WALL_QUADS_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Quads/internal/unstructured/Quad_patch.h>
 #include <CGAL/Tubular_meshing/Quads/internal/unstructured/Sheet.h>
 #include <CGAL/Tubular_meshing/Patches/Remeshed_surface.h>
@@ -20,7 +21,7 @@ namespace internal {
 
 /* The wall of a surface of quads as a whole. Its first vertices are those on rims, which stay; normals are the means of
  * the quads' own. */
-template <class Point_3> struct Wall_quads {
+struct Wall_quads {
   typedef CGAL::Surface_mesh<Point_3> Surface;
   typedef typename Surface::Vertex_index Vertex;
 
@@ -28,7 +29,7 @@ template <class Point_3> struct Wall_quads {
   std::vector<Vertex> vertices;           // of the surface, for each of the mesh's
   std::vector<std::size_t> patch_of_quad; // of the cut
 
-  explicit Wall_quads(const Remeshed_surface<Point_3>& result)
+  explicit Wall_quads(const Remeshed_surface& result)
       : number_(std::size_t(result.surface.number_of_vertices()), -1) {
     const Surface& surface = result.surface;
     for (auto f : surface.faces())

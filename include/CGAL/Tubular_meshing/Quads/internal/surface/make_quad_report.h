@@ -20,14 +20,13 @@ namespace Tubular_meshing {
 namespace internal {
 
 /* Measures the faces of a surface of quads; `kinds` are those of its pieces. */
-template <class Point_3>
-Quad_report make_quad_report(const Remeshed_surface<Point_3>& result, const std::vector<Quad_piece_kind>& kinds) {
+inline Quad_report make_quad_report(const Remeshed_surface& result, const std::vector<Quad_piece_kind>& kinds) {
   Quad_report report;
   for (auto f : result.surface.faces())
     if (result.patch_of_face[f] < 0)
       ++(result.surface.degree(f) == 4 ? report.cap_quads : report.cap_triangles);
 
-  const Wall_quads<Point_3> wall(result);
+  const Wall_quads wall(result);
   double sum = 0;
   for (int q = 0; q < int(wall.mesh.quads.size()); ++q) {
     const bool is_of_grid = kinds[wall.patch_of_quad[std::size_t(q)]] == Quad_piece_kind::grid;

@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_QUADS_INTERNAL_UNSTRUCTURED_PATCH_QUADRANGULATOR_H
 #define CGAL_TUBULAR_MESHING_QUADS_INTERNAL_UNSTRUCTURED_PATCH_QUADRANGULATOR_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Quads/internal/unstructured/Cross_field.h>
 #include <CGAL/Tubular_meshing/Quads/internal/unstructured/One_defect_remesher.h>
 #include <CGAL/Tubular_meshing/Quads/internal/unstructured/Quad_cleaner.h>
@@ -33,7 +34,7 @@ namespace internal {
 /* Fills a patch, or a cap, with quads between the points of its loops, an even number in all.
  *
  * `Chart` gives the metric of the wanted size over the plane, `Sheet` the surface over it. */
-template <class Point_3, class Sheet, class Chart, class Point_2> class Patch_quadrangulator {
+template <class Sheet, class Chart, class Point_2> class Patch_quadrangulator {
 public:
   typedef std::vector<std::vector<Point_2>> Polygons;
 

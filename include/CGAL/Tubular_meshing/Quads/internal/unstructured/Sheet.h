@@ -26,9 +26,9 @@ struct Sheet_place {
 };
 
 /* A patch as the mesher of quads sees it: a surface over the plane, with a normal that is continuous. */
-template <class Point_3> class Patch_sheet {
+class Patch_sheet {
 public:
-  typedef Patch_parameterization<Point_3> Map;
+  typedef Patch_parameterization Map;
   typedef typename Map::Point_2 Point_2;
 
   explicit Patch_sheet(const Map& map)

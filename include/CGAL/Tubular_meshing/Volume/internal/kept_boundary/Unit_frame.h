@@ -4,6 +4,8 @@
 #ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_KEPT_BOUNDARY_UNIT_FRAME_H
 #define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_KEPT_BOUNDARY_UNIT_FRAME_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
+
 #include <CGAL/Bbox_3.h>
 #include <CGAL/number_utils.h>
 
@@ -23,9 +25,9 @@ class Unit_frame {
 public:
   typedef std::array<double, 3> Coordinates;
 
-  template <class Point> explicit Unit_frame(const std::vector<Point>& points) {
+  explicit Unit_frame(const std::vector<Point_3>& points) {
     Bbox_3 box;
-    for (const Point& p : points)
+    for (const Point_3& p : points)
       box += p.bbox();
     double extent = 0;
     for (int k = 0; k < 3; ++k) {
@@ -37,12 +39,12 @@ public:
 
   double scale() const { return scale_; } // the length of the frame's unit
 
-  template <class Point> Coordinates to_frame(const Point& p) const {
+  Coordinates to_frame(const Point_3& p) const {
     return {(CGAL::to_double(p.x()) - middle_[0]) / scale_, (CGAL::to_double(p.y()) - middle_[1]) / scale_,
             (CGAL::to_double(p.z()) - middle_[2]) / scale_};
   }
-  template <class Point> Point from_frame(const Coordinates& x) const {
-    return Point(middle_[0] + scale_ * x[0], middle_[1] + scale_ * x[1], middle_[2] + scale_ * x[2]);
+  Point_3 from_frame(const Coordinates& x) const {
+    return Point_3(middle_[0] + scale_ * x[0], middle_[1] + scale_ * x[1], middle_[2] + scale_ * x[2]);
   }
 
 private:

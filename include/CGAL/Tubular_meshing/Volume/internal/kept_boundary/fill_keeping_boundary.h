@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_KEPT_BOUNDARY_FILL_KEEPING_BOUNDARY_H
 #define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_KEPT_BOUNDARY_FILL_KEEPING_BOUNDARY_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/base/element_measures.h>
 #include <CGAL/Tubular_meshing/Quality/validity_report.h>
@@ -44,7 +45,7 @@ struct Filling_limits {
 };
 
 // The tetrahedra are turned alike, one way or the other.
-template <class Point> void orient_tetrahedra(Mixed_mesh<Point>& mesh) {
+inline void orient_tetrahedra(Mixed_mesh& mesh) {
   double volume = 0;
   for (const auto& t : mesh.tetrahedra.vertices)
     volume += signed_volume(Vector_3d(mesh.points[t[0]]), Vector_3d(mesh.points[t[1]]), Vector_3d(mesh.points[t[2]]),
@@ -57,14 +58,14 @@ template <class Point> void orient_tetrahedra(Mixed_mesh<Point>& mesh) {
 /* Adds the tetrahedra of a recovery to a mesh of nothing but a surface. `recover` is called in a process of its own as
  *   int recover(const Boundary_arrays&, Recovered_boundary&),
  * and returns 0 or one of TetGen's numbers for what went wrong; `name` is what it is called in a sentence. */
-template <class TriangleMesh, class Recovery, class Point>
-void recover_in_child_process(const TriangleMesh& surface, const Recovery& recover, const std::string& name,
-                              const Filling_limits& limits, Mixed_mesh<Point>& mesh) {
+template <class Surface, class Recovery>
+void recover_in_child_process(const Surface& surface, const Recovery& recover, const std::string& name,
+                              const Filling_limits& limits, Mixed_mesh& mesh) {
   const Unit_frame frame(mesh.points);
   Recovered_boundary recovered;
   const auto work = [&](const Pipe_writer& pipe) {
     Boundary_arrays boundary;
-    for (const Point& p : mesh.points)
+    for (const Point_3& p : mesh.points)
       boundary.points.push_back(frame.to_frame(p));
     boundary.triangles = mesh.triangles.vertices;
     const int code = recover(boundary, recovered);
@@ -77,7 +78,7 @@ void recover_in_child_process(const TriangleMesh& surface, const Recovery& recov
   if (ending.kind != Child_ending::done)
     throw Meshing_error(failure_sentence(name, ending, surface, limits.way_out));
   for (const auto& x : recovered.inner_points)
-    mesh.points.push_back(frame.template from_frame<Point>(x));
+    mesh.points.push_back(frame.from_frame(x));
   mesh.tetrahedra.label.assign(recovered.tetrahedra.size(), labels::lumen);
   mesh.tetrahedra.vertices = std::move(recovered.tetrahedra);
   orient_tetrahedra(mesh);
@@ -92,9 +93,9 @@ void recover_in_child_process(const TriangleMesh& surface, const Recovery& recov
  * slivers. */
 constexpr double kept_boundary_radius_bound = 0.78;
 
-template <class SizingField, class Point>
-void add_points_inside(const SizingField& size, std::size_t most_points, Mixed_mesh<Point>& mesh) {
-  const auto size_at = [&](const Vector_3d& p) { return double(size(Point(p.x, p.y, p.z), 3, 0)); };
+template <class SizingField>
+void add_points_inside(const SizingField& size, std::size_t most_points, Mixed_mesh& mesh) {
+  const auto size_at = [&](const Vector_3d& p) { return double(size(Point_3(p.x, p.y, p.z), 3, 0)); };
   Tetrahedron_store store(mesh);
   if (refine_inside(store, size_at, kept_boundary_radius_bound, most_points) == most_points)
     throw Meshing_error("A mesh this fine would have more than " + std::to_string(most_points) +
@@ -104,11 +105,11 @@ void add_points_inside(const SizingField& size, std::size_t most_points, Mixed_m
 }
 
 // Fills a closed surface, which stays as it is; see recover_in_child_process() for `recover` and `name`.
-template <class TriangleMesh, class FacePatchMap, class SizingField, class Recovery, class Point>
-void fill_keeping_boundary(const TriangleMesh& surface, FacePatchMap patch, const SizingField& size,
+template <class SizingField, class Recovery>
+void fill_keeping_boundary(const Surface& surface, Face_patch_map patch, const SizingField& size,
                            const Recovery& recover, const std::string& name, const Filling_limits& limits,
-                           Mixed_mesh<Point>& result) {
-  Mixed_mesh<Point> mesh;
+                           Mixed_mesh& result) {
+  Mixed_mesh mesh;
   surface_to_mixed_mesh(surface, patch, mesh);
   if (!mesh.quads.empty())
     throw Meshing_error("Only a surface of triangles can be filled with tetrahedra; this one has quads.");

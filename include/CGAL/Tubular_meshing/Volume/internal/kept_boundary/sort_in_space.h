@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_KEPT_BOUNDARY_SORT_IN_SPACE_H
 #define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_KEPT_BOUNDARY_SORT_IN_SPACE_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/base/Nearest_tree.h>
 
 #include <CGAL/Spatial_sort_traits_adapter_3.h>
@@ -23,13 +24,12 @@ namespace internal {
 
 /* Sorts tetrahedra along a Hilbert curve through their centers. TetGen lists them in the order of its memory blocks;
  * sorted, they are optimized in two thirds of the time. O(n log n). */
-template <class Point>
-void sort_in_space(const std::vector<Point>& points, std::vector<std::array<std::uint32_t, 4>>& tetrahedra) {
+inline void sort_in_space(const std::vector<Point_3>& points, std::vector<std::array<std::uint32_t, 4>>& tetrahedra) {
   typedef Double_kernel::Point_3 Center;
   std::vector<Center> centers; // four times them
   centers.reserve(tetrahedra.size());
   for (const auto& t : tetrahedra) {
-    const Point &p = points[t[0]], &q = points[t[1]], &r = points[t[2]], &s = points[t[3]];
+    const Point_3 &p = points[t[0]], &q = points[t[1]], &r = points[t[2]], &s = points[t[3]];
     centers.emplace_back(p.x() + q.x() + r.x() + s.x(), p.y() + q.y() + r.y() + s.y(), p.z() + q.z() + r.z() + s.z());
   }
   auto center = make_property_map(centers);

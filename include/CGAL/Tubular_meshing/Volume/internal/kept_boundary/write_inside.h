@@ -16,7 +16,7 @@ namespace internal {
 
 /* Writes a store whose inside alone has changed back to its mesh: the labelled triangles stay in their order, and with
  * their vertices in theirs. */
-template <class Point> void write_inside(const Tetrahedron_store& store, Mixed_mesh<Point>& mesh) {
+inline void write_inside(const Tetrahedron_store& store, Mixed_mesh& mesh) {
   Element_block<3> triangles = std::move(mesh.triangles);
   const std::vector<Tetrahedron_store::Index> number = store.write_to(mesh);
   for (auto& t : triangles.vertices)

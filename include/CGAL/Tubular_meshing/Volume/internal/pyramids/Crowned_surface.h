@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_PYRAMIDS_CROWNED_SURFACE_H
 #define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_PYRAMIDS_CROWNED_SURFACE_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/Volume/internal/pyramids/Quad_crown.h>
 #include <CGAL/Tubular_meshing/Volume/internal/pyramids/crown_heights.h>
@@ -33,9 +34,9 @@ namespace internal {
  * Pyramids that meet others, or triangles, are lowered until they do not, all of those concerned by the same factor, so
  * that they share the gap. While that is done, they are higher than they are going to be: tetrahedra need room between
  * them. As a pyramid that is lowered stays within what it was, only those that met another one can still meet any. */
-template <class Point> class Crowned_surface {
+class Crowned_surface {
 public:
-  typedef CGAL::Surface_mesh<Point> Surface;
+  typedef CGAL::Surface_mesh<Point_3> Surface;
   typedef typename Surface::Vertex_index Vertex;
   typedef typename Surface::Face_index Face;
   typedef typename Surface::template Property_map<Face, int> Face_patch_map;
@@ -45,7 +46,7 @@ public:
   static constexpr int side_label = (std::numeric_limits<int>::min)();
 
   // Of a mesh of nothing but triangles and quads.
-  explicit Crowned_surface(const Mixed_mesh<Point>& mesh)
+  explicit Crowned_surface(const Mixed_mesh& mesh)
       : triangles_(mesh.triangles.size()) {
     crowns_.reserve(mesh.quads.size());
     for (const auto& q : mesh.quads.vertices)
@@ -104,14 +105,14 @@ private:
   // The apex of quad k comes behind the points of the quads themselves.
   Vertex apex(std::size_t k) const { return Vertex(typename Surface::size_type(first_apex_ + k)); }
 
-  void build(const Mixed_mesh<Point>& mesh) {
+  void build(const Mixed_mesh& mesh) {
     const std::size_t n = crowns_.size();
     first_apex_ = mesh.points.size();
     surface_.reserve(typename Surface::size_type(first_apex_ + n),
                      typename Surface::size_type((3 * triangles_ + 12 * n) / 2),
                      typename Surface::size_type(triangles_ + 4 * n));
-    patch_ = surface_.template add_property_map<Face, int>("f:patch", side_label).first;
-    for (const Point& p : mesh.points)
+    patch_ = surface_.add_property_map<Face, int>("f:patch", side_label).first;
+    for (const Point_3& p : mesh.points)
       surface_.add_vertex(p);
     for (std::size_t k = 0; k < n; ++k)
       surface_.add_vertex(point_of(k, 1));
@@ -133,9 +134,9 @@ private:
     }
   }
 
-  Point point_of(std::size_t k, double factor) const {
+  Point_3 point_of(std::size_t k, double factor) const {
     const Vector_3d p = crowns_[k].apex(factor * height_[k]);
-    return Point(p.x, p.y, p.z);
+    return Point_3(p.x, p.y, p.z);
   }
   void raise_to(double factor) {
     for (std::size_t k = 0; k < crowns_.size(); ++k)

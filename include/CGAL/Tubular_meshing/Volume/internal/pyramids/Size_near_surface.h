@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_PYRAMIDS_SIZE_NEAR_SURFACE_H
 #define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_PYRAMIDS_SIZE_NEAR_SURFACE_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/base/Nearest_tree.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
@@ -30,8 +31,7 @@ template <class SizingField> class Size_near_surface {
 public:
   typedef double FT;
 
-  template <class Point>
-  Size_near_surface(const SizingField& field, const Mixed_mesh<Point>& surface)
+  Size_near_surface(const SizingField& field, const Mixed_mesh& surface)
       : field_(field)
       , mean_edge_(surface.points.size(), 0)
       , points_(positions(surface.points))
@@ -57,7 +57,7 @@ public:
   Size_near_surface(const Size_near_surface&) = delete;
   Size_near_surface& operator=(const Size_near_surface&) = delete;
 
-  template <class Point, class Index> double operator()(const Point& p, int dimension, const Index& index) const {
+  template <class Point_3, class Index> double operator()(const Point_3& p, int dimension, const Index& index) const {
     const Search search(tree_, to_double_point(p), 1, 0, true, distance());
     const auto& nearest = *search.begin();
     return (std::min)(double(field_(p, dimension, index)),
@@ -87,9 +87,9 @@ private:
   static Position_map position_map() { return Position_map(); }
   static Distance distance() { return Distance(position_map()); }
 
-  template <class Point> static std::vector<Entry> positions(const std::vector<Point>& points) {
+  static std::vector<Entry> positions(const std::vector<Point_3>& points) {
     std::vector<Entry> entries;
-    for (const Point& p : points)
+    for (const Point_3& p : points)
       entries.push_back({to_double_point(p), std::uint32_t(entries.size())});
     return entries;
   }

@@ -34,7 +34,7 @@ struct Half_edge {
   }
 };
 
-template <class Point> std::vector<Half_edge> paired_half_edges(const Mixed_mesh<Point>& surface) {
+inline std::vector<Half_edge> paired_half_edges(const Mixed_mesh& surface) {
   std::vector<Half_edge> edges;
   edges.reserve(3 * surface.triangles.size() + 4 * surface.quads.size());
   std::uint32_t face = 0;
@@ -56,8 +56,7 @@ template <class Point> std::vector<Half_edge> paired_half_edges(const Mixed_mesh
 /* Heights at which pyramids are good and leave room for tetrahedra between them: near-equilateral sides where the wall
  * is flat; where it folds inward, a third of the angle between two quads is for the pyramid on either of them, and half
  * of that between a quad and a triangle. O(n log n). */
-template <class Point>
-std::vector<double> crown_heights(const Mixed_mesh<Point>& surface, const std::vector<Quad_crown>& crowns) {
+inline std::vector<double> crown_heights(const Mixed_mesh& surface, const std::vector<Quad_crown>& crowns) {
   constexpr double wanted = 0.6; // of the mean edge; √½ makes equilateral sides, but crowds narrow vessels
   const std::size_t triangles = surface.triangles.size();
   std::vector<Vector_3d> normal; // outward

@@ -23,8 +23,7 @@ namespace CGAL {
 namespace Tubular_meshing {
 namespace internal {
 
-template <class Point>
-[[noreturn]] void refuse_quads(const Crowned_surface<Point>& crowned, const std::vector<std::size_t>& quads) {
+[[noreturn]] inline void refuse_quads(const Crowned_surface& crowned, const std::vector<std::size_t>& quads) {
   const Vector_3d& p = crowned.middle(quads.front());
   std::ostringstream s;
   s << "No pyramid fits on the quad at (" << p.x << ", " << p.y << ", " << p.z << ")";
@@ -37,9 +36,9 @@ template <class Point>
 
 /* Makes two triangles of a quad: by the diagonal that makes them the better ones, and the flatter edge, unless it is an
  * edge of the surface already, as it may be where a vertex has two quads only. */
-template <class Point> class Quad_splitter {
+class Quad_splitter {
 public:
-  explicit Quad_splitter(Mixed_mesh<Point>& mesh)
+  explicit Quad_splitter(Mixed_mesh& mesh)
       : mesh_(mesh) {
     add_edges(mesh.triangles);
     add_edges(mesh.quads);
@@ -93,15 +92,15 @@ private:
     return worst * (1 + dot(normal[0], normal[1]));
   }
 
-  Mixed_mesh<Point>& mesh_;
+  Mixed_mesh& mesh_;
   std::set<std::pair<std::uint32_t, std::uint32_t>> edges_;
 };
 
 /* Crowns the quads of a surface. Those on which no pyramid fits are split into triangles first, if they may be; else
  * Meshing_error is thrown. */
-template <class Point> Crowned_surface<Point> crown_quads(Mixed_mesh<Point>& surface, bool may_split) {
+inline Crowned_surface crown_quads(Mixed_mesh& surface, bool may_split) {
   for (;;) {
-    Crowned_surface<Point> crowned(surface);
+    Crowned_surface crowned(surface);
     std::vector<std::size_t> bad = crowned.quads_without_crown();
     if (bad.empty())
       bad = crowned.make_room();
@@ -109,7 +108,7 @@ template <class Point> Crowned_surface<Point> crown_quads(Mixed_mesh<Point>& sur
       return crowned;
     if (!may_split)
       refuse_quads(crowned, bad);
-    Quad_splitter<Point>(surface).split(bad); // there are fewer each time
+    Quad_splitter(surface).split(bad); // there are fewer each time
   }
 }
 

@@ -20,7 +20,7 @@ namespace internal {
 
 /* Improves tetrahedra as optimize_inside() does, and the pyramids on whose sides they stand with them: the sides, which
  * are labelled facets of the tetrahedra, stay as triangles, but their apexes move. */
-template <class Point> void optimize_with_apexes(Mixed_mesh<Point>& mesh, int passes, int threads) {
+inline void optimize_with_apexes(Mixed_mesh& mesh, int passes, int threads) {
   const Kept_boundary boundary;
   Tetrahedron_store store(mesh);
   Topology_optimizer<Kept_boundary>(store, boundary).improve_below(first_flips_below);

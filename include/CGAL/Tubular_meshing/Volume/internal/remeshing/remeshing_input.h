@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REMESHING_REMESHING_INPUT_H
 #define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REMESHING_REMESHING_INPUT_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Fields/Metric_tensor_3.h>
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/Quality/validity_report.h>
@@ -21,7 +22,7 @@ namespace Tubular_meshing {
 namespace internal {
 
 /* Refuses meshes that the remesher cannot start from. O(n log n) */
-template <class Point> void check_mesh_to_remesh(const Mixed_mesh<Point>& mesh) {
+inline void check_mesh_to_remesh(const Mixed_mesh& mesh) {
   if (mesh.number_of_cells() != mesh.tetrahedra.size() || !mesh.quads.empty())
     throw Input_error("The mesh has cells other than tetrahedra, which cannot be remeshed; pass its tetrahedra alone.");
   if (mesh.tetrahedra.empty())
@@ -29,7 +30,7 @@ template <class Point> void check_mesh_to_remesh(const Mixed_mesh<Point>& mesh) 
   for (std::size_t i = 0; i < mesh.points.size(); ++i) {
     const Vector_3d p(mesh.points[i]);
     if (!std::isfinite(p.x + p.y + p.z))
-      throw Input_error("Point " + std::to_string(i) + " of the mesh is not finite; repair the mesh.");
+      throw Input_error("Point_3 " + std::to_string(i) + " of the mesh is not finite; repair the mesh.");
   }
   const auto check_indices = [&mesh](const auto& block, const char* what) {
     for (std::size_t i = 0; i < block.size(); ++i)

@@ -1,0 +1,153 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_BASE_CONVERT_SURFACE_H
+#define CGAL_TUBULAR_MESHING_BASE_CONVERT_SURFACE_H
+
+#include <CGAL/Tubular_meshing/base/Kernel.h>
+#include <CGAL/Tubular_meshing/base/Labelled_surface.h>
+
+#include <CGAL/boost/graph/copy_face_graph.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/number_utils.h>
+
+#include <cstddef>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Tubular_meshing {
+namespace internal {
+
+/* Any kernel's point as the core has it. */
+template <class Point> Point_3 to_core(const Point& p) {
+  return Point_3(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
+}
+inline const Point_3& to_core(const Point_3& p) {
+  return p;
+}
+
+/* A caller's vertex point map, read as points of the core and written from them. */
+template <class VertexPointMap> struct Core_point_map {
+  typedef typename boost::property_traits<VertexPointMap>::key_type key_type;
+  typedef typename boost::property_traits<VertexPointMap>::value_type Caller_point;
+  typedef Point_3 value_type;
+  typedef Point_3 reference;
+  typedef boost::read_write_property_map_tag category;
+
+  VertexPointMap map;
+
+  friend Point_3 get(const Core_point_map& m, const key_type& v) { return to_core(get(m.map, v)); }
+  friend void put(const Core_point_map& m, const key_type& v, const Point_3& p) {
+    put(m.map, v, Caller_point(p.x(), p.y(), p.z()));
+  }
+};
+
+template <class FaceGraph, class NamedParameters>
+Core_point_map<typename GetVertexPointMap<FaceGraph, NamedParameters>::const_type>
+core_points(const FaceGraph& mesh, const NamedParameters& np) {
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  return {
+      choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point), get_const_property_map(vertex_point, mesh))};
+}
+
+/* Whether a surface, with these parameters, is the core's own. */
+template <class FaceGraph, class NamedParameters>
+constexpr bool is_core_surface = std::is_same<FaceGraph, Surface>::value&&
+    std::is_same<typename GetVertexPointMap<FaceGraph, NamedParameters>::const_type,
+                 typename boost::property_map<Surface, CGAL::vertex_point_t>::const_type>::value;
+
+/* A copy of a caller's mesh, its vertices and faces in the caller's order. O(n). */
+template <class FaceGraph, class NamedParameters>
+void copy_to_core(const FaceGraph& mesh, Surface& surface, const NamedParameters& np) {
+  copy_face_graph(mesh, surface, CGAL::parameters::vertex_point_map(core_points(mesh, np)));
+}
+
+/* The surface as the core has it: the caller's own where it is one already, else a copy. A skin's first line:
+ *
+ *     const Core_surface<FaceGraph, NamedParameters> core(mesh, np);
+ *     return internal::stage(*core, Stage_options(np));
+ */
+template <class FaceGraph, class NamedParameters> class Core_surface {
+public:
+  Core_surface(const FaceGraph& mesh, const NamedParameters& np) {
+    if constexpr (is_core_surface<FaceGraph, NamedParameters>)
+      surface_ = &mesh;
+    else {
+      copy_to_core(mesh, copy_, np);
+      surface_ = &copy_;
+    }
+  }
+  Core_surface(const Core_surface&) = delete;
+  Core_surface& operator=(const Core_surface&) = delete;
+
+  const Surface& operator*() const { return *surface_; }
+  const Surface* operator->() const { return surface_; }
+
+private:
+  Surface copy_;
+  const Surface* surface_;
+};
+
+/* The labels of a caller's faces, for the surface that Core_surface makes of them: that surface must be free of
+ * removed elements, or the caller's own. */
+template <class FaceGraph, class FacePatchMap, class NamedParameters>
+Labelled_surface labelled_copy(const FaceGraph& mesh, FacePatchMap patch, const NamedParameters& np) {
+  Labelled_surface result;
+  copy_to_core(mesh, result.surface, np);
+  auto f = result.surface.faces().begin();
+  for (auto caller : faces(mesh))
+    result.patch[*f++] = int(get(patch, caller));
+  return result;
+}
+
+/* A surface and labels as the core has them, both the caller's own where they can be. */
+template <class FaceGraph, class FacePatchMap, class NamedParameters> class Core_labelled_surface {
+public:
+  Core_labelled_surface(const FaceGraph& mesh, FacePatchMap patch, const NamedParameters& np) {
+    if constexpr (is_core_surface<FaceGraph, NamedParameters> && std::is_same<FacePatchMap, Face_patch_map>::value) {
+      surface_ = &mesh;
+      patch_ = patch;
+    } else {
+      copy_ = labelled_copy(mesh, patch, np);
+      surface_ = &copy_.surface;
+      patch_ = copy_.patch;
+    }
+  }
+  Core_labelled_surface(const Core_labelled_surface&) = delete;
+  Core_labelled_surface& operator=(const Core_labelled_surface&) = delete;
+
+  const Surface& surface() const { return *surface_; }
+  Face_patch_map patch() const { return patch_; }
+
+private:
+  Labelled_surface copy_;
+  const Surface* surface_;
+  Face_patch_map patch_;
+};
+
+/* The way back: `mesh` becomes a copy of the core's surface, and its faces get their labels. O(n). */
+template <class FaceGraph, class FacePatchMap, class NamedParameters>
+void copy_from_core(const Surface& surface, Face_patch_map patch, FaceGraph& mesh, FacePatchMap labels,
+                    const NamedParameters& np) {
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  typedef typename GetVertexPointMap<FaceGraph, NamedParameters>::type Points;
+  typedef typename boost::graph_traits<FaceGraph>::face_descriptor Face;
+  const Core_point_map<Points> points{
+      choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point), get_property_map(vertex_point, mesh))};
+  std::vector<std::pair<Surface::Face_index, Face>> copies;
+  copies.reserve(surface.number_of_faces());
+  clear(mesh);
+  copy_face_graph(surface, mesh, CGAL::parameters::face_to_face_output_iterator(std::back_inserter(copies)),
+                  CGAL::parameters::vertex_point_map(points));
+  for (const auto& c : copies)
+    put(labels, c.second, patch[c.first]);
+}
+
+} // namespace internal
+} // namespace Tubular_meshing
+} // namespace CGAL
+
+#endif // CGAL_TUBULAR_MESHING_BASE_CONVERT_SURFACE_H
