@@ -31,6 +31,10 @@ set_target_properties(Tubular_meshing PROPERTIES OUTPUT_NAME CGAL_Tubular_meshin
                                                  SOVERSION ${PROJECT_VERSION_MAJOR} POSITION_INDEPENDENT_CODE ON)
 target_compile_options(Tubular_meshing PRIVATE $<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-Wall -Wextra>)
 tubular_meshing_set_usage(Tubular_meshing PUBLIC)
+if(TUBULAR_MESHING_PRECOMPILED_HEADERS)
+  target_precompile_headers(Tubular_meshing PRIVATE ${CMAKE_CURRENT_LIST_DIR}/Tubular_meshing_precompiled.h)
+  target_compile_options(Tubular_meshing PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>) # for ccache
+endif()
 
 add_library(Tubular_meshing_header_only INTERFACE)
 add_library(CGAL::Tubular_meshing_header_only ALIAS Tubular_meshing_header_only)

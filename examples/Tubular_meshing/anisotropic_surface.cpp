@@ -12,7 +12,7 @@
 #include <CGAL/Tubular_meshing/Patches/metric_surface_report.h>
 #include <CGAL/Tubular_meshing/Patches/surface_to_mixed_mesh.h>
 #include <CGAL/Tubular_meshing/Pipelines/Tubular_model.h>
-#include <CGAL/Tubular_meshing/Pipelines/make_anisotropic_surface_mesh.h>
+#include <CGAL/Tubular_meshing/Pipelines/make_mesh.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>

@@ -12,7 +12,7 @@
 #include <CGAL/Tubular_meshing/Layers/extrude_wall.h>
 #include <CGAL/Tubular_meshing/Repair/repair_surface.h>
 #include <CGAL/Tubular_meshing/Pipelines/Tubular_model.h>
-#include <CGAL/Tubular_meshing/Pipelines/make_quad_surface_mesh.h>
+#include <CGAL/Tubular_meshing/Pipelines/make_mesh.h>
 
 #include <cstdlib>
 #include <iostream>

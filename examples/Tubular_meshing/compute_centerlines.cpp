@@ -41,15 +41,15 @@ struct Options {
 
 std::vector<Point_3> seeds_of(const Options& o) {
   if (!o.seeds.empty())
-    return command_line::read_points<Point_3>(o.seeds);
+    return command_line::read_points(o.seeds);
   std::vector<Point_3> seeds;
   if (o.outlets.empty())
     return seeds;
   if (o.inlet.empty())
     throw tubular::Parameter_error("--outlet needs --inlet, where the centerlines begin.");
-  seeds.push_back(command_line::point_of<Point_3>(o.inlet));
+  seeds.push_back(command_line::point_of(o.inlet));
   for (const std::string& p : o.outlets)
-    seeds.push_back(command_line::point_of<Point_3>(p));
+    seeds.push_back(command_line::point_of(p));
   return seeds;
 }
 
@@ -78,7 +78,7 @@ Graph centerlines_between_openings(const Options& o, Surface& surface) {
   std::vector<tubular::Opening> openings =
       o.inlet.empty()
           ? tubular::find_openings(surface)
-          : tubular::find_openings(surface, tubular::parameters::inlet(command_line::point_of<Point_3>(o.inlet)));
+          : tubular::find_openings(surface, tubular::parameters::inlet(command_line::point_of(o.inlet)));
   const auto patch = surface.add_property_map<Surface::Face_index, int>("f:patch", 0).first;
   tubular::close_openings(surface, openings, patch);
   Graph graph;
@@ -115,13 +115,13 @@ int main(int argc, char* argv[]) {
   app.add_option("-o,--output", o.output, "centerlines to write: .vtp .vtk")->required();
   auto* inlet =
       app.add_option("--inlet", o.inlet, "X,Y,Z: the opening nearest to this point is the inlet (default: the largest)")
-          ->check(command_line::is_point<Point_3>());
+          ->check(command_line::is_point());
   auto* outlets =
       app.add_option("--outlet", o.outlets,
                      "X,Y,Z (repeatable): lines end here instead of at the openings; with --inlet, where they begin")
           ->expected(1)
           ->take_all()
-          ->check(command_line::is_point<Point_3>());
+          ->check(command_line::is_point());
   app.add_option("--seeds", o.seeds, "file with a point a line, the source first, instead of --inlet and --outlet")
       ->excludes(outlets)
       ->excludes(inlet);

@@ -10,7 +10,7 @@
 #include <CGAL/Tubular_meshing/IO/write_mesh.h>
 #include <CGAL/Tubular_meshing/Repair/repair_surface.h>
 #include <CGAL/Tubular_meshing/Quality/quality_report.h>
-#include <CGAL/Tubular_meshing/Pipelines/make_mixed_mesh.h>
+#include <CGAL/Tubular_meshing/Pipelines/make_mesh.h>
 
 #include <cstdlib>
 #include <iostream>

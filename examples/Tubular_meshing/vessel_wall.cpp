@@ -16,7 +16,7 @@
 #include <CGAL/Tubular_meshing/Layers/extrude_boundary_layer.h>
 #include <CGAL/Tubular_meshing/Volume/fill_with_tetgen.h>
 #include <CGAL/Tubular_meshing/Volume/optimize_tetrahedra.h>
-#include <CGAL/Tubular_meshing/Pipelines/make_isotropic_surface_mesh.h>
+#include <CGAL/Tubular_meshing/Pipelines/make_mesh.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>

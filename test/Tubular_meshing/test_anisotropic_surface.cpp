@@ -16,7 +16,7 @@
 #include <CGAL/Tubular_meshing/Patches/metric_surface_report.h>
 #include <CGAL/Tubular_meshing/Patches/surface_to_mixed_mesh.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
-#include <CGAL/Tubular_meshing/Pipelines/make_anisotropic_surface_mesh.h>
+#include <CGAL/Tubular_meshing/Pipelines/make_mesh.h>
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>

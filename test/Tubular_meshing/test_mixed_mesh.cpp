@@ -13,7 +13,7 @@
 #include <CGAL/Tubular_meshing/Quality/quality_report.h>
 #include <CGAL/Tubular_meshing/Quality/validity_report.h>
 #include <CGAL/Tubular_meshing/Quads/recombine_triangles.h>
-#include <CGAL/Tubular_meshing/Pipelines/make_mixed_mesh.h>
+#include <CGAL/Tubular_meshing/Pipelines/make_mesh.h>
 
 #include <gtest/gtest.h>
 

@@ -13,7 +13,7 @@
 #include <CGAL/Tubular_meshing/Repair/repair_surface.h>
 #include <CGAL/Tubular_meshing/base/element_measures.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
-#include <CGAL/Tubular_meshing/Pipelines/make_isotropic_surface_mesh.h>
+#include <CGAL/Tubular_meshing/Pipelines/make_mesh.h>
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>

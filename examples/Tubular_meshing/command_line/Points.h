@@ -4,11 +4,11 @@
 #ifndef COMMAND_LINE_POINTS_H
 #define COMMAND_LINE_POINTS_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 
-#include <CLI/CLI.hpp>
-
 #include <cmath>
+#include <cstdlib>
 #include <fstream>
 #include <sstream>
 #include <string>
@@ -17,37 +17,37 @@
 /* Points on the command line, as X,Y,Z, and in files. */
 namespace command_line {
 
+using CGAL::Tubular_meshing::Point_3;
+
+inline bool parse_number(const std::string& word, double& number) {
+  char* end = nullptr;
+  number = double(std::strtold(word.c_str(), &end));
+  return end == word.c_str() + word.size() && !word.empty();
+}
+
 // Three finite numbers, apart by commas or blanks.
-template <class Point_3> bool parse_point(std::string text, Point_3& point) {
+inline bool parse_point(std::string text, Point_3& point) {
   for (char& c : text)
     c = c == ',' ? ' ' : c;
   std::istringstream words(text);
   std::string word;
   double x[3];
   for (double& coordinate : x)
-    if (!(words >> word) || !CLI::detail::lexical_cast(word, coordinate) || !std::isfinite(coordinate))
+    if (!(words >> word) || !parse_number(word, coordinate) || !std::isfinite(coordinate))
       return false;
   point = Point_3(x[0], x[1], x[2]);
   return !(words >> word);
 }
 
-template <class Point_3> CLI::Validator is_point() {
-  const auto check = [](std::string& text) {
-    Point_3 ignored;
-    return parse_point(text, ignored) ? std::string() : "\"" + text + "\" is not a point X,Y,Z of finite numbers";
-  };
-  return CLI::Validator(check, "");
-}
-
 // Of text that was found to be one.
-template <class Point_3> Point_3 point_of(const std::string& text) {
+inline Point_3 point_of(const std::string& text) {
   Point_3 point;
   parse_point(text, point);
   return point;
 }
 
 // A point a line; lines that are empty or begin with # do not count.
-template <class Point_3> std::vector<Point_3> read_points(const std::string& file) {
+inline std::vector<Point_3> read_points(const std::string& file) {
   std::ifstream in(file);
   if (!in)
     throw CGAL::Tubular_meshing::Input_error("The file \"" + file + "\" cannot be read.");

@@ -4,27 +4,17 @@
 #ifndef CGAL_TUBULAR_MESHING_PIPELINES_TUBULAR_MODEL_H
 #define CGAL_TUBULAR_MESHING_PIPELINES_TUBULAR_MODEL_H
 
-#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Centerlines/Centerline_graph.h>
-#include <CGAL/Tubular_meshing/Centerlines/Wall_distance.h>
-#include <CGAL/Tubular_meshing/Centerlines/build_centerline_graph.h>
-#include <CGAL/Tubular_meshing/Centerlines/check_centerlines.h>
-#include <CGAL/Tubular_meshing/Centerlines/clip_to_openings.h>
-#include <CGAL/Tubular_meshing/Centerlines/compute_centerlines.h>
+#include <CGAL/Tubular_meshing/base/Kernel.h>
+#include <CGAL/Tubular_meshing/base/Labelled_surface.h>
 #include <CGAL/Tubular_meshing/base/Opening.h>
-#include <CGAL/Tubular_meshing/Openings/close_openings.h>
-#include <CGAL/Tubular_meshing/Pipelines/internal/check_meshable.h>
-#include <CGAL/Tubular_meshing/Patches/follow_blind_vessels.h>
-#include <CGAL/Tubular_meshing/Openings/seeds.h>
-#include <CGAL/Tubular_meshing/Openings/openings.h>
-#include <CGAL/Tubular_meshing/base/labels.h>
+#include <CGAL/Tubular_meshing/base/config.h>
+#include <CGAL/Tubular_meshing/base/convert_surface.h>
 #include <CGAL/Tubular_meshing/base/parameters.h>
 
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/boost/graph/copy_face_graph.h>
+#include <boost/graph/graph_traits.hpp>
 
-#include <cstddef>
-#include <functional>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -36,40 +26,36 @@ namespace Tubular_meshing {
  * A vessel or airway tree, ready to be meshed: its surface closed and labelled, its branches with their radii, its
  * openings. Every kind of mesh starts from one; make_tubular_model() prepares it.
  */
-struct Tubular_model {
-  typedef Tubular_meshing::Point_3 Point_3;
-  typedef CGAL::Surface_mesh<Point_3> Surface;
-  typedef typename Surface::template Property_map<typename Surface::Face_index, int> Face_patch_map;
+struct Tubular_model : Labelled_surface { ///< the surface is closed and turned outward
+  Centerline_graph centerlines;           ///< directed away from the inlet
+  std::vector<Opening> openings;          ///< the inlet first
+};
 
-  Surface surface; ///< closed, turned outward; the label of a face is in its property map `f:patch`
-  Face_patch_map patch;
-  Centerline_graph centerlines;  ///< directed away from the inlet
-  std::vector<Opening> openings; ///< the inlet first
+/*! \ingroup PkgTubularMeshingRef
+ * What make_tubular_model() can be told; each member is the named parameter of that name. */
+struct Tubular_model_options {
+  std::optional<Point_3> inlet; ///< the nearest opening is the inlet
+  std::vector<Point_3> seeds;   ///< where vessels end without an opening or a flat cap; the lines begin at the first
+  bool blind_vessels = true;    ///< whether lines lead into vessels that end blind
+  bool loops = false;           ///< whether vessels that split and rejoin keep all their branches
+  double merge_tolerance = 0.1; ///< see build_centerline_graph()
 
-  Tubular_model() { patch = surface.add_property_map<typename Surface::Face_index, int>("f:patch", 0).first; }
-  Tubular_model(const Tubular_model&) = delete; // the map refers to the surface's own properties
-  Tubular_model& operator=(const Tubular_model&) = delete;
-  Tubular_model(Tubular_model&&) = default;
-  Tubular_model& operator=(Tubular_model&&) = default;
+  Tubular_model_options() = default;
+  template <class NamedParameters> explicit Tubular_model_options(const NamedParameters& np) {
+    using internal::choose;
+    inlet = internal::optional_point(np, internal_np::inlet);
+    seeds = choose(np, internal_np::seeds, seeds);
+    blind_vessels = choose(np, internal_np::blind_vessels, blind_vessels);
+    loops = choose(np, internal_np::loops, loops);
+    merge_tolerance = choose(np, internal_np::merge_tolerance, merge_tolerance);
+  }
 };
 
 namespace internal {
 
-// Lets the openings know their branches.
-inline void connect(Tubular_model& model, const std::vector<std::size_t>& node_of_opening) {
-  for (std::size_t i = 0; i < node_of_opening.size(); ++i) {
-    const std::size_t node = node_of_opening[i];
-    model.openings[i].node = node;
-    model.openings[i].branch = node == Opening::no_branch ? node : model.centerlines.nodes()[node].branches.front();
-  }
-}
-
-// A copy of the surface of which the rest of the package may rely on being one piece of triangles.
-template <class TriangleMesh> void copy_surface(const TriangleMesh& surface, Tubular_model& model) {
-  copy_face_graph(surface, model.surface);
-  check_tubular_surface(model.surface);
-  check_one_piece(model.surface);
-}
+/* Of a model that has its surface, and nothing else yet. */
+void prepare(Tubular_model& model, const Centerline_polylines& lines, const Tubular_model_options& options);
+void prepare(Tubular_model& model, const Tubular_model_options& options);
 
 } // namespace internal
 
@@ -78,7 +64,7 @@ template <class TriangleMesh> void copy_surface(const TriangleMesh& surface, Tub
  * prepares a surface and its centerlines for meshing: merges the lines into branches, finds the openings, closes them,
  * measures the local radii, and brings the branches' ends to the caps' centres.
  *
- * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph` with points of type `Point_3`
+ * \tparam FaceGraph a model of `FaceListGraph`, over any kernel
  *
  * \param surface the tree's surface, open at its ends or closed by flat caps; see repair_surface() for one that is not
  *   clean
@@ -86,9 +72,21 @@ template <class TriangleMesh> void copy_surface(const TriangleMesh& surface, Tub
  * \param np an optional sequence of named parameters among the ones listed below
  *
  * \cgalNamedParamsBegin
- *   \cgalParamNBegin{inlet} \cgalParamDescription{a `Point_3`: the nearest opening is the inlet}
- *     \cgalParamDefault{the opening at the lines' common start, else the largest} \cgalParamNEnd
- *   \cgalParamNBegin{merge_tolerance} \cgalParamDescription{see build_centerline_graph()} \cgalParamNEnd
+ *   \cgalParamNBegin{inlet}
+ *     \cgalParamDescription{the nearest opening to this point is the inlet}
+ *     \cgalParamType{`Point_3`}
+ *     \cgalParamDefault{the opening at the lines' common start, else the largest}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{merge_tolerance}
+ *     \cgalParamDescription{see build_centerline_graph()}
+ *     \cgalParamType{double}
+ *     \cgalParamDefault{0.1}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{vertex_point_map}
+ *     \cgalParamDescription{the points of the surface's vertices}
+ *     \cgalParamType{a model of `ReadablePropertyMap`}
+ *     \cgalParamDefault{`boost::get(CGAL::vertex_point, surface)`}
+ *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
  * O(n log n) in the sizes of surface and lines.
@@ -96,30 +94,12 @@ template <class TriangleMesh> void copy_surface(const TriangleMesh& surface, Tub
  * \throws Input_error if the surface is in pieces or intersects itself, if the surface or the lines cannot be used, or
  *   if they do not belong together
  */
-template <class TriangleMesh, class NamedParameters = CGAL::parameters::Default_named_parameters>
-Tubular_model make_tubular_model(const TriangleMesh& surface, const Centerline_polylines& lines,
+template <class FaceGraph, class NamedParameters = CGAL::parameters::Default_named_parameters>
+Tubular_model make_tubular_model(const FaceGraph& surface, const Centerline_polylines& lines,
                                  const NamedParameters& np = CGAL::parameters::default_values()) {
-  typedef Centerline_graph Graph;
-  typedef Named_parameters<std::reference_wrapper<const Graph>, internal_np::centerline_graph_t, NamedParameters>
-      With_graph;
   Tubular_model model;
-  internal::copy_surface(surface, model);
-  build_centerline_graph(lines, Wall_distance(model.surface), model.centerlines, np);
-
-  model.openings = find_openings(model.surface, With_graph(std::cref(model.centerlines), np));
-  close_openings(model.surface, model.openings, model.patch);
-  internal::check_no_crossings(model.surface);
-  const std::vector<std::size_t> nodes = clip_to_openings(model.centerlines, model.openings);
-  check_centerlines_inside(model.centerlines, model.surface);
-
-  const Wall_distance wall(model.surface, model.patch, labels::wall);
-  std::vector<double> radii;
-  for (const Point_3& p : model.centerlines.points())
-    radii.push_back(wall(p));
-  model.centerlines.set_radii(std::move(radii));
-  if (nodes.front() != Opening::no_branch)
-    model.centerlines.direct_from(nodes.front());
-  internal::connect(model, nodes);
+  internal::copy_to_core(surface, model.surface, np);
+  internal::prepare(model, lines, Tubular_model_options(np));
   return model;
 }
 
@@ -129,43 +109,57 @@ Tubular_model make_tubular_model(const TriangleMesh& surface, const Centerline_p
  * and to the tips of vessels that end blind.
  *
  * \cgalNamedParamsBegin
- *   \cgalParamNBegin{inlet} \cgalParamDescription{a `Point_3`: the nearest opening is the inlet}
- *     \cgalParamDefault{the first seed's, else the largest} \cgalParamNEnd
- *   \cgalParamNBegin{seeds} \cgalParamDescription{a `std::vector<Point_3>`: where vessels end without an opening or a
- *     flat cap; the lines begin at the first. One that lies at an opening stands for the opening}
- *     \cgalParamDefault{none} \cgalParamNEnd
- *   \cgalParamNBegin{blind_vessels} \cgalParamDescription{whether lines lead into vessels that end without an opening,
- *     and are at least one and a half times longer than wide} \cgalParamDefault{`true`} \cgalParamNEnd
- *   \cgalParamNBegin{loops, merge_tolerance} \cgalParamDescription{see compute_centerlines()} \cgalParamNEnd
+ *   \cgalParamNBegin{inlet}
+ *     \cgalParamDescription{the nearest opening to this point is the inlet}
+ *     \cgalParamType{`Point_3`}
+ *     \cgalParamDefault{the first seed's, else the largest}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{seeds}
+ *     \cgalParamDescription{where vessels end without an opening or a flat cap; the lines begin at the first. One that
+ *       lies at an opening stands for the opening}
+ *     \cgalParamType{`std::vector<Point_3>`}
+ *     \cgalParamDefault{none}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{blind_vessels}
+ *     \cgalParamDescription{whether lines lead into vessels that end without an opening, and are at least one and a
+ *       half times longer than wide}
+ *     \cgalParamType{bool}
+ *     \cgalParamDefault{`true`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{loops}
+ *     \cgalParamDescription{see compute_centerlines()}
+ *     \cgalParamType{bool}
+ *     \cgalParamDefault{`false`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{merge_tolerance}
+ *     \cgalParamDescription{see build_centerline_graph()}
+ *     \cgalParamType{double}
+ *     \cgalParamDefault{0.1}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{vertex_point_map}
+ *     \cgalParamDescription{the points of the surface's vertices}
+ *     \cgalParamType{a model of `ReadablePropertyMap`}
+ *     \cgalParamDefault{`boost::get(CGAL::vertex_point, surface)`}
+ *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
  * \throws Input_error if the surface is in pieces or intersects itself, or has fewer than two ends
  */
-template <class T, class Tag, class Base>
-Tubular_model make_tubular_model(const CGAL::Surface_mesh<Point_3>& surface,
-                                 const CGAL::Named_function_parameters<T, Tag, Base>& np) {
-  const auto seeds = internal::choose(np, internal_np::seeds, std::vector<Point_3>());
+template <class FaceGraph, class NamedParameters = CGAL::parameters::Default_named_parameters,
+          class = typename boost::graph_traits<FaceGraph>::face_descriptor>
+Tubular_model make_tubular_model(const FaceGraph& surface,
+                                 const NamedParameters& np = CGAL::parameters::default_values()) {
   Tubular_model model;
-  internal::copy_surface(surface, model);
-  model.openings = internal::find_openings_or_seeds(model.surface, seeds, np);
-  close_openings(model.surface, model.openings, model.patch);
-  internal::check_no_crossings(model.surface);
-  const bool blind_vessels = internal::choose(np, internal_np::blind_vessels, true);
-  internal::Centerline_computation computation(model.surface, model.patch,
-                                               internal::ends_of_lines(model.openings, seeds),
-                                               internal::choose(np, internal_np::loops, false), blind_vessels);
-  computation.make_graph(model.centerlines, np);
-  if (blind_vessels)
-    internal::follow_blind_vessels(model.surface, model.patch, computation, model.centerlines, np);
-  internal::connect(model, internal::nodes_at(model.centerlines, model.openings));
+  internal::copy_to_core(surface, model.surface, np);
+  internal::prepare(model, Tubular_model_options(np));
   return model;
-}
-
-inline Tubular_model make_tubular_model(const CGAL::Surface_mesh<Point_3>& surface) {
-  return make_tubular_model(surface, CGAL::parameters::default_values());
 }
 
 } // namespace Tubular_meshing
 } // namespace CGAL
+
+#ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
+#include <CGAL/Tubular_meshing/Pipelines/Tubular_model_impl.h>
+#endif
 
 #endif // CGAL_TUBULAR_MESHING_PIPELINES_TUBULAR_MODEL_H

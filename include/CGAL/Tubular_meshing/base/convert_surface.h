@@ -12,6 +12,7 @@
 #include <CGAL/number_utils.h>
 
 #include <cstddef>
+#include <optional>
 #include <type_traits>
 #include <vector>
 
@@ -25,6 +26,15 @@ template <class Point> Point_3 to_core(const Point& p) {
 }
 inline const Point_3& to_core(const Point_3& p) {
   return p;
+}
+
+/* A point among the named parameters, of any kernel; none if it is not there. */
+template <class NamedParameters, class Tag> std::optional<Point_3> optional_point(const NamedParameters& np, Tag tag) {
+  typedef std::decay_t<decltype(CGAL::parameters::get_parameter(np, tag))> Value;
+  if constexpr (std::is_same<Value, CGAL::internal_np::Param_not_found>::value)
+    return std::nullopt;
+  else
+    return to_core(CGAL::parameters::get_parameter(np, tag));
 }
 
 /* A caller's vertex point map, read as points of the core and written from them. */

@@ -36,15 +36,12 @@ namespace internal {
  */
 class Model_in_its_frame {
 public:
-  typedef typename Tubular_model::Surface Surface;
-  typedef typename Tubular_model::Face_patch_map Face_patch_map;
-
   explicit Model_in_its_frame(const Tubular_model& model)
       : frame_(points_of(model.surface))
-      , surface_(model.surface)
-      , patch_(surface_.add_property_map<typename Surface::Face_index, int>("f:patch", 0).first) {
-    for (auto v : surface_.vertices())
-      surface_.point(v) = to_frame(surface_.point(v));
+      , surface_(model.surface) {
+    Surface& surface = surface_.surface;
+    for (auto v : surface.vertices())
+      surface.point(v) = to_frame(surface.point(v));
     std::vector<Point_3> points;
     for (const Point_3& p : model.centerlines.points())
       points.push_back(to_frame(p));
@@ -57,40 +54,37 @@ public:
     centerlines_ = Centerline_graph(std::move(points), std::move(radii), std::move(branches));
   }
 
-  const Surface& surface() const { return surface_; }
-  Surface& surface() { return surface_; } // to be cut
+  const Labelled_surface& surface() const { return surface_; }
+  Labelled_surface copy_of_surface() const { return Labelled_surface(surface_.surface); } // to be cut
   const Centerline_graph& centerlines() const { return centerlines_; }
-  Face_patch_map patch() const { return patch_; }
 
-  // With the limits of the size brought to the frame's unit.
-  template <class NamedParameters> Centerline_sizing_field sizing_field(const NamedParameters& np) const {
-    return Centerline_sizing_field(Centerline_field(centerlines_), Wall_distance(surface_, patch_, labels::wall),
-                                   in_frame(np));
-  }
-  template <class NamedParameters> Centerline_metric_field metric_field(const NamedParameters& np) const {
-    return Centerline_metric_field(surface_, patch_, centerlines_, in_frame(np));
+  // Brings the lengths among the options of a field to the frame's unit.
+  template <class Options> void scale_lengths(Options& options) const {
+    options.min_size /= frame_.scale();
+    options.max_size /= frame_.scale();
   }
 
   Point_3 from_frame(const Point_3& p) const {
     const auto q = frame_.from_canonical(to_double_point(p));
     return Point_3(q.x(), q.y(), q.z());
   }
+  Place from_frame(const Place& p) const {
+    const auto q = frame_.from_canonical(Double_kernel::Point_3(p[0], p[1], p[2]));
+    return {{q.x(), q.y(), q.z()}};
+  }
 
   void bring_back(Mixed_mesh& mesh) const {
     for (Point_3& p : mesh.points)
       p = from_frame(p);
     for (Point_array& a : mesh.point_arrays)
-      if (a.name == "metric" && a.components == 6)
+      if (a.name == metric_array && a.components == 6)
         for (std::size_t i = 0; i + 5 < a.values.size(); i += 6)
           bring_metric_back(&a.values[i]);
   }
   // Where it has points of a mesh they stay the same points, bit for bit.
-  void bring_back(Surface& surface) const {
-    for (auto v : surface.vertices())
-      surface.point(v) = from_frame(surface.point(v));
-  }
   void bring_back(Remeshed_surface& remeshed) const {
-    bring_back(remeshed.surface);
+    for (auto v : remeshed.surface.vertices())
+      remeshed.surface.point(v) = from_frame(remeshed.surface.point(v));
     for (Metric_tensor_3& metric : remeshed.metrics) {
       std::array<double, 6> m = metric.components();
       bring_metric_back(m.data());
@@ -111,14 +105,6 @@ private:
     return Point_3(q.x(), q.y(), q.z());
   }
 
-  template <class NamedParameters> auto in_frame(const NamedParameters& np) const {
-    const double min_size = choose(np, internal_np::min_size, 0.);
-    const double max_size = choose(np, internal_np::max_size, (std::numeric_limits<double>::infinity)());
-    typedef Named_parameters<double, internal_np::min_size_t, NamedParameters> With_min;
-    typedef Named_parameters<double, internal_np::max_size_t, With_min> With_both;
-    return With_both(max_size / frame_.scale(), With_min(min_size / frame_.scale(), np));
-  }
-
   // Of a vector v in space, the metric m measures the same vector in the frame: xx, xy, xz, yy, yz, zz.
   void bring_metric_back(double* m) const {
     Eigen::Matrix3d matrix;
@@ -129,8 +115,7 @@ private:
   }
 
   Canonical_frame frame_;
-  Surface surface_;
-  Face_patch_map patch_;
+  Labelled_surface surface_;
   Centerline_graph centerlines_;
 };
 

@@ -1,0 +1,44 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef COMMAND_LINE_VALIDATORS_H
+#define COMMAND_LINE_VALIDATORS_H
+
+#include "Points.h"
+
+#include <CLI/CLI.hpp>
+
+#include <limits>
+#include <sstream>
+#include <string>
+
+namespace command_line {
+
+// A number between bounds; unlike CLI::Range it refuses NaN, and says it in a few words.
+inline CLI::Validator in_range(double least, double most) {
+  const auto check = [=](std::string& text) {
+    double x = 0;
+    if (CLI::detail::lexical_cast(text, x) && x >= least && x <= most)
+      return std::string();
+    std::ostringstream error;
+    error << text << " is not ";
+    if (most >= (std::numeric_limits<double>::max)())
+      error << "a number " << (least > 0 ? "above 0" : "of 0 or more");
+    else
+      error << "a number from " << least << " to " << most;
+    return error.str();
+  };
+  return CLI::Validator(check, "");
+}
+
+inline CLI::Validator is_point() {
+  const auto check = [](std::string& text) {
+    CGAL::Tubular_meshing::Point_3 ignored;
+    return parse_point(text, ignored) ? std::string() : "\"" + text + "\" is not a point X,Y,Z of finite numbers";
+  };
+  return CLI::Validator(check, "");
+}
+
+} // namespace command_line
+
+#endif // COMMAND_LINE_VALIDATORS_H

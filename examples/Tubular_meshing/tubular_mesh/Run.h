@@ -1,0 +1,40 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef TUBULAR_MESH_RUN_H
+#define TUBULAR_MESH_RUN_H
+
+#include "Options.h"
+
+#include <CGAL/Tubular_meshing/Layers/Layer_report.h>
+#include <CGAL/Tubular_meshing/Patches/Remeshed_surface.h>
+#include <CGAL/Tubular_meshing/Pipelines/Mesher.h>
+#include <CGAL/Tubular_meshing/Pipelines/Tubular_model.h>
+#include <CGAL/Tubular_meshing/Repair/Repair_report.h>
+#include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
+#include <CGAL/Tubular_meshing/base/Opening.h>
+
+#include <string>
+#include <vector>
+
+/* Straight tubes at the openings. The list is of the openings where they are now, the inlet first, and of the tubes'
+ * lengths; empty where none were asked for. */
+struct Flow_extensions {
+  std::vector<CGAL::Tubular_meshing::Opening> openings;
+  std::vector<double> lengths;
+};
+
+/* What was asked for, and what came of it. */
+struct Run {
+  Options options;
+  std::string version;
+  CGAL::Tubular_meshing::Repair_report repairs;
+  Flow_extensions extensions;
+  CGAL::Tubular_meshing::Tubular_model model;
+  CGAL::Tubular_meshing::Remeshed_surface surface; ///< as it was meshed by patches; else empty
+  CGAL::Tubular_meshing::Mixed_mesh mesh;
+  CGAL::Tubular_meshing::Mesher_report meshing;
+  CGAL::Tubular_meshing::Layer_report wall;
+};
+
+#endif // TUBULAR_MESH_RUN_H

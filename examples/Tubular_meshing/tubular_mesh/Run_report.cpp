@@ -1,0 +1,374 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "Run_report.h"
+
+#include "Stage_clock.h"
+
+#include <CGAL/Tubular_meshing/Centerlines/Centerline_field.h>
+#include <CGAL/Tubular_meshing/Patches/metric_surface_report.h>
+#include <CGAL/Tubular_meshing/Quality/boundary_layer_report.h>
+#include <CGAL/Tubular_meshing/Quality/branch_resolution.h>
+#include <CGAL/Tubular_meshing/Quality/quality_report.h>
+#include <CGAL/Tubular_meshing/Quality/validity_report.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace tubular = CGAL::Tubular_meshing;
+typedef nlohmann::ordered_json Json;
+
+namespace {
+
+Json statistics(const tubular::Measure_statistics& s) {
+  return {{"count", s.count()},    {"min", s.min()},        {"mean", s.mean()},        {"max", s.max()},
+          {"p1", s.percentile(1)}, {"p5", s.percentile(5)}, {"p50", s.percentile(50)}, {"histogram", s.histogram()}};
+}
+
+template <class Point> Json vector_of(const Point& p) {
+  return {p.x(), p.y(), p.z()};
+}
+
+Json repairs(const tubular::Repair_report& report) {
+  Json list = Json::array();
+  for (const auto& r : report.repairs) {
+    Json entry = {{"defect", tubular::name_of(r.defect)}, {"count", r.count}, {"size", r.size}};
+    entry["place"] = r.has_place ? vector_of(r.place) : Json();
+    entry["sentence"] = r.sentence;
+    list.push_back(entry);
+  }
+  return list;
+}
+
+Json openings(const tubular::Tubular_model& model, const tubular::Mixed_mesh& mesh) {
+  std::map<int, std::size_t> triangles, quads;
+  for (int label : mesh.triangles.label)
+    ++triangles[label];
+  for (int label : mesh.quads.label)
+    ++quads[label];
+  Json list = Json::array();
+  for (const auto& o : model.openings) {
+    Json entry = {{"name", mesh.patch_names.at(o.patch)},
+                  {"patch", o.patch},
+                  {"center", vector_of(o.center)},
+                  {"normal", vector_of(o.normal)},
+                  {"area", o.area},
+                  {"perimeter", o.perimeter},
+                  {"radius", o.radius},
+                  {"triangles", triangles[o.patch]},
+                  {"quads", quads[o.patch]}};
+    entry["branch"] = o.branch == tubular::Opening::no_branch ? Json() : Json(o.branch);
+    list.push_back(entry);
+  }
+  return list;
+}
+
+Json branches(const tubular::Tubular_model& model, const tubular::Mixed_mesh& mesh) {
+  const auto& graph = model.centerlines;
+  const std::vector<double> points =
+      tubular::points_per_circumference(mesh, tubular::Centerline_field(graph), graph.branches().size());
+  Json list = Json::array();
+  for (std::size_t b = 0; b < graph.branches().size(); ++b) {
+    const auto& branch = graph.branches()[b];
+    list.push_back({{"length", branch.length},
+                    {"min_radius", branch.min_radius},
+                    {"max_radius", branch.max_radius},
+                    {"points_per_circumference", points[b]},
+                    {"parents", branch.parents},
+                    {"children", branch.children}});
+  }
+  return list;
+}
+
+// Of the measures of elements that are not always there, those of elements that are.
+Json qualities(const tubular::Quality_report& quality) {
+  Json q = {{"gamma_tau", statistics(quality.gamma_tau)}, {"gamma_T", statistics(quality.gamma_T)}};
+  const auto add = [&](const char* name, const tubular::Measure_statistics& s) {
+    if (s.count() > 0)
+      q[name] = statistics(s);
+  };
+  add("eta_q", quality.eta_q);
+  add("zeta_H", quality.zeta_H);
+  return q;
+}
+
+Json description_of(const Run& run) {
+  const tubular::Mixed_mesh& mesh = run.mesh;
+  const tubular::Validity_report validity = tubular::validity_report(mesh);
+  const tubular::Quality_report quality = tubular::quality_report(mesh);
+  return {{"program", std::string("tubular_mesh ") + run.version},
+          {"input", run.options.surface},
+          {"centerlines", run.options.centerlines.empty() ? Json() : Json(run.options.centerlines)},
+          {"loops", run.options.loops},
+          {"repairs", repairs(run.repairs)},
+          {"flow_extensions", run.extensions.lengths},
+          {"output", run.options.output},
+          {"type", run.options.type},
+          {"points_per_circumference", run.options.points_per_circumference},
+          {"fallbacks", run.meshing.fallbacks},
+          {"points", mesh.points.size()},
+          {"cells",
+           {{"tetrahedra", mesh.tetrahedra.size()},
+            {"pyramids", mesh.pyramids.size()},
+            {"prisms", mesh.prisms.size()},
+            {"hexahedra", mesh.hexahedra.size()}}},
+          {"facets", {{"triangles", mesh.triangles.size()}, {"quads", mesh.quads.size()}}},
+          {"valid", validity.is_valid()},
+          {"boundary_euler", validity.boundary_euler},
+          {"quality", qualities(quality)},
+          {"openings", openings(run.model, mesh)},
+          {"branches", branches(run.model, mesh)}};
+}
+
+// How the surface was cut, and its patches were mapped.
+void add_patches(Json& report, const tubular::Remeshed_surface& surface) {
+  const tubular::Patch_report& r = surface.report;
+  const auto number = [&](tubular::Patch_kind kind) {
+    const auto found = r.kinds.find(kind);
+    return found == r.kinds.end() ? std::size_t(0) : found->second;
+  };
+  Json methods = Json::object();
+  for (const auto& m : r.methods)
+    methods[tubular::name_of(m.first)] = m.second;
+  report["patches"] = {{"count", r.number_of_patches()},
+                       {"annular", number(tubular::Patch_kind::annular)},
+                       {"junctions", number(tubular::Patch_kind::junction)},
+                       {"disks", number(tubular::Patch_kind::disk)},
+                       {"largest_aspect_ratio", r.largest_aspect_ratio},
+                       {"moved_cuts", r.moved_cuts},
+                       {"methods", methods},
+                       {"fallbacks", r.number_of_fallbacks()},
+                       {"refined", r.refined_patches},
+                       {"problems", r.problems}};
+}
+
+// Of a surface of quads.
+void add_quads(Json& report, const tubular::Quad_report& quads) {
+  report["quads"] = {{"structured", quads.structured_quads},
+                     {"unstructured", quads.unstructured_quads},
+                     {"irregular_vertices", quads.irregular_vertices},
+                     {"annular_patches_without_grid", quads.annular_patches_without_grid},
+                     {"folded", quads.folded_quads}};
+}
+
+// Of a surface alone, the validity is its own.
+void describe_surface(Json& report, const tubular::Remeshed_surface& surface) {
+  const auto& mesh = surface.surface;
+  report["valid"] = CGAL::is_closed(mesh) && mesh.is_valid();
+  report["boundary_euler"] =
+      long(mesh.number_of_vertices()) - long(mesh.number_of_edges()) + long(mesh.number_of_faces());
+}
+
+void print_quads(const Json& q) {
+  std::printf("%ld quads in grids, %ld unstructured; %ld irregular vertices\n", q["structured"].get<long>(),
+              q["unstructured"].get<long>(), q["irregular_vertices"].get<long>());
+}
+
+void print_patches(const Json& p) {
+  std::printf("\n%ld patches: %ld annular, %ld junctions, %ld disks; aspect ratio at most %.2f\n",
+              p["count"].get<long>(), p["annular"].get<long>(), p["junctions"].get<long>(), p["disks"].get<long>(),
+              p["largest_aspect_ratio"].get<double>());
+  std::printf("%ld not mapped conformally, %ld meshed finer than asked for\n", p["fallbacks"].get<long>(),
+              p["refined"].get<long>());
+  for (const auto& problem : p["problems"])
+    std::printf("note: %s\n", problem.get<std::string>().c_str());
+}
+
+// Where layers had to give way.
+void add_layers(Json& report, const char* name, const tubular::Layer_report& layers) {
+  report[name] = {{"vertices", layers.vertices},
+                  {"reduced_vertices", layers.reduced_vertices},
+                  {"min_ratio", layers.min_ratio},
+                  {"mean_ratio", layers.mean_ratio},
+                  {"worst_place", vector_of(layers.worst_place)},
+                  {"sentence", layers.text()}};
+}
+
+// Of a mesh in a metric, with layers at the wall.
+void add_metric_quality(Json& report, const tubular::Tubular_model& model, const tubular::Mixed_mesh& mesh) {
+  const tubular::Quality_report quality = tubular::quality_report(mesh, tubular::labels::lumen);
+  report["quality"]["Q_tau"] = statistics(quality.Q_tau);
+  report["quality"]["Q_tau"]["share_below_3"] = quality.Q_tau.share_below(3);
+  report["quality"]["efficiency"] = quality.efficiency;
+  const tubular::Boundary_layer_report layer = tubular::boundary_layer_report(mesh, model.centerlines);
+  report["quality"]["first_height"] = statistics(layer.first_height);
+  report["quality"]["first_height"]["share_within_30_percent"] = layer.share_of_first_heights(0.3);
+  report["quality"]["alignment"] = statistics(layer.alignment);
+  report["quality"]["alignment"]["share_below_15_degrees"] = layer.alignment.share_below(15);
+}
+
+// Of the triangles of a surface in a metric.
+void add_metric_quality(Json& report, const tubular::Remeshed_surface& surface) {
+  const tubular::Metric_surface_report fit = tubular::metric_surface_report(surface);
+  const auto json = [](const tubular::Metric_fit& f) {
+    return Json({{"shape", statistics(f.shape)},
+                 {"edge_length", statistics(f.edge_length)},
+                 {"share_of_unit_edges", f.share_of_unit_edges()},
+                 {"wanted_triangles", f.wanted_triangles}});
+  };
+  report["quality"]["in_the_metric"] = {{"wall", json(fit.wall)}, {"caps", json(fit.caps)}};
+}
+
+void print_histogram(const Json& measure, const char* name) {
+  const auto& bins = measure["histogram"];
+  const double most = *std::max_element(bins.begin(), bins.end());
+  std::printf("\n%s\n", name);
+  for (std::size_t i = 0; i < bins.size(); ++i)
+    std::printf("  %4.2f %9ld %s\n", double(i) / double(bins.size()), bins[i].get<long>(),
+                std::string(std::size_t(50 * bins[i].get<double>() / (std::max)(most, 1.)), '#').c_str());
+}
+
+void print_branches(const Json& branches) {
+  std::printf("\n%-8s %12s %12s %12s %10s\n", "branch", "length", "min radius", "max radius", "points");
+  for (std::size_t i = 0; i < branches.size(); ++i)
+    std::printf("%-8zu %12.5g %12.5g %12.5g %10.1f\n", i, branches[i]["length"].get<double>(),
+                branches[i]["min_radius"].get<double>(), branches[i]["max_radius"].get<double>(),
+                branches[i]["points_per_circumference"].get<double>());
+}
+
+// The measures of quality in the order of the table, with what they are called there.
+const std::vector<std::pair<const char*, const char*>>& measures() {
+  static const std::vector<std::pair<const char*, const char*>> list = {{"gamma_tau", "tetrahedra, gamma_tau"},
+                                                                        {"zeta_H", "hexahedra, zeta_H"},
+                                                                        {"gamma_T", "triangles, gamma_T"},
+                                                                        {"eta_q", "quads, eta_q"}};
+  return list;
+}
+
+void print_counts(const Json& r) {
+  std::printf("%s: %ld points", r["output"].get<std::string>().c_str(), r["points"].get<long>());
+  for (const char* kinds : {"cells", "facets"})
+    for (const auto& kind : r[kinds].items())
+      if (kind.value() > 0)
+        std::printf(", %ld %s", kind.value().get<long>(), kind.key().c_str());
+  std::printf("\n\n");
+}
+
+void print_metric_quality(const Json& q) {
+  std::printf("in the metric: Q %.2f on average, at most %.2f; efficiency %.3f\n", q["Q_tau"]["mean"].get<double>(),
+              q["Q_tau"]["max"].get<double>(), q["efficiency"].get<double>());
+  std::printf("first layer: %.2f of the height asked for on average, within 30 %% of it at %.1f %% of the wall\n",
+              q["first_height"]["mean"].get<double>(),
+              100 * q["first_height"]["share_within_30_percent"].get<double>());
+  if (q["alignment"]["count"] > 0)
+    std::printf("long edges: %.1f %% within 15 degrees of the centerline's direction\n",
+                100 * q["alignment"]["share_below_15_degrees"].get<double>());
+}
+
+void print_surface_in_its_metric(const Json& q) {
+  for (const char* part : {"wall", "caps"})
+    if (q[part]["shape"]["count"] > 0)
+      std::printf("in the metric, %s: shape %.3f at least, %.3f on average; %.1f %% of the edges of unit length\n",
+                  part, q[part]["shape"]["min"].get<double>(), q[part]["shape"]["mean"].get<double>(),
+                  100 * q[part]["share_of_unit_edges"].get<double>());
+}
+
+void print_summary(const Json& r, bool verbose) {
+  print_counts(r);
+  for (const auto& repair : r["repairs"])
+    std::printf("repair: %s\n", repair["sentence"].get<std::string>().c_str());
+  if (!r["repairs"].empty())
+    std::printf("\n");
+  for (const auto& fallback : r["fallbacks"])
+    std::printf("note: %s\n\n", fallback.get<std::string>().c_str());
+  std::printf("%-22s %8s %8s %8s\n", "quality", "min", "1 %", "mean");
+  for (const auto& m : measures()) {
+    if (!r["quality"].contains(m.first) || r["quality"][m.first]["count"] == 0)
+      continue;
+    const auto& s = r["quality"][m.first];
+    std::printf("%-22s %8.3f %8.3f %8.3f\n", m.second, s["min"].get<double>(), s["p1"].get<double>(),
+                s["mean"].get<double>());
+  }
+  if (r["quality"].contains("Q_tau"))
+    print_metric_quality(r["quality"]);
+  if (r["quality"].contains("in_the_metric"))
+    print_surface_in_its_metric(r["quality"]["in_the_metric"]);
+  double fewest = 0, most = 0;
+  for (const auto& b : r["branches"]) {
+    const double p = b["points_per_circumference"];
+    if (p > 0) {
+      fewest = fewest > 0 ? (std::min)(fewest, p) : p;
+      most = (std::max)(most, p);
+    }
+  }
+  std::printf("\n%ld branches, %.1f to %.1f points round their circumference\n", long(r["branches"].size()), fewest,
+              most);
+  for (const auto& layers : {std::make_pair("wall", "wall"), std::make_pair("boundary_layer", "boundary layer")})
+    if (r.contains(layers.first))
+      std::printf("%s: %s\n", layers.second, r[layers.first]["sentence"].get<std::string>().c_str());
+  if (r.contains("patches"))
+    print_patches(r["patches"]);
+  if (r.contains("quads"))
+    print_quads(r["quads"]);
+  std::printf("\n%-12s %6s %10s %12s %12s\n", "opening", "patch", "facets", "radius", "area");
+  for (const auto& o : r["openings"])
+    std::printf("%-12s %6d %10ld %12.5g %12.5g\n", o["name"].get<std::string>().c_str(), o["patch"].get<int>(),
+                o["triangles"].get<long>() + o["quads"].get<long>(), o["radius"].get<double>(),
+                o["area"].get<double>());
+  for (const auto& o : r["openings"])
+    if (o["branch"].is_null())
+      std::printf("note: no centerline leads to %s; the mesh size there is that of the nearest branch\n",
+                  o["name"].get<std::string>().c_str());
+  if (r["centerlines"].is_null() && !r["loops"] && r["boundary_euler"] < 2)
+    std::printf("note: vessels split and rejoin; where no centerline runs the mesh size is that of the nearest branch, "
+                "unless --loops keeps them all\n");
+  if (verbose) {
+    print_branches(r["branches"]);
+    for (const auto& m : measures())
+      if (r["quality"].contains(m.first))
+        print_histogram(r["quality"][m.first], m.second);
+  }
+  std::printf("\n%-22s %8s\n", "stage", "seconds");
+  for (const auto& t : r["times"].items())
+    std::printf("%-22s %8.2f\n", t.key().c_str(), t.value().get<double>());
+  std::printf("%-22s %8.2f   peak memory %.0f MB\n", "total", r["total_time"].get<double>(),
+              r["peak_memory_bytes"].get<double>() / 1e6);
+}
+
+} // namespace
+
+struct Run_report::Content {
+  Json json;
+};
+
+Run_report::Run_report(const Run& run)
+    : content_(new Content{description_of(run)}) {
+  Json& report = content_->json;
+  if (run.surface.surface.number_of_faces() > 0)
+    add_patches(report, run.surface);
+  if (run.surface.quads.wall_quads() > 0)
+    add_quads(report, run.surface.quads);
+  if (run.options.makes_surface_only())
+    describe_surface(report, run.surface);
+  if (run.options.is_anisotropic_surface())
+    add_metric_quality(report, run.surface);
+  if (run.options.has_wall())
+    add_layers(report, "wall", run.wall);
+  if (run.options.boundary_layer_prisms > 0)
+    add_layers(report, "boundary_layer", run.meshing.boundary_layer);
+  if (run.options.is_anisotropic())
+    add_metric_quality(report, run.model, run.mesh);
+}
+
+Run_report::~Run_report() = default;
+
+void Run_report::add_times(const Stage_clock& clock) {
+  Json& report = content_->json;
+  for (const auto& stage : clock.stages())
+    report["times"][stage.first] = stage.second;
+  report["total_time"] = clock.total();
+  report["peak_memory_bytes"] = Stage_clock::peak_memory();
+}
+
+std::string Run_report::json() const {
+  return content_->json.dump(2) + "\n";
+}
+
+void Run_report::print(bool verbose) const {
+  print_summary(content_->json, verbose);
+}

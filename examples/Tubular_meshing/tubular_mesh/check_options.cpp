@@ -1,0 +1,117 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "Options.h"
+
+#include <CGAL/Tubular_meshing/IO/write_centerlines.h>
+#include <CGAL/Tubular_meshing/IO/write_mesh.h>
+#include <CGAL/Tubular_meshing/IO/write_surface.h>
+#include <CGAL/Tubular_meshing/Volume/Volume_mesher.h>
+#include <CGAL/Tubular_meshing/base/exceptions.h>
+
+#include <filesystem>
+#include <set>
+#include <string>
+#include <system_error>
+
+namespace tubular = CGAL::Tubular_meshing;
+
+namespace {
+
+// Why a volume mesher is not there; empty if it is.
+std::string why_not_filled_by(const std::string& volume_mesher) {
+  if (volume_mesher == "tetgen" && !tubular::has_tetgen())
+    return "This program was built without TetGen; use --volume-mesher mesh_3, or build it where TetGen's library is "
+           "installed (libtet1.5-dev).";
+  if (volume_mesher == "ccdt" && !tubular::has_ccdt())
+    return "This program was built with a version of CGAL before 6.1, which has no constrained triangulations in "
+           "space; use --volume-mesher tetgen or mesh_3.";
+  return "";
+}
+
+void check_mesher(const Options& o) {
+  if (o.makes_surface_only() && o.surface_mesher == "mesh_3")
+    throw tubular::Parameter_error("Mesh_3 makes surface and volume at once: a surface alone is made by "
+                                   "--surface-mesher parametric.");
+  if (o.makes_surface_only() && !o.volume_mesher.empty())
+    throw tubular::Parameter_error("--volume-mesher has nothing to do in a mesh of type surface.");
+  const bool keeps_surface = o.volume_mesher == "tetgen" || o.volume_mesher == "ccdt";
+  if (o.is_anisotropic() && o.surface_mesher == "mesh_3")
+    throw tubular::Parameter_error("Anisotropic meshes begin with those of --surface-mesher parametric.");
+  if (o.is_mixed() && (o.surface_mesher == "mesh_3" || o.volume_mesher == "mesh_3"))
+    throw tubular::Parameter_error("Mesh_3 makes no quads, and would not keep them: mixed meshes are made by "
+                                   "--surface-mesher parametric and --volume-mesher tetgen or ccdt.");
+  if (keeps_surface && !o.meshes_patches() && !o.is_anisotropic())
+    throw tubular::Parameter_error(
+        "--volume-mesher " + o.volume_mesher +
+        " keeps the surface mesh that --surface-mesher parametric makes: give that as well.");
+  const std::string why_not = why_not_filled_by(o.volume_mesher);
+  if (!why_not.empty())
+    throw tubular::Parameter_error(why_not);
+}
+
+void check_output(const Options& o) {
+  if (o.makes_surface_only()) {
+    if (!tubular::IO::is_supported_surface_format(o.output))
+      throw tubular::Parameter_error("The surface cannot be written to \"" + o.output +
+                                     "\": give a .stl, .vtp, .msh, .ply, .off, .obj or .vtk file.");
+  } else if (!tubular::IO::is_supported_mesh_format(o.output)) {
+    throw tubular::Parameter_error("The mesh cannot be written to \"" + o.output +
+                                   "\": give a .vtu, .msh, .mesh or .inp file.");
+  }
+  if (!o.surface_output.empty() && !tubular::IO::is_supported_surface_format(o.surface_output))
+    throw tubular::Parameter_error("The surface cannot be written to \"" + o.surface_output +
+                                   "\": give a .vtp, .stl, .off, .obj or .ply file.");
+}
+
+void check_layers(const Options& o) {
+  if (o.makes_surface_only() && o.has_wall())
+    throw tubular::Parameter_error("A surface has no cells, hence no --wall; choose another --type.");
+  if (!o.makes_surface_only() && o.surface_elements != "triangles")
+    throw tubular::Parameter_error("--surface-elements is for --type surface; --type mixed has quads on its own.");
+  if (o.is_mixed() && o.wall_elements == "tetrahedra")
+    throw tubular::Parameter_error("The wall of a mixed mesh is of hexahedra, which match its quads: leave "
+                                   "--wall-elements away, or choose --type isotropic.");
+  if (o.boundary_layer_prisms > 0 && (o.makes_surface_only() || o.is_anisotropic()))
+    throw tubular::Parameter_error(
+        "--boundary-layer-prisms is for the types isotropic and mixed" +
+        std::string(o.is_anisotropic() ? "; anisotropic tetrahedra are layers already." : "."));
+  if (o.boundary_layer_prisms > 0 && o.surface_mesher == "mesh_3")
+    throw tubular::Parameter_error("Layers inside the lumen grow from the mesh of --surface-mesher parametric.");
+}
+
+} // namespace
+
+void check(const Options& o) {
+  const std::set<std::string> types = {"isotropic", "anisotropic", "mixed", "surface"};
+  if (types.count(o.type) == 0)
+    throw tubular::Parameter_error("There is no type of mesh named \"" + o.type +
+                                   "\"; the types are: isotropic, anisotropic, mixed, surface.");
+  check_mesher(o);
+  check_layers(o);
+  if (!o.outlets.empty() && o.inlet.empty())
+    throw tubular::Parameter_error("--outlet needs --inlet, where the centerlines begin.");
+  if (o.min_size > o.max_size)
+    throw tubular::Parameter_error("--min-size is larger than --max-size.");
+  check_output(o);
+  if (!o.centerlines_output.empty() && !tubular::IO::is_supported_centerlines_format(o.centerlines_output))
+    throw tubular::Parameter_error("The centerlines cannot be written to \"" + o.centerlines_output +
+                                   "\": give a .vtp or .vtk file.");
+  const auto same_file = [](const std::string& f) {
+    std::error_code ignored;
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(f), ignored).string();
+  };
+  std::set<std::string> files;
+  for (const std::string& f : {o.surface, o.centerlines, o.seeds})
+    if (!f.empty())
+      files.insert(same_file(f));
+  for (const std::string& f : o.outputs())
+    if (!files.insert(same_file(f)).second)
+      throw tubular::Parameter_error("The file \"" + f + "\" is named twice; an output needs a name of its own.");
+  try {
+    for (const std::string& f : o.outputs())
+      tubular::IO::check_writable(f);
+  } catch (const tubular::Output_error& e) { // the name was wrong; later on, a full disk is no fault of the user's
+    throw tubular::Parameter_error(e.what());
+  }
+}

@@ -1,0 +1,167 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef TUBULAR_MESH_DECLARE_OPTIONS_H
+#define TUBULAR_MESH_DECLARE_OPTIONS_H
+
+#include "../command_line/run_tool.h"
+#include "../command_line/validators.h"
+#include "Options.h"
+
+#include <CLI/CLI.hpp>
+
+#include <limits>
+#include <string>
+
+using command_line::in_range;
+
+inline void declare_mesher_options(CLI::App& app, Options& o) {
+  app.add_option("--surface-mesher", o.surface_mesher,
+                 "mesh_3, with the volume, or parametric: patch by patch, on the surface itself (default: mesh_3)")
+      ->check(CLI::IsMember({"mesh_3", "parametric"}).description(""));
+  app.add_option("--volume-mesher", o.volume_mesher,
+                 "mesh_3; or, after the parametric surface mesher, whose triangles they keep, tetgen, or ccdt of CGAL "
+                 "6.1 (default: one of these, if it is there, else mesh_3)")
+      ->check(CLI::IsMember({"mesh_3", "tetgen", "ccdt"}).description(""));
+}
+
+inline void declare_wall_options(CLI::App& app, const std::string& name, const char* what, Options::Layers& layers) {
+  const char* const group = "Layers outside the lumen";
+  auto* wall = app.add_option("--" + name, layers.thickness, std::string("thickness of ") + what + ", in local radii")
+                   ->check(in_range((std::numeric_limits<double>::min)(), 10))
+                   ->group(group);
+  const bool as_the_wall = layers.number == 0;
+  auto* number =
+      app.add_option("--" + name + "-layers", layers.number,
+                     std::string("number of its layers of cells") + (as_the_wall ? " (default: as of the wall)" : ""))
+          ->check(CLI::Range(1, 1000))
+          ->needs(wall)
+          ->group(group);
+  auto* growth = app.add_option("--" + name + "-growth", layers.growth,
+                                std::string("ratio of the thicknesses of successive layers, outward") +
+                                    (as_the_wall ? " (default: as of the wall)" : ""))
+                     ->check(in_range(0.1, 10))
+                     ->needs(wall)
+                     ->group(group);
+  if (!as_the_wall)
+    for (CLI::Option* o : {number, growth})
+      o->capture_default_str();
+}
+
+inline void declare_layer_options(CLI::App& app, Options& o) {
+  declare_wall_options(app, "wall", "the vessel's wall, of prisms or hexahedra", o.wall);
+  app.add_option("--wall-elements", o.wall_elements, "auto: prisms on triangles, hexahedra on quads; or tetrahedra")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"auto", "tetrahedra"}).description(""))
+      ->needs("--wall")
+      ->group("Layers outside the lumen");
+  declare_wall_options(app, "second-wall", "a second wall around it", o.second_wall);
+  app.get_option("--second-wall")->needs("--wall");
+  app.add_option("--boundary-layer-prisms", o.boundary_layer_prisms,
+                 "layers of prisms, or hexahedra, along the wall inside the lumen; of --first-height, by --growth")
+      ->check(CLI::Range(1, 1000))
+      ->group("Layers inside the lumen");
+}
+
+inline void declare_metric_options(CLI::App& app, Options& o) {
+  const char* const group = "Layers inside the lumen";
+  app.add_option("--boundary-layer", o.boundary_layer, "thickness of the layers at the wall, in local radii")
+      ->capture_default_str()
+      ->check(in_range((std::numeric_limits<double>::min)(), 1))
+      ->group(group);
+  app.add_option("--first-height", o.first_height,
+                 "height of the first layer, in local radii (default: a twentieth of their thickness)")
+      ->check(in_range((std::numeric_limits<double>::min)(), 1))
+      ->group(group);
+  app.add_option("--growth", o.growth, "ratio of the heights of successive layers")
+      ->capture_default_str()
+      ->check(in_range(1, 100))
+      ->group(group);
+  app.add_option("--smoothing-ratio", o.smoothing_ratio, "largest ratio of adjacent edges, as the wall curves")
+      ->capture_default_str()
+      ->check(in_range(1, 100))
+      ->group(group);
+  app.add_option("--curvature-points", o.curvature_points, "points on a full circle of the wall's curvature")
+      ->capture_default_str()
+      ->check(in_range(3, 1e4))
+      ->group(group);
+}
+
+inline void declare_surface_options(CLI::App& app, Options& o) {
+  app.add_option("--repair", o.repair,
+                 "off, auto: mend what is amiss, or wrap: replace the surface by one wrapped around it")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"off", "auto", "wrap"}).description(""));
+  app.add_flag("--smooth", o.smooth, "smooth staircase noise off the surface, keeping its volume");
+  app.add_option("--flow-extensions", o.flow_extensions,
+                 "extend each opening by a straight tube of this length, in radii of the opening")
+      ->check(in_range((std::numeric_limits<double>::min)(), 1e3));
+}
+
+inline void declare_centerline_options(CLI::App& app, Options& o) {
+  auto* lines = app.add_option("-c,--centerlines", o.centerlines,
+                               "centerlines, if they are not to be computed: .vtk .vtp (VMTK) or .msh (Gmsh)");
+  app.add_option("--inlet", o.inlet,
+                 "X,Y,Z: the opening nearest to this point is the inlet (default: the one at the centerlines' common "
+                 "start, else the largest)")
+      ->check(command_line::is_point());
+  auto* outlets = app.add_option("--outlet", o.outlets,
+                                 "X,Y,Z (repeatable): where vessels end without an opening or a flat cap; with --inlet")
+                      ->expected(1)
+                      ->take_all()
+                      ->check(command_line::is_point())
+                      ->excludes(lines);
+  app.add_option("--seeds", o.seeds, "file with such points, one a line, the inlet first")
+      ->excludes("--inlet")
+      ->excludes(outlets)
+      ->excludes(lines);
+  app.add_flag("--loops", o.loops, "keep every branch where vessels split and rejoin")->excludes(lines);
+  for (const char* ends : {"--centerlines", "--outlet", "--seeds"})
+    app.get_option("--flow-extensions")->excludes(app.get_option(ends));
+}
+
+inline void declare_options(CLI::App& app, Options& o, const std::string& version) {
+  app.description("Makes a mesh of a vessel or airway tree from its triangulated surface, along its "
+                  "centerlines.\nLengths are in the unit of the surface.");
+  app.footer(std::string(command_line::exit_statuses()) + "\nNothing is written unless all of it is whole.");
+  app.set_version_flag("--version", version);
+  app.add_option("surface", o.surface, "surface: .stl .off .obj .ply .vtp .vtk .msh")->required();
+  app.add_option("-o,--output", o.output,
+                 "mesh to write: .vtu .msh .mesh .inp; a surface: .stl .vtp .msh .ply .off .obj .vtk")
+      ->required();
+  app.add_option("-t,--type", o.type,
+                 "kind of mesh: isotropic or anisotropic (tetrahedra), mixed (hexahedra, pyramids, tetrahedra) or "
+                 "surface (no cells)")
+      ->capture_default_str();
+  app.add_option("--surface-elements", o.surface_elements,
+                 "of a surface: triangles; anisotropic triangles, as of --type anisotropic; or quads")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"triangles", "anisotropic", "quads"}).description(""));
+  app.add_option("-n,--points-per-circumference", o.points_per_circumference,
+                 "mesh size h = 2 pi r / N, r the local radius")
+      ->capture_default_str()
+      ->check(in_range(3, 1e4));
+  app.add_option("--min-size", o.min_size, "smallest mesh size")
+      ->check(in_range(0, (std::numeric_limits<double>::max)()));
+  app.add_option("--max-size", o.max_size, "largest mesh size")
+      ->check(in_range((std::numeric_limits<double>::min)(), (std::numeric_limits<double>::max)()));
+  app.add_option("--gradation", o.gradation, "largest ratio of the sizes of neighbours")
+      ->capture_default_str()
+      ->check(in_range(1, 1e4));
+  declare_mesher_options(app, o);
+  declare_layer_options(app, o);
+  declare_metric_options(app, o);
+  declare_surface_options(app, o);
+  declare_centerline_options(app, o);
+  app.add_option("--report", o.report, "write the summary to this .json file");
+  app.add_option("--write-surface", o.surface_output,
+                 "write the closed, labelled surface, as it is meshed by the parametric mesher, else as it came: .vtp "
+                 ".stl .off .ply");
+  app.add_option("--write-centerlines", o.centerlines_output, "write the branches and their radii: .vtp .vtk");
+  app.add_option("--threads", o.threads, "number of threads; 1 makes results reproducible (default: all cores)")
+      ->check(CLI::Range(0, 1024));
+  auto* verbose = app.add_flag("-v,--verbose", o.verbose, "say more: the branches, a histogram of the quality");
+  app.add_flag("-q,--quiet", o.quiet, "print errors only")->excludes(verbose);
+}
+
+#endif // TUBULAR_MESH_DECLARE_OPTIONS_H

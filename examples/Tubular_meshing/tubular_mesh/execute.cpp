@@ -1,0 +1,83 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "execute.h"
+
+#include "Run_report.h"
+#include "Stage_clock.h"
+#include "stages.h"
+
+#include <CGAL/Tubular_meshing/IO/write_centerlines.h>
+#include <CGAL/Tubular_meshing/IO/write_mesh.h>
+#include <CGAL/Tubular_meshing/IO/write_surface.h>
+
+#include <boost/property_map/function_property_map.hpp>
+
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace tubular = CGAL::Tubular_meshing;
+
+namespace {
+
+void write_surface(tubular::IO::Output_file& file, const tubular::Remeshed_surface& surface) {
+  const auto labels = tubular::parameters::face_patch_map(surface.patch).surface_patch_map(surface.patch_of_face);
+  if (surface.metrics.empty())
+    return tubular::IO::write_surface(file, surface.surface, labels);
+  typedef tubular::Surface::Vertex_index Vertex;
+  const auto metric = boost::make_function_property_map<Vertex>([&](Vertex v) { return surface.metrics[v]; });
+  tubular::IO::write_surface(file, surface.surface, labels.vertex_metric_map(metric));
+}
+
+// Writes everything that was asked for; nothing gets its name before all of it is whole.
+void write(const Run& run, Run_report& report, Stage_clock& clock) {
+  const Options& o = run.options;
+  std::vector<std::unique_ptr<tubular::IO::Output_file>> files;
+  const auto open = [&](const std::string& name) -> tubular::IO::Output_file& {
+    files.emplace_back(new tubular::IO::Output_file(name));
+    return *files.back();
+  };
+  o.makes_surface_only() ? write_surface(open(o.output), run.surface)
+                         : tubular::IO::write_mesh(open(o.output), run.mesh);
+  if (!o.surface_output.empty() && run.surface.surface.number_of_faces() > 0)
+    write_surface(open(o.surface_output), run.surface);
+  else if (!o.surface_output.empty())
+    tubular::IO::write_surface(open(o.surface_output), run.model.surface,
+                               tubular::parameters::face_patch_map(run.model.patch));
+  if (!o.centerlines_output.empty())
+    tubular::IO::write_centerlines(open(o.centerlines_output), run.model.centerlines);
+  clock.finish();
+  report.add_times(clock);
+  if (!o.report.empty())
+    open(o.report).write(report.json());
+  for (auto& f : files)
+    f->finish();
+  for (auto& f : files)
+    f->commit();
+}
+
+} // namespace
+
+void execute(const Options& options, const std::string& version) {
+  check(options);
+  Stage_clock clock(options.quiet);
+  Run run;
+  run.options = options;
+  run.version = version;
+  tubular::Surface surface = read_surface(run, clock);
+  extend_openings(run, surface, clock);
+  prepare_model(run, surface, clock);
+  make_mesh(run, clock);
+  add_wall(run, clock);
+  clock.begin("report");
+  Run_report report(run);
+  clock.begin("write");
+  write(run, report, clock);
+  if (!options.quiet) {
+    report.print(options.verbose);
+    if (std::fflush(stdout) != 0)
+      throw tubular::Output_error("The summary cannot be printed; the files are written.");
+  }
+}

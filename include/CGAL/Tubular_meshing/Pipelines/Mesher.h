@@ -1,0 +1,164 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_PIPELINES_MESHER_H
+#define CGAL_TUBULAR_MESHING_PIPELINES_MESHER_H
+
+#include <CGAL/Tubular_meshing/Layers/Layer_report.h>
+#include <CGAL/Tubular_meshing/Patches/Remeshed_surface.h>
+#include <CGAL/Tubular_meshing/Pipelines/Mesher_options.h>
+#include <CGAL/Tubular_meshing/Pipelines/Tubular_model.h>
+#include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
+#include <CGAL/Tubular_meshing/base/config.h>
+#include <CGAL/Tubular_meshing/base/parameters.h>
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Tubular_meshing {
+
+/*! \ingroup PkgTubularMeshingRef
+ * What a Mesher reports beside its meshes. */
+struct Mesher_report {
+  std::vector<std::string> fallbacks; ///< a sentence each time another way was taken than the one chosen, and why
+  Layer_report boundary_layer;        ///< where layers inside the lumen had to be thinner
+  Layer_report wall;                  ///< likewise those of a mixed mesh's wall
+};
+
+/*! \ingroup PkgTubularMeshingRef
+ *
+ * Makes meshes of a vessel or airway tree. It holds what they have in common (the model in a frame of its own, the mesh
+ * size, the cut surface and the maps of its patches), each made once, when it is first needed; so that a second mesh of
+ * another kind, or of the same kind with layers, costs less than a first one.
+ *
+ * Meshes are made in the model's own frame: around the origin, along its principal axes, of unit extent. The same model
+ * in other units, or turned, gives the same mesh but for rounding.
+ *
+ * Every mesh is checked before it is returned: it is valid (see Validity_report), has the topology of the model's
+ * surface, and facets on every opening.
+ *
+ * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{points_per_circumference}
+ *     \cgalParamDescription{N: the mesh size is h = 2 π r / N, see Centerline_sizing_field}
+ *     \cgalParamType{double}
+ *     \cgalParamDefault{20}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{surface_mesher}
+ *     \cgalParamDescription{how isotropic meshes are made}
+ *     \cgalParamType{`Surface_mesher`}
+ *     \cgalParamDefault{`Surface_mesher::parametric`; `Surface_mesher::mesh_3` if the volume mesher is Mesh_3}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{volume_mesher}
+ *     \cgalParamDescription{what fills a surface mesh}
+ *     \cgalParamType{`Volume_mesher`}
+ *     \cgalParamDefault{`default_volume_mesher()`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{boundary_layer_prisms}
+ *     \cgalParamDescription{number of layers of prisms (on quads, of hexahedra) along the wall inside the lumen, of
+ *       isotropic and mixed meshes; see extrude_boundary_layer(). They need TetGen or CGAL 6.1}
+ *     \cgalParamType{int}
+ *     \cgalParamDefault{0}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{wall_thickness}
+ *     \cgalParamDescription{of the wall of a mixed mesh, in local radii; 0: there is none}
+ *     \cgalParamType{double}
+ *     \cgalParamDefault{0}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{number_of_threads}
+ *     \cgalParamDescription{0: all cores. With Mesh_3, results are reproducible with one}
+ *     \cgalParamType{int}
+ *     \cgalParamDefault{0}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{observer}
+ *     \cgalParamDescription{a function object that is called with the name of each stage, as it begins}
+ *     \cgalParamType{callable with a `const char*`}
+ *     \cgalParamDefault{none}
+ *   \cgalParamNEnd
+ * \cgalNamedParamsEnd
+ *
+ * and all named parameters of its stages: Centerline_sizing_field, Centerline_metric_field, cut_by_centerlines(),
+ * remesh_patches(), quadrangulate_patches(), fill_keeping_boundary(), fill_with_mesh_3(), optimize_tetrahedra(),
+ * anisotropic_tetrahedral_remeshing(), extrude_boundary_layer(), extrude_wall(). From a surface, also those of
+ * make_tubular_model().
+ *
+ * About O(n log n) in the sizes of the surface and of the result, but for the linear systems of the parameterization,
+ * which take O(n^1.5) in those of patches.
+ *
+ * \throws Parameter_error if a parameter is out of its range
+ * \throws Meshing_error if no valid mesh comes out, or the mesh would not fit into memory. Its places are in the frame
+ *   of the model that was given; its stage() is the one that failed
+ */
+class Mesher {
+public:
+  /// Of a model that outlives the mesher.
+  Mesher(const Tubular_model& model, const Mesher_options& options);
+  template <class NamedParameters = CGAL::parameters::Default_named_parameters>
+  explicit Mesher(const Tubular_model& model, const NamedParameters& np = CGAL::parameters::default_values())
+      : Mesher(model, Mesher_options(np)) {}
+
+  /// Of a model that it keeps.
+  Mesher(Tubular_model&& model, const Mesher_options& options);
+  template <class NamedParameters = CGAL::parameters::Default_named_parameters>
+  explicit Mesher(Tubular_model&& model, const NamedParameters& np = CGAL::parameters::default_values())
+      : Mesher(std::move(model), Mesher_options(np)) {}
+
+  /// Of a surface and its centerlines.
+  template <class FaceGraph, class NamedParameters = CGAL::parameters::Default_named_parameters>
+  Mesher(const FaceGraph& surface, const Centerline_polylines& lines,
+         const NamedParameters& np = CGAL::parameters::default_values())
+      : Mesher(make_tubular_model(surface, lines, np), Mesher_options(np)) {}
+
+  /// Of a surface alone: its centerlines are computed.
+  template <class FaceGraph, class NamedParameters = CGAL::parameters::Default_named_parameters,
+            class = typename boost::graph_traits<FaceGraph>::face_descriptor>
+  explicit Mesher(const FaceGraph& surface, const NamedParameters& np = CGAL::parameters::default_values())
+      : Mesher(make_tubular_model(surface, np), Mesher_options(np)) {}
+
+  Mesher(Mesher&&);
+  Mesher& operator=(Mesher&&);
+  ~Mesher();
+
+  const Tubular_model& model() const;
+
+  /*! Isotropic tetrahedra of mesh size h (section 3.1 of the paper): region labels::lumen; patches wall, inlet,
+   * outlet_1, …. The surface is meshed by patches and filled, its triangles kept; where a patch cannot be mapped or
+   * meshed, or the lumen cannot be filled, Mesh_3 makes the mesh instead, and the report says so. */
+  Mixed_mesh isotropic();
+
+  /*! Anisotropic tetrahedra (section 3.3): thin layers along the wall, of sizes along it that follow its curvature and
+   * the centerlines, isotropic in the core. The point array `metric` is the metric that was asked for. */
+  Mixed_mesh anisotropic();
+
+  /*! Mixed cells (sections 2.5 and 3.2): quads on the wall, pyramids on them, tetrahedra between, and hexahedra in the
+   * vessel's wall, if one is wanted. Where no pyramid fits on a quad it is split, see
+   * fill_with_pyramids_and_tetrahedra(); with layers inside that cannot be done.
+   *
+   * \throws Meshing_error also if this program was built without LEMON, or with neither TetGen nor CGAL 6.1 */
+  Mixed_mesh mixed();
+
+  /*! The surface alone (sections 2.4, 2.5): closed, conforming, free of self-intersections, its vertices on the model's
+   * surface. */
+  Remeshed_surface surface(Surface_elements elements = Surface_elements::triangles);
+
+  /// Takes over the surface mesh that the last volume mesh was made from and kept; empty if there is none.
+  Remeshed_surface kept_surface();
+
+  /// Of the last mesh.
+  const Mesher_report& report() const;
+
+private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+} // namespace Tubular_meshing
+} // namespace CGAL
+
+#ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
+#include <CGAL/Tubular_meshing/Pipelines/Mesher_impl.h>
+#endif
+
+#endif // CGAL_TUBULAR_MESHING_PIPELINES_MESHER_H

@@ -1,0 +1,304 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_PIPELINES_MESHER_IMPL_H
+#define CGAL_TUBULAR_MESHING_PIPELINES_MESHER_IMPL_H
+
+#include <CGAL/Tubular_meshing/Centerlines/Centerline_field.h>
+#include <CGAL/Tubular_meshing/Fields/Centerline_metric_field.h>
+#include <CGAL/Tubular_meshing/Fields/Centerline_sizing_field.h>
+#include <CGAL/Tubular_meshing/Layers/append_mesh.h>
+#include <CGAL/Tubular_meshing/Pipelines/Mesher.h>
+#include <CGAL/Tubular_meshing/Pipelines/internal/Model_in_its_frame.h>
+#include <CGAL/Tubular_meshing/Pipelines/internal/check_mesh_of_model.h>
+#include <CGAL/Tubular_meshing/base/exceptions.h>
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Tubular_meshing {
+
+class Mesher::Impl {
+public:
+  Impl(std::shared_ptr<const Tubular_model> model, const Mesher_options& options)
+      : model_(std::move(model))
+      , options_(options)
+      , frame_(*model_) {
+    frame_.scale_lengths(options_.size);
+    frame_.scale_lengths(options_.metric);
+  }
+
+  const Tubular_model& model() const { return *model_; }
+  const Mesher_report& report() const { return report_; }
+  Remeshed_surface take_kept_surface() { return std::exchange(kept_, Remeshed_surface()); }
+
+  Mixed_mesh isotropic() {
+    return made([&] {
+      Mixed_mesh mesh = isotropic_in_frame(options_.surface_mesher);
+      mesh.patch_names = patch_names();
+      return mesh;
+    });
+  }
+
+  Mixed_mesh anisotropic() {
+    return made([&] {
+      if (options_.boundary_layer_prisms != 0)
+        throw Parameter_error("An anisotropic mesh has its layers in tetrahedra: leave the layers of prisms out, or "
+                              "make an isotropic mesh.");
+      Mixed_mesh mesh = isotropic_in_frame(Surface_mesher::parametric);
+      kept_ = Remeshed_surface(); // remeshing does not keep it
+      const Labelled_surface& wall = by_patches_ ? by_patches_->surface : frame_.surface();
+      stage("metric field");
+      const Centerline_metric_field metric(wall.surface, wall.patch, frame_.centerlines(), options_.metric);
+      stage("anisotropic remeshing");
+      options_.remeshing.boundary_layer_patches = {labels::wall};
+      internal::anisotropic_tetrahedral_remeshing(mesh, wall.surface, wall.patch, metric, options_.remeshing);
+      stage("check");
+      internal::check_differences(mesh, *model_);
+      mesh.region_names = {{labels::lumen, "lumen"}};
+      mesh.patch_names = patch_names();
+      return mesh;
+    });
+  }
+
+  Mixed_mesh mixed() {
+    return made([&] {
+      internal::check_keeps_boundary(options_.volume_mesher);
+      check_memory();
+      Fill_with_pyramids_and_tetrahedra_options pyramids = options_.pyramids;
+      pyramids.split_quads = options_.boundary_layer_prisms == 0; // not the far sides of hexahedra
+      kept_ = quads_in_frame();
+      Mixed_mesh mesh =
+          fill_within_layers(kept_, [&](const Surface& closed, Face_patch_map patch, Mixed_mesh& filling) {
+            stage("pyramids and tetrahedra");
+            internal::fill_with_pyramids_and_tetrahedra(closed, patch, size(), filling, pyramids);
+          });
+      if (options_.wall_thickness != 0) {
+        stage("wall");
+        report_.wall = internal::extrude_wall(mesh, Centerline_field(frame_.centerlines()), options_.wall);
+        report_.wall.worst_place = frame_.from_frame(report_.wall.worst_place);
+      }
+      stage("check");
+      internal::check_differences(mesh, *model_);
+      const Label_names names = patch_names();
+      mesh.patch_names.insert(names.begin(), names.end());
+      return mesh;
+    });
+  }
+
+  Remeshed_surface surface(Surface_elements elements) {
+    return made([&] {
+      if (elements == Surface_elements::quads)
+        return quads_in_frame();
+      if (elements == Surface_elements::triangles)
+        return triangles_in_frame(size());
+      stage("metric field");
+      return triangles_in_frame(Centerline_metric_field(frame_.surface().surface, frame_.surface().patch,
+                                                        frame_.centerlines(), options_.metric));
+    });
+  }
+
+private:
+  // The surface as it was cut, in patches, and their maps.
+  struct Patches {
+    Labelled_surface surface;
+    Surface_cut cut;
+    std::vector<Patch_parameterization> maps;
+  };
+
+  /* Runs what makes a mesh in the frame, and brings the mesh back from there, or the places of what is thrown. */
+  template <class Make> auto made(const Make& make) {
+    report_ = Mesher_report();
+    kept_ = Remeshed_surface();
+    try {
+      auto mesh = make();
+      frame_.bring_back(mesh);
+      frame_.bring_back(kept_);
+      return mesh;
+    } catch (Error& e) {
+      e.transform_places([&](const Place& p) { return frame_.from_frame(p); });
+      e.set_stage(stage_);
+      throw;
+    }
+  }
+
+  void stage(const char* name) {
+    stage_ = name;
+    if (options_.observer)
+      options_.observer(name);
+  }
+
+  const Centerline_sizing_field& size() {
+    if (!size_) {
+      stage("size field");
+      const Labelled_surface& s = frame_.surface();
+      size_.emplace(Centerline_field(frame_.centerlines()), Wall_distance(s.surface, s.patch, labels::wall),
+                    options_.size);
+    }
+    return *size_;
+  }
+
+  const Patches& patches() {
+    if (!by_patches_) {
+      stage("cut");
+      Patches p{frame_.copy_of_surface(), {}, {}};
+      p.cut = internal::cut_by_centerlines(p.surface.surface, frame_.centerlines(), p.surface.patch, options_.cut);
+      stage("parameterization");
+      p.maps = internal::parameterize_patches(p.surface.surface, p.cut, options_.parameterization);
+      by_patches_.emplace(std::move(p));
+    }
+    return *by_patches_;
+  }
+
+  template <class Size> Remeshed_surface triangles_in_frame(const Size& size) {
+    const Patches& p = patches();
+    stage("surface mesh");
+    return internal::remesh_patches(p.surface.surface, p.cut, p.maps, size, options_.surface);
+  }
+
+  Remeshed_surface quads_in_frame() {
+    size();
+    const Patches& p = patches();
+    stage("quads");
+    return internal::quadrangulate_patches(p.surface.surface, p.cut, p.maps, size(), options_.quads);
+  }
+
+  Mixed_mesh isotropic_in_frame(Surface_mesher mesher) {
+    check_memory();
+    if (mesher == Surface_mesher::mesh_3)
+      return by_mesh_3();
+    try {
+      return by_patches();
+    } catch (const Meshing_error& e) {
+      if (options_.boundary_layer_prisms != 0) // Mesh_3 keeps no layer's side
+        throw;
+      report_.fallbacks.push_back(fallback_sentence(e));
+      kept_ = Remeshed_surface();
+      return by_mesh_3();
+    }
+  }
+
+  std::string fallback_sentence(Meshing_error e) const {
+    e.transform_places([&](const Place& p) { return frame_.from_frame(p); });
+    return "Mesh_3 made this mesh, since meshing by patches failed at the stage \"" + stage_ + "\": " + e.what();
+  }
+
+  /* The surface patch by patch in the parametric plane, then the lumen between its triangles. */
+  Mixed_mesh by_patches() {
+    size();
+    kept_ = triangles_in_frame(size());
+    const Labelled_surface& wall = patches().surface;
+    if (options_.boundary_layer_prisms != 0)
+      internal::check_keeps_boundary(options_.volume_mesher);
+    Mixed_mesh mesh = fill_within_layers(kept_, [&](const Surface& closed, Face_patch_map patch, Mixed_mesh& filling) {
+      stage("tetrahedra");
+      const bool keeps = options_.volume_mesher != Volume_mesher::mesh_3;
+      if (keeps)
+        internal::fill_keeping_boundary(closed, patch, size(), filling, options_.filling);
+      else
+        internal::fill_with_mesh_3(closed, patch, size(), filling, options_.mesh_3);
+      stage("optimization");
+      Optimize_tetrahedra_options optimization = options_.optimization;
+      optimization.keep_boundary = keeps;
+      internal::optimize_tetrahedra(filling, wall.surface, wall.patch, optimization);
+    });
+    stage("check");
+    internal::check_differences(mesh, *model_);
+    return mesh;
+  }
+
+  /* Surface and lumen at once; finer, by a factor of at most two, where the mesh size is too coarse for the topology.
+   */
+  Mixed_mesh by_mesh_3() {
+    const Labelled_surface& s = frame_.surface();
+    std::string differences;
+    for (double factor : {1., 0.7, 0.5}) {
+      Mixed_mesh mesh;
+      stage("tetrahedra");
+      internal::fill_with_mesh_3(
+          s.surface, s.patch, [&](const Point_3& p) { return factor * size()(p); }, mesh, options_.mesh_3);
+      stage("optimization");
+      internal::optimize_tetrahedra(mesh, s.surface, s.patch, options_.optimization);
+      stage("check");
+      differences = internal::differences(mesh, *model_);
+      if (differences.empty())
+        return mesh;
+    }
+    throw Meshing_error("The mesh came out with " + differences +
+                        ": the surface may intersect itself, or have parts much narrower than the mesh size there.");
+  }
+
+  /* Meshes the lumen by fill(surface, patch, mesh): all of it, or, where layers are wanted along the wall, what they
+   * leave of it. */
+  template <class Fill> Mixed_mesh fill_within_layers(const Remeshed_surface& surface, const Fill& fill) {
+    Mixed_mesh mesh;
+    if (options_.boundary_layer_prisms == 0) {
+      fill(surface.surface, surface.patch, mesh);
+      return mesh;
+    }
+    stage("boundary layer");
+    Boundary_layer layer = internal::extrude_boundary_layer(
+        surface.surface, surface.patch, Centerline_field(frame_.centerlines()), options_.boundary_layer);
+    report_.boundary_layer = layer.report;
+    report_.boundary_layer.worst_place = frame_.from_frame(layer.report.worst_place);
+    try {
+      fill(layer.inner, layer.patch, mesh);
+    } catch (const Meshing_error&) {
+      throw Meshing_error("Inside of the boundary layers the lumen cannot be filled: ask for fewer or thinner layers, "
+                          "or for a finer mesh.");
+    }
+    append_mesh(layer.layers, mesh, layer.mesh_points);
+    return std::move(layer.layers);
+  }
+
+  void check_memory() { internal::check_memory(size().estimated_number_of_tetrahedra()); }
+  Label_names patch_names() const { return lumen_patch_names(int(model_->openings.size())); }
+
+  std::shared_ptr<const Tubular_model> model_;
+  Mesher_options options_;
+  internal::Model_in_its_frame frame_;
+  std::optional<Centerline_sizing_field> size_;
+  std::optional<Patches> by_patches_;
+  Remeshed_surface kept_;
+  Mesher_report report_;
+  std::string stage_;
+};
+
+CGAL_TUBULAR_MESHING_INLINE Mesher::Mesher(const Tubular_model& model, const Mesher_options& options)
+    : impl_(new Impl(std::shared_ptr<const Tubular_model>(std::shared_ptr<const Tubular_model>(), &model), options)) {}
+CGAL_TUBULAR_MESHING_INLINE Mesher::Mesher(Tubular_model&& model, const Mesher_options& options)
+    : impl_(new Impl(std::make_shared<const Tubular_model>(std::move(model)), options)) {}
+CGAL_TUBULAR_MESHING_INLINE Mesher::Mesher(Mesher&&) = default;
+CGAL_TUBULAR_MESHING_INLINE Mesher& Mesher::operator=(Mesher&&) = default;
+CGAL_TUBULAR_MESHING_INLINE Mesher::~Mesher() = default;
+
+CGAL_TUBULAR_MESHING_INLINE const Tubular_model& Mesher::model() const {
+  return impl_->model();
+}
+CGAL_TUBULAR_MESHING_INLINE Mixed_mesh Mesher::isotropic() {
+  return impl_->isotropic();
+}
+CGAL_TUBULAR_MESHING_INLINE Mixed_mesh Mesher::anisotropic() {
+  return impl_->anisotropic();
+}
+CGAL_TUBULAR_MESHING_INLINE Mixed_mesh Mesher::mixed() {
+  return impl_->mixed();
+}
+CGAL_TUBULAR_MESHING_INLINE Remeshed_surface Mesher::surface(Surface_elements elements) {
+  return impl_->surface(elements);
+}
+CGAL_TUBULAR_MESHING_INLINE Remeshed_surface Mesher::kept_surface() {
+  return impl_->take_kept_surface();
+}
+CGAL_TUBULAR_MESHING_INLINE const Mesher_report& Mesher::report() const {
+  return impl_->report();
+}
+
+} // namespace Tubular_meshing
+} // namespace CGAL
+
+#endif // CGAL_TUBULAR_MESHING_PIPELINES_MESHER_IMPL_H

@@ -1,0 +1,99 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_PIPELINES_MESHER_OPTIONS_H
+#define CGAL_TUBULAR_MESHING_PIPELINES_MESHER_OPTIONS_H
+
+#include <CGAL/Tubular_meshing/Fields/Centerline_metric_field.h>
+#include <CGAL/Tubular_meshing/Fields/Centerline_sizing_field.h>
+#include <CGAL/Tubular_meshing/Layers/extrude_boundary_layer.h>
+#include <CGAL/Tubular_meshing/Layers/extrude_wall.h>
+#include <CGAL/Tubular_meshing/Patches/cut_by_centerlines.h>
+#include <CGAL/Tubular_meshing/Patches/parameterize_patch.h>
+#include <CGAL/Tubular_meshing/Patches/remesh_patches.h>
+#include <CGAL/Tubular_meshing/Quads/quadrangulate_patches.h>
+#include <CGAL/Tubular_meshing/Volume/Volume_mesher.h>
+#include <CGAL/Tubular_meshing/Volume/anisotropic_tetrahedral_remeshing.h>
+#include <CGAL/Tubular_meshing/Volume/fill_keeping_boundary.h>
+#include <CGAL/Tubular_meshing/Volume/fill_with_mesh_3.h>
+#include <CGAL/Tubular_meshing/Volume/fill_with_pyramids_and_tetrahedra.h>
+#include <CGAL/Tubular_meshing/Volume/optimize_tetrahedra.h>
+#include <CGAL/Tubular_meshing/base/parameters.h>
+
+#include <functional>
+
+namespace CGAL {
+namespace Tubular_meshing {
+
+/*! \ingroup PkgTubularMeshingRef
+ * What meshes the surface of an isotropic mesh. */
+enum class Surface_mesher {
+  parametric, ///< patch by patch in the parametric plane, see remesh_patches(); then the lumen is filled
+  mesh_3      ///< CGAL's Mesh_3, which meshes surface and lumen at once
+};
+
+/*! \ingroup PkgTubularMeshingRef
+ * The elements of a surface mesh. */
+enum class Surface_elements {
+  triangles,             ///< isotropic, of mesh size h = 2 π r / N
+  anisotropic_triangles, ///< of unit size in the metric of Centerline_metric_field
+  quads                  ///< of mesh size h; triangles on the caps, unless quads are wanted there too
+};
+
+/*! \ingroup PkgTubularMeshingRef
+ *
+ * All that a Mesher can be told: the options of its stages, and which stages these are. Named parameters set them by
+ * their names, see Mesher; a program may set the members as well.
+ */
+struct Mesher_options {
+  Centerline_sizing_field_options size;
+  Centerline_metric_field_options metric;
+  Cut_by_centerlines_options cut;
+  Parameterize_patches_options parameterization;
+  Remesh_patches_options surface;
+  Quadrangulate_patches_options quads;
+  Fill_with_mesh_3_options mesh_3;
+  Fill_keeping_boundary_options filling;
+  Fill_with_pyramids_and_tetrahedra_options pyramids;
+  Optimize_tetrahedra_options optimization;
+  Anisotropic_tetrahedral_remeshing_options remeshing;
+  Extrude_boundary_layer_options boundary_layer;
+  Extrude_wall_options wall;
+
+  Volume_mesher volume_mesher = default_volume_mesher(); ///< what fills the surface mesh
+  Surface_mesher surface_mesher = Surface_mesher::parametric;
+  double wall_thickness = 0;     ///< of a mixed mesh's wall, in local radii; 0: there is none
+  int boundary_layer_prisms = 0; ///< number of layers of prisms or hexahedra along the wall, inside the lumen
+  std::function<void(const char*)> observer; ///< receives the name of each stage as it begins
+
+  Mesher_options() = default;
+  template <class NamedParameters>
+  explicit Mesher_options(const NamedParameters& np)
+      : size(np)
+      , metric(np)
+      , cut(np)
+      , parameterization(np)
+      , surface(np)
+      , quads(np)
+      , mesh_3(np)
+      , filling(np)
+      , pyramids(np)
+      , optimization(np)
+      , remeshing(np)
+      , boundary_layer(np)
+      , wall(np) {
+    using internal::choose;
+    volume_mesher = choose(np, internal_np::volume_mesher, volume_mesher);
+    // Mesh_3 meshes the surface itself: patches before it would be work for nothing
+    surface_mesher = choose(np, internal_np::surface_mesher,
+                            volume_mesher == Volume_mesher::mesh_3 ? Surface_mesher::mesh_3 : surface_mesher);
+    wall_thickness = choose(np, internal_np::wall_thickness, wall_thickness);
+    boundary_layer_prisms = choose(np, internal_np::boundary_layer_prisms, boundary_layer_prisms);
+    observer = choose(np, internal_np::observer, observer);
+  }
+};
+
+} // namespace Tubular_meshing
+} // namespace CGAL
+
+#endif // CGAL_TUBULAR_MESHING_PIPELINES_MESHER_OPTIONS_H

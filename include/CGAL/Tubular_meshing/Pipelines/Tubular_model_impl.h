@@ -1,0 +1,83 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_PIPELINES_TUBULAR_MODEL_IMPL_H
+#define CGAL_TUBULAR_MESHING_PIPELINES_TUBULAR_MODEL_IMPL_H
+
+#include <CGAL/Tubular_meshing/Centerlines/Wall_distance.h>
+#include <CGAL/Tubular_meshing/Centerlines/build_centerline_graph.h>
+#include <CGAL/Tubular_meshing/Centerlines/check_centerlines.h>
+#include <CGAL/Tubular_meshing/Centerlines/clip_to_openings.h>
+#include <CGAL/Tubular_meshing/Centerlines/compute_centerlines.h>
+#include <CGAL/Tubular_meshing/Openings/close_openings.h>
+#include <CGAL/Tubular_meshing/Openings/openings.h>
+#include <CGAL/Tubular_meshing/Openings/seeds.h>
+#include <CGAL/Tubular_meshing/Patches/follow_blind_vessels.h>
+#include <CGAL/Tubular_meshing/Pipelines/Tubular_model.h>
+#include <CGAL/Tubular_meshing/Pipelines/internal/check_meshable.h>
+#include <CGAL/Tubular_meshing/base/labels.h>
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Tubular_meshing {
+namespace internal {
+
+// Gives the openings their branches.
+inline void connect(Tubular_model& model, const std::vector<std::size_t>& node_of_opening) {
+  for (std::size_t i = 0; i < node_of_opening.size(); ++i) {
+    const std::size_t node = node_of_opening[i];
+    model.openings[i].node = node;
+    model.openings[i].branch = node == Opening::no_branch ? node : model.centerlines.nodes()[node].branches.front();
+  }
+}
+
+// What the rest of the package relies on: one piece of triangles.
+inline void check_surface(Tubular_model& model) {
+  check_tubular_surface(model.surface);
+  check_one_piece(model.surface);
+}
+
+CGAL_TUBULAR_MESHING_INLINE void prepare(Tubular_model& model, const Centerline_polylines& lines,
+                                         const Tubular_model_options& options) {
+  check_surface(model);
+  build_centerline_graph(lines, Wall_distance(model.surface), model.centerlines,
+                         Build_centerline_graph_options{options.merge_tolerance});
+
+  model.openings = find_openings(model.surface, Find_openings_options{options.inlet, &model.centerlines});
+  close_openings(model.surface, model.openings, model.patch);
+  check_no_crossings(model.surface);
+  const std::vector<std::size_t> nodes = clip_to_openings(model.centerlines, model.openings);
+  check_centerlines_inside(model.centerlines, model.surface);
+
+  const Wall_distance wall(model.surface, model.patch, labels::wall);
+  std::vector<double> radii;
+  for (const Point_3& p : model.centerlines.points())
+    radii.push_back(wall(p));
+  model.centerlines.set_radii(std::move(radii));
+  if (nodes.front() != Opening::no_branch)
+    model.centerlines.direct_from(nodes.front());
+  connect(model, nodes);
+}
+
+CGAL_TUBULAR_MESHING_INLINE void prepare(Tubular_model& model, const Tubular_model_options& options) {
+  check_surface(model);
+  model.openings = find_openings_or_seeds(model.surface, options.seeds, Find_openings_options{options.inlet, nullptr});
+  close_openings(model.surface, model.openings, model.patch);
+  check_no_crossings(model.surface);
+  const Build_centerline_graph_options merging{options.merge_tolerance};
+  Centerline_computation computation(model.surface, model.patch, ends_of_lines(model.openings, options.seeds),
+                                     options.loops, options.blind_vessels);
+  computation.make_graph(model.centerlines, merging);
+  if (options.blind_vessels)
+    follow_blind_vessels(model.surface, model.patch, computation, model.centerlines, merging);
+  connect(model, nodes_at(model.centerlines, model.openings));
+}
+
+} // namespace internal
+} // namespace Tubular_meshing
+} // namespace CGAL
+
+#endif // CGAL_TUBULAR_MESHING_PIPELINES_TUBULAR_MODEL_IMPL_H

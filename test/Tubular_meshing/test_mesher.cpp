@@ -1,0 +1,139 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The Mesher: one object for all meshes of a model, the fallback to Mesh_3, what its errors carry.
+
+#include "test_surfaces.h"
+
+#include <CGAL/Tubular_meshing/Generators/tubular_shapes.h>
+#include <CGAL/Tubular_meshing/Generators/tubular_surface.h>
+#include <CGAL/Tubular_meshing/IO/read_centerlines.h>
+#include <CGAL/Tubular_meshing/IO/read_surface.h>
+#include <CGAL/Tubular_meshing/Pipelines/make_mesh.h>
+#include <CGAL/Tubular_meshing/Quads/recombine_triangles.h>
+#include <CGAL/Tubular_meshing/Quality/validity_report.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace tubular = CGAL::Tubular_meshing;
+namespace parameters = tubular::parameters;
+using tubular::Mesher;
+using tubular::Mixed_mesh;
+using tubular::Point_3;
+
+bool keeps_boundary() {
+  return tubular::default_volume_mesher() != tubular::Volume_mesher::mesh_3;
+}
+
+/* A Y, moved far from where the mesher works. */
+tubular::Tubular_model bifurcation(const tubular::Vector_3& shift = {0, 0, 0}) {
+  const auto skeleton = tubular::y_bifurcation();
+  tubular::Surface surface;
+  tubular::generate_tubular_surface(skeleton, surface, parameters::points_per_circumference(16));
+  tubular::Centerline_polylines lines = tubular::centerlines_of(skeleton);
+  for (auto v : surface.vertices())
+    surface.point(v) = surface.point(v) + shift;
+  for (Point_3& p : lines.points)
+    p = p + shift;
+  return tubular::make_tubular_model(surface, lines);
+}
+
+void expect_same(const Mixed_mesh& a, const Mixed_mesh& b) {
+  EXPECT_EQ(a.points, b.points);
+  EXPECT_EQ(a.tetrahedra.vertices, b.tetrahedra.vertices);
+  EXPECT_EQ(a.triangles.vertices, b.triangles.vertices);
+  EXPECT_EQ(a.quads.vertices, b.quads.vertices);
+}
+
+TEST(Mesher, MakesTheSameMeshesInAnyOrder) {
+  if (!keeps_boundary() || !tubular::has_lemon())
+    GTEST_SKIP() << "built without LEMON, or with neither TetGen nor CGAL 6.1";
+  const auto model = bifurcation();
+  const auto np = parameters::points_per_circumference(10).number_of_threads(1);
+  Mesher first(model, np), second(model, np);
+  const Mixed_mesh isotropic = first.isotropic(), mixed = first.mixed(), anisotropic = first.anisotropic();
+  expect_same(anisotropic, second.anisotropic());
+  expect_same(mixed, second.mixed());
+  expect_same(isotropic, second.isotropic());
+  expect_same(isotropic, tubular::make_isotropic_mesh(model, np));
+}
+
+TEST(Mesher, MakesCutAndMapsOnce) {
+  if (!keeps_boundary())
+    GTEST_SKIP() << "built with neither TetGen nor CGAL 6.1";
+  const auto model = bifurcation();
+  std::vector<std::string> stages;
+  Mesher mesher(model, parameters::points_per_circumference(10).observer([&](const char* s) { stages.push_back(s); }));
+  mesher.isotropic();
+  EXPECT_EQ(stages, (std::vector<std::string>{"size field", "cut", "parameterization", "surface mesh", "tetrahedra",
+                                              "optimization", "check"}));
+  stages.clear();
+  mesher.isotropic();
+  EXPECT_EQ(stages, (std::vector<std::string>{"surface mesh", "tetrahedra", "optimization", "check"}));
+}
+
+TEST(Mesher, KeepsTheSurfaceThatItMeshedByPatches) {
+  if (!keeps_boundary())
+    GTEST_SKIP() << "built with neither TetGen nor CGAL 6.1";
+  Mesher mesher(bifurcation(), parameters::points_per_circumference(10));
+  const Mixed_mesh mesh = mesher.isotropic();
+  EXPECT_TRUE(mesher.report().fallbacks.empty());
+  const tubular::Remeshed_surface surface = mesher.kept_surface();
+  ASSERT_EQ(surface.surface.number_of_faces(), mesh.triangles.size());
+  for (auto v : surface.surface.vertices())
+    EXPECT_EQ(surface.surface.point(v), mesh.points[std::size_t(v)]);
+  EXPECT_EQ(mesher.kept_surface().surface.number_of_faces(), 0u);
+}
+
+TEST(Mesher, FallsBackToMesh_3AndSaysSo) {
+  if (!keeps_boundary())
+    GTEST_SKIP() << "built with neither TetGen nor CGAL 6.1";
+  tubular::Mesher_options options(parameters::points_per_circumference(8).number_of_threads(1));
+  options.filling.in_child_process = true;
+  options.filling.time_limit = 1e-9; // the filler gives up at once
+  Mesher mesher(bifurcation(), options);
+  const Mixed_mesh mesh = mesher.isotropic();
+  EXPECT_TRUE(tubular::validity_report(mesh).is_valid());
+  ASSERT_EQ(mesher.report().fallbacks.size(), 1u);
+  EXPECT_NE(mesher.report().fallbacks[0].find("Mesh_3"), std::string::npos);
+  EXPECT_NE(mesher.report().fallbacks[0].find("tetrahedra"), std::string::npos) << mesher.report().fallbacks[0];
+  EXPECT_EQ(mesher.kept_surface().surface.number_of_faces(), 0u);
+  const auto by_mesh_3 = parameters::points_per_circumference(8).number_of_threads(1).surface_mesher(
+      tubular::Surface_mesher::mesh_3);
+  expect_same(mesh, tubular::make_isotropic_mesh(mesher.model(), by_mesh_3));
+}
+
+TEST(Mesher, NamesPlacesOfTheModelThatWasGiven) {
+  if (!keeps_boundary())
+    GTEST_SKIP() << "built with neither TetGen nor CGAL 6.1";
+  const tubular::Vector_3 shift(1000, -2000, 3000);
+  const auto model = bifurcation(shift);
+  Mesher mesher(model, parameters::points_per_circumference(10).boundary_layer_prisms(3).first_height(1e-17));
+  try {
+    mesher.isotropic();
+    FAIL() << "layers of no height were made";
+  } catch (const tubular::Error& e) {
+    ASSERT_FALSE(e.places().empty()) << e.what();
+    for (const tubular::Place& p : e.places()) {
+      const CGAL::Bbox_3 box = CGAL::bbox_3(model.surface.points().begin(), model.surface.points().end());
+      for (int k = 0; k < 3; ++k) {
+        EXPECT_GE(p[k], box.min(k) - 0.01) << e.what();
+        EXPECT_LE(p[k], box.max(k) + 0.01) << e.what();
+      }
+    }
+    EXPECT_EQ(e.stage(), "boundary layer");
+  }
+}
+
+TEST(Mesher, RefusesLayersOfPrismsInAnisotropicMeshes) {
+  Mesher mesher(bifurcation(), parameters::boundary_layer_prisms(3));
+  EXPECT_THROW(mesher.anisotropic(), tubular::Parameter_error);
+}
+
+} // namespace
