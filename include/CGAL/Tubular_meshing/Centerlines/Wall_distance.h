@@ -5,22 +5,38 @@
 #define CGAL_TUBULAR_MESHING_CENTERLINES_WALL_DISTANCE_H
 
 #include <CGAL/Tubular_meshing/base/Kernel.h>
-#include <CGAL/Tubular_meshing/base/Nearest_tree.h>
-#include <CGAL/Tubular_meshing/base/exceptions.h>
-#include <CGAL/Tubular_meshing/base/parameters.h>
+#include <CGAL/Tubular_meshing/base/config.h>
+#include <CGAL/Tubular_meshing/base/convert_surface.h>
 
-#include <CGAL/boost/graph/helpers.h>
-#include <CGAL/boost/graph/iterator.h>
-#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/Bbox_3.h>
+#include <CGAL/Named_function_parameters.h>
 
-#include <boost/property_map/property_map.hpp>
-
-#include <cmath>
-#include <utility>
+#include <array>
+#include <memory>
 #include <vector>
 
 namespace CGAL {
 namespace Tubular_meshing {
+
+namespace internal {
+
+/* The corners of those faces of a triangle mesh for which `counts` holds. */
+template <class TriangleMesh, class Counts, class NamedParameters>
+std::vector<std::array<Point_3, 3>> corners_of_faces(const TriangleMesh& mesh, const Counts& counts,
+                                                     const NamedParameters& np) {
+  const auto points = core_points(mesh, np);
+  std::vector<std::array<Point_3, 3>> triangles;
+  triangles.reserve(num_faces(mesh));
+  for (auto f : faces(mesh))
+    if (counts(f)) {
+      const auto h = halfedge(f, mesh);
+      triangles.push_back(
+          {get(points, source(h, mesh)), get(points, target(h, mesh)), get(points, target(next(h, mesh), mesh))});
+    }
+  return triangles;
+}
+
+} // namespace internal
 
 /*! \ingroup PkgTubularMeshingRef
  *
@@ -29,22 +45,19 @@ namespace Tubular_meshing {
  *
  * Built once in O(n log n) in the faces; a query is O(log n), allocates nothing, and is safe from several threads.
  * Copies share the tree. The mesh need not outlive the object.
- *
- * \tparam Point_3 a model of `Point_3`
  */
 class Wall_distance {
 public:
   typedef Tubular_meshing::Point_3 Point_3;
 
   /*! The distance to all faces of a triangle mesh.
-   * \param mesh a triangle mesh
+   * \param mesh a triangle mesh: a model of `FaceListGraph`, of any kernel
    * \param np CGAL's `vertex_point_map`
    * \throws Input_error if there are no faces */
   template <class TriangleMesh, class NamedParameters = CGAL::parameters::Default_named_parameters>
-  explicit Wall_distance(const TriangleMesh& mesh, const NamedParameters& np = CGAL::parameters::default_values()) {
-    build(
-        mesh, [](const auto&) { return true; }, np);
-  }
+  explicit Wall_distance(const TriangleMesh& mesh, const NamedParameters& np = CGAL::parameters::default_values())
+      : Wall_distance(internal::corners_of_faces(
+            mesh, [](const auto&) { return true; }, np)) {}
 
   /*! The distance to the faces whose value in `patches` is `patch` (`labels::wall`, as a rule).
    * \param mesh a triangle mesh
@@ -54,55 +67,33 @@ public:
    * \throws Input_error if there is no such face */
   template <class TriangleMesh, class PatchMap, class NamedParameters = CGAL::parameters::Default_named_parameters>
   Wall_distance(const TriangleMesh& mesh, const PatchMap& patches, int patch,
-                const NamedParameters& np = CGAL::parameters::default_values()) {
-    build(
-        mesh, [&](const auto& face) { return int(get(patches, face)) == patch; }, np);
-  }
+                const NamedParameters& np = CGAL::parameters::default_values())
+      : Wall_distance(internal::corners_of_faces(
+            mesh, [&](const auto& face) { return int(get(patches, face)) == patch; }, np)) {}
+
+  /*! The distance to triangles, by their corners; flat ones do not count.
+   * \throws Input_error if there are no others */
+  explicit Wall_distance(const std::vector<std::array<Point_3, 3>>& triangles);
 
   /// The distance from `x` to the wall.
-  double operator()(const Point_3& x) const {
-    return std::sqrt(tree_.nearest(internal::to_double_point(x)).squared_distance);
-  }
+  double operator()(const Point_3& x) const;
 
   /// The point of the wall that is nearest to `x`.
-  Point_3 closest_point(const Point_3& x) const {
-    const internal::Double_kernel::Point_3 p = tree_.nearest(internal::to_double_point(x)).point;
-    return Point_3(p.x(), p.y(), p.z());
-  }
+  Point_3 closest_point(const Point_3& x) const;
 
   /// The box of the wall.
-  CGAL::Bbox_3 bbox() const { return tree_.bbox(); }
+  CGAL::Bbox_3 bbox() const;
 
 private:
-  typedef internal::Double_kernel::Triangle_3 Triangle;
-
-  template <class TriangleMesh, class IsWall, class NamedParameters>
-  void build(const TriangleMesh& mesh, const IsWall& is_wall, const NamedParameters& np) {
-    using CGAL::parameters::choose_parameter;
-    using CGAL::parameters::get_parameter;
-    auto vpm = choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
-                                get_const_property_map(CGAL::vertex_point, mesh));
-    std::vector<Triangle> triangles;
-    triangles.reserve(num_faces(mesh));
-    for (auto f : faces(mesh)) {
-      if (!is_wall(f))
-        continue;
-      const auto h = halfedge(f, mesh);
-      const Triangle t(internal::to_double_point(get(vpm, source(h, mesh))),
-                       internal::to_double_point(get(vpm, target(h, mesh))),
-                       internal::to_double_point(get(vpm, target(next(h, mesh), mesh))));
-      if (CGAL::cross_product(t[1] - t[0], t[2] - t[0]).squared_length() > 0) // its neighbours cover a flat one
-        triangles.push_back(t);
-    }
-    if (triangles.empty())
-      throw Input_error("The surface has no wall: none of its faces can be used to measure the radius of the vessel.");
-    tree_ = internal::Nearest_tree<Triangle>(std::move(triangles));
-  }
-
-  internal::Nearest_tree<Triangle> tree_;
+  struct Impl;
+  std::shared_ptr<const Impl> impl_;
 };
 
 } // namespace Tubular_meshing
 } // namespace CGAL
+
+#ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
+#include <CGAL/Tubular_meshing/Centerlines/Wall_distance_impl.h>
+#endif
 
 #endif // CGAL_TUBULAR_MESHING_CENTERLINES_WALL_DISTANCE_H

@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_CENTERLINES_GRAPH_SEGMENTS_H
 #define CGAL_TUBULAR_MESHING_CENTERLINES_GRAPH_SEGMENTS_H
 
+#include <CGAL/Tubular_meshing/Centerlines/Centerline_graph.h>
 #include <CGAL/Tubular_meshing/base/Nearest_tree.h>
 
 #include <cstddef>
@@ -13,8 +14,8 @@ namespace CGAL {
 namespace Tubular_meshing {
 namespace internal {
 
-// The segments of a graph in the order of its branches, and where each is.
-template <class Graph> struct Graph_segments {
+/* The segments of a graph in the order of its branches, and where each is. */
+struct Graph_segments {
   struct Place {
     std::size_t branch, segment;
   };
@@ -22,7 +23,7 @@ template <class Graph> struct Graph_segments {
   std::vector<Double_kernel::Segment_3> segments;
   std::vector<Place> places;
 
-  explicit Graph_segments(const Graph& graph) {
+  explicit Graph_segments(const Centerline_graph& graph) {
     for (std::size_t b = 0; b < graph.branches().size(); ++b) {
       const std::vector<std::size_t>& points = graph.branches()[b].points;
       for (std::size_t i = 0; i + 1 < points.size(); ++i) {

@@ -5,18 +5,19 @@
 #define CGAL_TUBULAR_MESHING_FIELDS_CURVATURE_H
 
 #include <CGAL/Tubular_meshing/base/Kernel.h>
-#include <CGAL/Tubular_meshing/Fields/internal/Curvature_estimator.h>
-#include <CGAL/Tubular_meshing/Fields/internal/Indexed_wall.h>
-#include <CGAL/Tubular_meshing/base/exceptions.h>
+#include <CGAL/Tubular_meshing/base/config.h>
+#include <CGAL/Tubular_meshing/base/convert_surface.h>
 #include <CGAL/Tubular_meshing/base/labels.h>
 #include <CGAL/Tubular_meshing/base/parameters.h>
 
-#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/Named_function_parameters.h>
 #include <CGAL/property_map.h>
 
-#include <cmath>
+#include <array>
+#include <cstddef>
+#include <cstdint>
 #include <functional>
-#include <string>
+#include <unordered_map>
 #include <vector>
 
 namespace CGAL {
@@ -43,15 +44,63 @@ template <class Vector_3> struct Vertex_curvature {
   }
 };
 
+/*! \ingroup PkgTubularMeshingRef
+ *
+ * The options of compute_curvatures(): its named parameters.
+ */
+struct Compute_curvatures_options {
+  std::function<double(const Point_3&)> local_radius;
+  double smoothing_radius = 0.4;
+  int number_of_threads = 0;
+
+  Compute_curvatures_options() = default;
+  template <class NamedParameters> explicit Compute_curvatures_options(const NamedParameters& np) {
+    local_radius = internal::choose(np, internal_np::local_radius, local_radius);
+    smoothing_radius = internal::choose(np, internal_np::smoothing_radius, smoothing_radius);
+    number_of_threads = internal::choose(np, internal_np::number_of_threads, number_of_threads);
+  }
+};
+
 namespace internal {
 
-template <class Vector_3> Vertex_curvature<Vector_3> principal(const Shape_tensor& k, const Tangent_frame& f) {
-  const double mean = (k.uu + k.vv) / 2, d = (k.uu - k.vv) / 2, radius = std::hypot(d, k.uv);
-  const double angle = radius > 0 ? std::atan2(k.uv, d) / 2 : 0; // of the direction of larger curvature
-  const double c = std::cos(angle), s = std::sin(angle);
-  const auto vector = [](const Vector_3d& v) { return Vector_3(v.x, v.y, v.z); };
-  return {vector(f.n), mean - radius, mean + radius, vector(c * f.v + (-s) * f.u), vector(c * f.u + s * f.v)};
+/* Some of a mesh's faces, the wall of a lumen as a rule, as plain arrays. */
+struct Indexed_triangles {
+  std::vector<Point_3> points;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+};
+
+/* The faces for which `counts` holds; `vertices` becomes the mesh's vertices in the order of the points, which is that
+ * in which the faces mention them. O(n). */
+template <class TriangleMesh, class Counts, class NamedParameters>
+Indexed_triangles
+indexed_triangles(const TriangleMesh& mesh, const Counts& counts, const NamedParameters& np,
+                  std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor>& vertices) {
+  const auto points = core_points(mesh, np);
+  std::unordered_map<typename boost::graph_traits<TriangleMesh>::vertex_descriptor, std::uint32_t> index;
+  index.reserve(num_vertices(mesh));
+  Indexed_triangles result;
+  for (auto f : faces(mesh)) {
+    if (!counts(f))
+      continue;
+    result.triangles.emplace_back();
+    auto h = halfedge(f, mesh);
+    for (std::uint32_t& i : result.triangles.back()) {
+      const auto v = target(h, mesh);
+      const auto inserted = index.emplace(v, std::uint32_t(vertices.size()));
+      if (inserted.second) {
+        result.points.push_back(get(points, v));
+        vertices.push_back(v);
+      }
+      i = inserted.first->second;
+      h = next(h, mesh);
+    }
+  }
+  return result;
 }
+
+/* One a point. */
+std::vector<Vertex_curvature<Vector_3>> compute_curvatures(const Indexed_triangles& wall,
+                                                           const Compute_curvatures_options& options);
 
 } // namespace internal
 
@@ -66,22 +115,35 @@ template <class Vector_3> Vertex_curvature<Vector_3> principal(const Shape_tenso
  * two percent of the larger one. At the rim of the faces that count, where normals are one-sided, the curvature is that
  * of the vertices next to it. O(n) for n faces; averaging, the longest part, runs on several threads.
  *
+ * \tparam TriangleMesh a model of `FaceListGraph`, of any kernel
  * \param mesh a triangle mesh whose faces are turned outward
  * \param curvatures a writable property map from the mesh's vertices to `Vertex_curvature`; only vertices of faces that
  *   count are written
  * \param np an optional sequence of named parameters among the ones listed below, and CGAL's `vertex_point_map`
  *
  * \cgalNamedParamsBegin
- *   \cgalParamNBegin{face_patch_map} \cgalParamDescription{a readable property map from faces to `int`: only those of
- *     labels::wall count, so that nothing is averaged across the rim of a cap} \cgalParamDefault{all faces count}
- *     \cgalParamNEnd
- *   \cgalParamNBegin{local_radius} \cgalParamDescription{a function object from points to the radius of the vessel
- *     there, safe to call from several threads: a `std::function<double(Point)>`} \cgalParamDefault{none: nothing is
- *     averaged} \cgalParamNEnd
- *   \cgalParamNBegin{smoothing_radius} \cgalParamDescription{how far away a vertex may be to be averaged with, relative
- *     to the local radius; 0 or more} \cgalParamDefault{0.4} \cgalParamNEnd
- *   \cgalParamNBegin{number_of_threads} \cgalParamDescription{0 takes all cores; the result is the same on any number}
- *     \cgalParamDefault{0} \cgalParamNEnd
+ *   \cgalParamNBegin{face_patch_map}
+ *     \cgalParamDescription{only faces of labels::wall count, so that nothing is averaged across the rim of a cap}
+ *     \cgalParamType{a readable property map from faces to `int`}
+ *     \cgalParamDefault{all faces count}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{local_radius}
+ *     \cgalParamDescription{a function object from points to the radius of the vessel there, safe to call from
+ *       several threads}
+ *     \cgalParamType{`std::function<double(Point_3)>`}
+ *     \cgalParamDefault{none: nothing is averaged}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{smoothing_radius}
+ *     \cgalParamDescription{how far away a vertex may be to be averaged with, relative to the local radius; 0 or
+ *       more}
+ *     \cgalParamType{`double`}
+ *     \cgalParamDefault{0.4}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{number_of_threads}
+ *     \cgalParamDescription{0 takes all cores; the result is the same on any number}
+ *     \cgalParamType{`int`}
+ *     \cgalParamDefault{0}
+ *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
  * \throws Parameter_error if `smoothing_radius` is out of its range
@@ -91,39 +153,29 @@ void compute_curvatures(const TriangleMesh& mesh, CurvatureMap curvatures,
                         const NamedParameters& np = CGAL::parameters::default_values()) {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
-  typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor Vertex;
   typedef typename boost::graph_traits<TriangleMesh>::face_descriptor Face;
   typedef typename boost::property_traits<CurvatureMap>::value_type Curvature;
-  auto vpm = choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
-                              get_const_property_map(CGAL::vertex_point, mesh));
-  typedef typename boost::property_traits<decltype(vpm)>::value_type Point_3;
+  typedef decltype(Curvature::normal) Vector;
   const auto patch =
       choose_parameter(get_parameter(np, internal_np::face_patch_map), Constant_property_map<Face, int>(labels::wall));
-  const auto radius = internal::choose(np, internal_np::local_radius, std::function<double(const Point_3&)>());
-  const double smoothing = internal::choose(np, internal_np::smoothing_radius, 0.4);
-  const int threads = internal::choose(np, internal_np::number_of_threads, 0);
-  if (!(smoothing >= 0 && smoothing <= 1e6))
-    throw Parameter_error("The smoothing radius of curvatures is " + std::to_string(smoothing) +
-                          ": give a part of the vessel's radius, at least 0; 0.4 is usual.");
-
-  std::vector<Vertex> vertices;
-  const internal::Indexed_wall wall(
-      mesh, vpm, [&](Face f) { return int(get(patch, f)) == labels::wall; }, vertices);
-  std::vector<double> reach;
-  if (radius && smoothing > 0) {
-    reach.resize(vertices.size());
-    internal::for_each_range(vertices.size(), threads, [&](std::size_t first, std::size_t last) {
-      for (std::size_t v = first; v < last; ++v)
-        reach[v] = smoothing * radius(get(vpm, vertices[v]));
-    });
+  std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> vertices;
+  const internal::Indexed_triangles wall = internal::indexed_triangles(
+      mesh, [&](Face f) { return int(get(patch, f)) == labels::wall; }, np, vertices);
+  const auto computed = internal::compute_curvatures(wall, Compute_curvatures_options(np));
+  const auto vector = [](const Vector_3& v) { return Vector(v.x(), v.y(), v.z()); };
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const Vertex_curvature<Vector_3>& k = computed[i];
+    put(curvatures, vertices[i],
+        Curvature{vector(k.normal), k.min_curvature, k.max_curvature, vector(k.min_direction),
+                  vector(k.max_direction)});
   }
-  const internal::Curvature_estimator estimator(wall, reach, threads);
-  for (std::size_t v = 0; v < vertices.size(); ++v)
-    put(curvatures, vertices[v],
-        internal::principal<decltype(Curvature::normal)>(estimator.tensors()[v], estimator.frames()[v]));
 }
 
 } // namespace Tubular_meshing
 } // namespace CGAL
+
+#ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
+#include <CGAL/Tubular_meshing/Fields/curvature_impl.h>
+#endif
 
 #endif // CGAL_TUBULAR_MESHING_FIELDS_CURVATURE_H

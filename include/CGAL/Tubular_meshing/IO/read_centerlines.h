@@ -4,10 +4,8 @@
 #ifndef CGAL_TUBULAR_MESHING_IO_READ_CENTERLINES_H
 #define CGAL_TUBULAR_MESHING_IO_READ_CENTERLINES_H
 
-#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Centerlines/Centerline_graph.h>
-#include <CGAL/Tubular_meshing/IO/internal/read_lines.h>
-#include <CGAL/Tubular_meshing/base/exceptions.h>
+#include <CGAL/Tubular_meshing/base/config.h>
 
 #include <string>
 
@@ -32,15 +30,14 @@ namespace IO {
  * \exception Input_error if the file cannot be read, is of no known format, damaged or truncated, has a coordinate or a
  * radius that is not finite or an index that is out of range, or contains no line
  */
-inline void read_centerlines(const std::string& file, Centerline_polylines& centerlines) {
-  internal::Line_soup soup = internal::read_lines(file);
-  centerlines.points = internal::to_points(soup.points);
-  centerlines.radius.swap(soup.radius);
-  centerlines.lines.swap(soup.lines);
-}
+void read_centerlines(const std::string& file, Centerline_polylines& centerlines);
 
 } // namespace IO
 } // namespace Tubular_meshing
 } // namespace CGAL
+
+#ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
+#include <CGAL/Tubular_meshing/IO/read_centerlines_impl.h>
+#endif
 
 #endif // CGAL_TUBULAR_MESHING_IO_READ_CENTERLINES_H

@@ -4,41 +4,14 @@
 #ifndef CGAL_TUBULAR_MESHING_IO_READ_MESH_H
 #define CGAL_TUBULAR_MESHING_IO_READ_MESH_H
 
-#include <CGAL/Tubular_meshing/base/Kernel.h>
-#include <CGAL/Tubular_meshing/IO/internal/read_medit.h>
-#include <CGAL/Tubular_meshing/IO/internal/read_msh.h>
-#include <CGAL/Tubular_meshing/IO/internal/read_vtu.h>
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
-#include <CGAL/Tubular_meshing/base/exceptions.h>
+#include <CGAL/Tubular_meshing/base/config.h>
 
 #include <string>
-#include <utility>
 
 namespace CGAL {
 namespace Tubular_meshing {
 namespace IO {
-
-namespace internal {
-
-inline Mixed_mesh read_mesh(const std::string& name) {
-  const Input_file file(name);
-  const std::string ext = extension_of(name);
-  Mixed_mesh mesh;
-  if (ext == "vtu")
-    read_vtu(file, mesh);
-  else if (ext == "msh")
-    read_msh(file, mesh);
-  else if (ext == "mesh")
-    read_medit(file, mesh);
-  else
-    file.fail("is in no known format; meshes are read from .vtu, .msh and .mesh files");
-  if (mesh.number_of_cells() + mesh.number_of_facets() == 0)
-    file.fail("contains no cells; check that it is a mesh, and the right file");
-  check_finite(mesh.points, file);
-  return mesh;
-}
-
-} // namespace internal
 
 /*! \ingroup PkgTubularMeshingRef
  *
@@ -55,12 +28,14 @@ inline Mixed_mesh read_mesh(const std::string& name) {
  * \exception Input_error if the file cannot be read, is of no known format, damaged or truncated, has a coordinate that
  * is not finite, an index that is out of range or an element that is not linear, or contains no element
  */
-inline void read_mesh(const std::string& file, Mixed_mesh& mesh) {
-  mesh = internal::read_mesh(file);
-}
+void read_mesh(const std::string& file, Mixed_mesh& mesh);
 
 } // namespace IO
 } // namespace Tubular_meshing
 } // namespace CGAL
+
+#ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
+#include <CGAL/Tubular_meshing/IO/read_mesh_impl.h>
+#endif
 
 #endif // CGAL_TUBULAR_MESHING_IO_READ_MESH_H

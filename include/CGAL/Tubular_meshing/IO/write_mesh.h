@@ -4,17 +4,12 @@
 #ifndef CGAL_TUBULAR_MESHING_IO_WRITE_MESH_H
 #define CGAL_TUBULAR_MESHING_IO_WRITE_MESH_H
 
-#include <CGAL/Tubular_meshing/IO/internal/Output_file.h>
-#include <CGAL/Tubular_meshing/IO/internal/Text_cursor.h>
-#include <CGAL/Tubular_meshing/IO/internal/write_inp.h>
-#include <CGAL/Tubular_meshing/IO/internal/write_medit.h>
-#include <CGAL/Tubular_meshing/IO/internal/write_msh.h>
-#include <CGAL/Tubular_meshing/IO/internal/write_vtu.h>
+#include <CGAL/Tubular_meshing/IO/Output_file.h>
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
-#include <CGAL/Tubular_meshing/base/exceptions.h>
+#include <CGAL/Tubular_meshing/base/config.h>
 #include <CGAL/Tubular_meshing/base/parameters.h>
 
-#include <CGAL/number_utils.h>
+#include <CGAL/Named_function_parameters.h>
 
 #include <string>
 
@@ -24,33 +19,14 @@ namespace IO {
 
 namespace internal {
 
-inline void check_names(const Label_names& names, const std::string& file) {
-  for (const auto& n : names)
-    for (char c : n.second)
-      if (c == '"' || (c >= 0 && c < ' '))
-        throw Output_error("The file " + quoted(file) + " cannot be written: the name of label " +
-                           std::to_string(n.first) + " contains a quotation mark or a control character; rename it.");
-}
-
-// What every writer relies on.
-template <class Mesh> void check_mesh(const Mesh& mesh, const std::string& file) {
-  check_names(mesh.region_names, file);
-  check_names(mesh.patch_names, file);
-  for (const Point_array& a : mesh.point_arrays)
-    if (a.components < 1 || a.values.size() != static_cast<std::size_t>(a.components) * mesh.points.size())
-      throw Output_error("The file " + quoted(file) + " cannot be written: the point array '" + a.name +
-                         "' does not have a value for each point.");
-}
+void write_mesh(Output_file& file, const Mixed_mesh& mesh, double msh_format);
 
 } // namespace internal
 
 /*! \ingroup PkgTubularMeshingRef
  * Whether write_mesh() knows the extension of the file: .vtu, .msh, .mesh or .inp. read_mesh() knows all but the last.
  */
-inline bool is_supported_mesh_format(const std::string& file) {
-  const std::string ext = internal::extension_of(file);
-  return ext == "vtu" || ext == "msh" || ext == "mesh" || ext == "inp";
-}
+bool is_supported_mesh_format(const std::string& file);
 
 /*! \ingroup PkgTubularMeshingRef
  *
@@ -60,25 +36,7 @@ inline bool is_supported_mesh_format(const std::string& file) {
 template <class NamedParameters = CGAL::parameters::Default_named_parameters>
 void write_mesh(Output_file& file, const Mixed_mesh& mesh,
                 const NamedParameters& np = CGAL::parameters::default_values()) {
-  internal::check_mesh(mesh, file.name());
-  const std::string ext = internal::extension_of(file.name());
-  const double format = Tubular_meshing::internal::choose(np, internal_np::format, 4.1);
-  if (format != 4.1 && format != 2.2)
-    throw Parameter_error("The format of .msh files can be 4.1 or 2.2, not " + std::to_string(format) + ".");
-  if (ext == "vtu")
-    internal::write_vtu(file, mesh);
-  else if (ext == "mesh")
-    internal::write_medit(file, mesh);
-  else if (ext == "inp")
-    internal::Inp_writer<Mixed_mesh>(file, mesh).write();
-  else if (ext == "msh" && format == 4.1)
-    internal::Msh_writer<Mixed_mesh>(file, mesh).write_4_1();
-  else if (ext == "msh")
-    internal::Msh_writer<Mixed_mesh>(file, mesh).write_2_2();
-  else
-    throw Output_error(
-        "The file " + internal::quoted(file.name()) +
-        " cannot be written: meshes are written as .vtu, .msh, .mesh or .inp; give it one of these extensions.");
+  internal::write_mesh(file, mesh, Tubular_meshing::internal::choose(np, internal_np::format, 4.1));
 }
 
 /*! \ingroup PkgTubularMeshingRef
@@ -105,7 +63,15 @@ void write_mesh(Output_file& file, const Mixed_mesh& mesh,
  *
  * \param file the name of the file
  * \param mesh the mesh
- * \param np named parameters: `format`, the version of the .msh format: 4.1 (default) or 2.2
+ * \param np an optional sequence of named parameters among the ones listed below
+ *
+ * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{format}
+ *     \cgalParamDescription{the version of the .msh format: 4.1 or 2.2}
+ *     \cgalParamType{`double`}
+ *     \cgalParamDefault{4.1}
+ *   \cgalParamNEnd
+ * \cgalNamedParamsEnd
  *
  * \exception Output_error if the file cannot be written, or its format cannot hold the mesh
  * \exception Parameter_error if `format` is neither 4.1 nor 2.2
@@ -121,5 +87,9 @@ void write_mesh(const std::string& file, const Mixed_mesh& mesh,
 } // namespace IO
 } // namespace Tubular_meshing
 } // namespace CGAL
+
+#ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
+#include <CGAL/Tubular_meshing/IO/write_mesh_impl.h>
+#endif
 
 #endif // CGAL_TUBULAR_MESHING_IO_WRITE_MESH_H

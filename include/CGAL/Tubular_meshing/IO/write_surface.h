@@ -4,9 +4,9 @@
 #ifndef CGAL_TUBULAR_MESHING_IO_WRITE_SURFACE_H
 #define CGAL_TUBULAR_MESHING_IO_WRITE_SURFACE_H
 
-#include <CGAL/Tubular_meshing/IO/internal/write_faces.h>
-#include <CGAL/Tubular_meshing/IO/write_mesh.h>
-#include <CGAL/Tubular_meshing/base/labels.h>
+#include <CGAL/Tubular_meshing/IO/Output_file.h>
+#include <CGAL/Tubular_meshing/base/config.h>
+#include <CGAL/Tubular_meshing/base/exceptions.h>
 #include <CGAL/Tubular_meshing/base/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -14,12 +14,10 @@
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/number_utils.h>
 
-#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
-#include <set>
 #include <string>
-#include <type_traits>
 #include <unordered_map>
 #include <vector>
 
@@ -28,6 +26,26 @@ namespace Tubular_meshing {
 namespace IO {
 
 namespace internal {
+
+// A triangle or a quad.
+struct Index_face {
+  std::array<std::size_t, 4> corners{{0, 0, 0, 0}};
+  std::size_t number_of_corners = 0;
+
+  const std::size_t* begin() const { return corners.data(); }
+  const std::size_t* end() const { return corners.data() + number_of_corners; }
+};
+
+// A surface on its way into a file.
+struct Labelled_faces {
+  std::vector<std::array<double, 3>> points;
+  std::vector<Index_face> faces;
+  std::vector<std::int32_t> patch;         // one a face, or none
+  std::vector<std::int32_t> surface_patch; // likewise
+  std::vector<double> metric;              // six a point: xx, xy, xz, yy, yz, zz; or none
+};
+
+void write_surface(Output_file& file, const Labelled_faces& surface);
 
 // Appends the label of a face, if there is a map of labels.
 template <class Face> void append_label(const CGAL::internal_np::Param_not_found&, Face, std::vector<std::int32_t>&) {}
@@ -74,70 +92,18 @@ Labelled_faces labelled_faces(const TriangleMesh& mesh, const NamedParameters& n
   return surface;
 }
 
-// Names of the patches that occur, as labels.h has them.
-inline Label_names names_of_patches(const std::vector<std::int32_t>& patch) {
-  const std::set<int> used(patch.begin(), patch.end());
-  const int most = used.empty() ? 0 : (std::min)(*used.rbegin(), labels::outer_wall - 1);
-  Label_names names = lumen_patch_names((std::max)(0, most - labels::inlet + 1));
-  for (auto n = names.begin(); n != names.end();)
-    n = used.count(n->first) ? std::next(n) : names.erase(n);
-  return names;
-}
-
-inline void write_msh_surface(Output_file& file, const Labelled_faces& surface) {
-  Mixed_mesh mesh;
-  mesh.points = to_points(surface.points);
-  for (std::size_t i = 0; i < surface.faces.size(); ++i) {
-    const Index_face& f = surface.faces[i];
-    const std::int32_t label = surface.patch.empty() ? 0 : surface.patch[i];
-    std::array<std::uint32_t, 4> c;
-    std::copy(f.corners.begin(), f.corners.end(), c.begin());
-    if (f.number_of_corners == 4)
-      mesh.quads.push_back(c, label);
-    else
-      mesh.triangles.push_back({c[0], c[1], c[2]}, label);
-  }
-  if (!surface.metric.empty())
-    mesh.point_arrays.push_back({"metric", 6, surface.metric});
-  mesh.patch_names = names_of_patches(surface.patch);
-  Msh_writer<Mixed_mesh>(file, mesh).write_4_1();
-}
-
 } // namespace internal
 
 /*! \ingroup PkgTubularMeshingRef
  * Whether write_surface() knows the extension of the file: .stl, .off, .obj, .ply, .vtp, .vtk or .msh. */
-inline bool is_supported_surface_format(const std::string& file) {
-  const std::string ext = internal::extension_of(file);
-  return ext == "stl" || ext == "off" || ext == "obj" || ext == "ply" || ext == "vtp" || ext == "vtk" || ext == "msh";
-}
+bool is_supported_surface_format(const std::string& file);
 
 /*! \ingroup PkgTubularMeshingRef
  * writes a surface into a file that the caller commits: use it to write several files all or none. */
 template <class TriangleMesh, class NamedParameters = CGAL::parameters::Default_named_parameters>
 void write_surface(Output_file& file, const TriangleMesh& mesh,
                    const NamedParameters& np = CGAL::parameters::default_values()) {
-  const internal::Labelled_faces surface = internal::labelled_faces(mesh, np);
-  const std::string ext = internal::extension_of(file.name());
-  if (ext == "stl")
-    internal::write_stl(file, surface);
-  else if (ext == "off")
-    internal::write_off(file, surface);
-  else if (ext == "obj")
-    internal::write_obj(file, surface);
-  else if (ext == "ply")
-    internal::write_ply(file, surface);
-  else if (ext == "vtp")
-    internal::write_vtp(file, internal::polydata_of(surface));
-  else if (ext == "vtk")
-    internal::write_legacy_vtk(file, internal::polydata_of(surface));
-  else if (ext == "msh")
-    internal::write_msh_surface(file, surface);
-  else
-    throw Output_error(
-        "The file " + internal::quoted(file.name()) +
-        " cannot be written: surfaces are written as .stl, .off, .obj, .ply, .vtp, .vtk or .msh; give it "
-        "one of these extensions.");
+  internal::write_surface(file, internal::labelled_faces(mesh, np));
 }
 
 /*! \ingroup PkgTubularMeshingRef
@@ -147,15 +113,34 @@ void write_surface(Output_file& file, const TriangleMesh& mesh,
  * to the last bit, and quads, which STL has as two triangles, by their shorter diagonals. The file is written whole or
  * not at all. Linear in the size of the mesh.
  *
- * \tparam TriangleMesh a model of `FaceListGraph` whose faces are triangles and quads
+ * \tparam TriangleMesh a model of `FaceListGraph`, of any kernel, whose faces are triangles and quads
  * \param file the name of the file
  * \param mesh the surface
- * \param np named parameters: `vertex_point_map`; `face_patch_map`, a readable property map from face to the label of
- *        its patch, which is written as cell array `patch` (.vtp, .vtk), face property `patch` (.ply) or physical group
- *        (.msh). Default: none; `surface_patch_map`, the same for numbers of patches of a cut, which are written as
- *        `surface_patch` (.vtp, .vtk, .ply). Default: none; `vertex_metric_map`, a readable property map from vertex
- *        to Metric_tensor_3, which is written as point array `metric` (xx, xy, xz, yy, yz, zz; .vtp, .vtk, .msh).
- *        Default: none
+ * \param np an optional sequence of named parameters among the ones listed below
+ *
+ * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{vertex_point_map}
+ *     \cgalParamDescription{the points of the surface's vertices}
+ *     \cgalParamType{a readable property map from its vertices to points}
+ *     \cgalParamDefault{`get(CGAL::vertex_point, mesh)`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{face_patch_map}
+ *     \cgalParamDescription{the label of the patch of each face, which is written as cell array `patch` (.vtp, .vtk),
+ * face property `patch` (.ply) or physical group (.msh)} \cgalParamType{a readable property map from faces to `int`}
+ *     \cgalParamDefault{none}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{surface_patch_map}
+ *     \cgalParamDescription{the same for the numbers of patches of a cut, which are written as `surface_patch` (.vtp,
+ *       .vtk, .ply)}
+ *     \cgalParamType{a readable property map from faces to `int`}
+ *     \cgalParamDefault{none}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{vertex_metric_map}
+ *     \cgalParamDescription{the metric at each vertex, which is written as point array `metric` (xx, xy, xz, yy, yz,
+ * zz; .vtp, .vtk, .msh)} \cgalParamType{a readable property map from vertices to Metric_tensor_3}
+ *     \cgalParamDefault{none}
+ *   \cgalParamNEnd
+ * \cgalNamedParamsEnd
  *
  * \exception Output_error if the file cannot be written, or a face has more than four edges
  */
@@ -170,5 +155,9 @@ void write_surface(const std::string& file, const TriangleMesh& mesh,
 } // namespace IO
 } // namespace Tubular_meshing
 } // namespace CGAL
+
+#ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
+#include <CGAL/Tubular_meshing/IO/write_surface_impl.h>
+#endif
 
 #endif // CGAL_TUBULAR_MESHING_IO_WRITE_SURFACE_H

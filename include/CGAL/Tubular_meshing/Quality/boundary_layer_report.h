@@ -4,24 +4,10 @@
 #ifndef CGAL_TUBULAR_MESHING_QUALITY_BOUNDARY_LAYER_REPORT_H
 #define CGAL_TUBULAR_MESHING_QUALITY_BOUNDARY_LAYER_REPORT_H
 
-#include <CGAL/Tubular_meshing/Centerlines/Centerline_field.h>
 #include <CGAL/Tubular_meshing/Centerlines/Centerline_graph.h>
-#include <CGAL/Tubular_meshing/Fields/Metric_tensor_3.h>
-#include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/Quality/quality_report.h>
-#include <CGAL/Tubular_meshing/base/exceptions.h>
-#include <CGAL/Tubular_meshing/base/Vector_3d.h>
-#include <CGAL/Tubular_meshing/base/labels.h>
-
-#include <CGAL/number_utils.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <utility>
-#include <vector>
+#include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
+#include <CGAL/Tubular_meshing/base/config.h>
 
 namespace CGAL {
 namespace Tubular_meshing {
@@ -49,124 +35,6 @@ struct Boundary_layer_report {
   }
 };
 
-namespace internal {
-
-class Boundary_layer_reporter {
-public:
-  Boundary_layer_reporter(const Mixed_mesh& mesh, const Centerline_graph& graph)
-      : mesh_(mesh)
-      , graph_(graph)
-      , field_(graph) {
-    for (const Point_array& a : mesh.point_arrays)
-      if (a.name == "metric" && a.components == 6 && a.values.size() == 6 * mesh.points.size())
-        metric_ = a.values.data();
-    if (metric_ == nullptr)
-      throw Input_error("The mesh has no point array `metric` of six components, which tells the sizes asked for; "
-                        "anisotropic_tetrahedral_remeshing() makes one.");
-  }
-
-  Boundary_layer_report report() const {
-    Boundary_layer_report r;
-    r.first_height = first_heights();
-    r.alignment = alignment();
-    return r;
-  }
-
-private:
-  typedef std::uint32_t Index;
-  typedef std::array<Index, 3> Facet;
-
-  Vector_3d point(Index v) const { return Vector_3d(mesh_.points[v]); }
-  Metric_tensor_3 metric(Index v) const {
-    const double* m = metric_ + 6 * std::size_t(v);
-    return {m[0], m[1], m[2], m[3], m[4], m[5]};
-  }
-
-  static Facet sorted(Facet f) {
-    std::sort(f.begin(), f.end());
-    return f;
-  }
-
-  Measure_statistics first_heights() const {
-    std::vector<Facet> wall;
-    for (std::size_t i = 0; i < mesh_.triangles.size(); ++i)
-      if (mesh_.triangles.label[i] == labels::wall)
-        wall.push_back(sorted(mesh_.triangles.vertices[i]));
-    std::sort(wall.begin(), wall.end());
-    std::vector<double> volume(mesh_.points.size(), 0), area(mesh_.points.size(), 0);
-    for (std::size_t k = 0; k < mesh_.tetrahedra.size(); ++k) {
-      if (mesh_.tetrahedra.label[k] != labels::lumen)
-        continue;
-      const auto& t = mesh_.tetrahedra.vertices[k];
-      const double six_volumes =
-          std::abs(dot(point(t[1]) - point(t[0]), cross(point(t[2]) - point(t[0]), point(t[3]) - point(t[0]))));
-      for (int i = 0; i < 4; ++i) {
-        const Facet f = {t[(i + 1) % 4], t[(i + 2) % 4], t[(i + 3) % 4]};
-        if (!std::binary_search(wall.begin(), wall.end(), sorted(f)))
-          continue;
-        const double two_areas = norm(cross(point(f[1]) - point(f[0]), point(f[2]) - point(f[0])));
-        for (Index v : f) {
-          volume[v] += six_volumes;
-          area[v] += two_areas;
-        }
-      }
-    }
-    std::vector<double> values;
-    for (Index v = 0; v < area.size(); ++v)
-      if (area[v] > 0)
-        values.push_back(volume[v] / area[v] / metric(v).sizes()[0]);
-    return Measure_statistics(std::move(values));
-  }
-
-  Measure_statistics alignment() const {
-    std::vector<std::pair<Index, Index>> edges;
-    for (std::size_t k = 0; k < mesh_.tetrahedra.size(); ++k) {
-      if (mesh_.tetrahedra.label[k] != labels::lumen)
-        continue;
-      const auto& t = mesh_.tetrahedra.vertices[k];
-      for (int i = 0; i < 4; ++i)
-        for (int j = 0; j < i; ++j)
-          edges.push_back(std::minmax(t[i], t[j]));
-    }
-    std::sort(edges.begin(), edges.end());
-    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-    std::vector<double> angles;
-    for (const auto& e : edges) {
-      const Vector_3d along = point(e.second) - point(e.first);
-      const Metric_tensor_3 m = 0.5 * (metric(e.first) + metric(e.second));
-      const auto place = field_.descriptors_and_frame(midpoint(mesh_.points[e.first], mesh_.points[e.second]));
-      const auto axes = m.eigen_system();
-      const Vector_3d e_n(axes.directions[0]), line = vector(place.second.e_t);
-      const Vector_3d e_t = normalized(line - dot(line, e_n) * e_n), e_bn = cross(e_n, e_t);
-      const double h_t = 1 / m.length(e_t), h_bn = 1 / m.length(e_bn), length = norm(along);
-      if (!(h_t >= 2 * h_bn && length >= h_t) || is_near_bifurcation(place.first))
-        continue;
-      angles.push_back(std::acos((std::min)(std::abs(dot(along, e_t)) / length, 1.)) * 180 / CGAL_PI);
-    }
-    return Measure_statistics(std::move(angles));
-  }
-
-  template <class Vector> static Vector_3d vector(const Vector& v) {
-    return {CGAL::to_double(v.x()), CGAL::to_double(v.y()), CGAL::to_double(v.z())};
-  }
-
-  bool is_near_bifurcation(const typename Centerline_field::Descriptors& d) const {
-    const auto& branch = graph_.branches()[d.branch];
-    const auto near = [&](std::size_t node, double distance) {
-      const auto& n = graph_.nodes()[node];
-      return !n.is_end() && distance < 2 * graph_.radii()[n.point];
-    };
-    return near(branch.source, d.abscissa) || near(branch.target, branch.length - d.abscissa);
-  }
-
-  const Mixed_mesh& mesh_;
-  const Centerline_graph& graph_;
-  const Centerline_field field_;
-  const double* metric_ = nullptr;
-};
-
-} // namespace internal
-
 /*! \ingroup PkgTubularMeshingRef
  *
  * measures the first layer at the wall, and how the long edges lie along the vessel.
@@ -179,11 +47,13 @@ private:
  *
  * \throws Input_error if the mesh has no `metric`, or there are no centerlines
  */
-inline Boundary_layer_report boundary_layer_report(const Mixed_mesh& mesh, const Centerline_graph& centerlines) {
-  return internal::Boundary_layer_reporter(mesh, centerlines).report();
-}
+Boundary_layer_report boundary_layer_report(const Mixed_mesh& mesh, const Centerline_graph& centerlines);
 
 } // namespace Tubular_meshing
 } // namespace CGAL
+
+#ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
+#include <CGAL/Tubular_meshing/Quality/boundary_layer_report_impl.h>
+#endif
 
 #endif // CGAL_TUBULAR_MESHING_QUALITY_BOUNDARY_LAYER_REPORT_H

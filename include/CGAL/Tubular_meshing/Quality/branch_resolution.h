@@ -4,17 +4,11 @@
 #ifndef CGAL_TUBULAR_MESHING_QUALITY_BRANCH_RESOLUTION_H
 #define CGAL_TUBULAR_MESHING_QUALITY_BRANCH_RESOLUTION_H
 
-#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Centerlines/Centerline_field.h>
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
-#include <CGAL/Tubular_meshing/base/Vector_3d.h>
-#include <CGAL/Tubular_meshing/base/labels.h>
+#include <CGAL/Tubular_meshing/base/config.h>
 
-#include <CGAL/number_utils.h>
-
-#include <algorithm>
-#include <cstdint>
-#include <utility>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
@@ -32,31 +26,14 @@ namespace Tubular_meshing {
  *
  * O(n log n).
  */
-inline std::vector<double> points_per_circumference(const Mixed_mesh& mesh, const Centerline_field& centerlines,
-                                                    std::size_t number_of_branches) {
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
-    if (mesh.triangles.label[i] == labels::wall)
-      for (int k = 0; k < 3; ++k)
-        edges.push_back(std::minmax(mesh.triangles.vertices[i][k], mesh.triangles.vertices[i][(k + 1) % 3]));
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-
-  std::vector<double> distance(number_of_branches, 0), length(number_of_branches, 0);
-  for (const auto& e : edges) {
-    const Point_3 &p = mesh.points[e.first], &q = mesh.points[e.second];
-    const auto d = centerlines.descriptors(midpoint(p, q));
-    distance[d.branch] += d.distance;
-    length[d.branch] += internal::norm(internal::Vector_3d(q) - internal::Vector_3d(p));
-  }
-  std::vector<double> points(number_of_branches, 0);
-  for (std::size_t b = 0; b < number_of_branches; ++b)
-    if (length[b] > 0)
-      points[b] = 2 * CGAL_PI * distance[b] / length[b];
-  return points;
-}
+std::vector<double> points_per_circumference(const Mixed_mesh& mesh, const Centerline_field& centerlines,
+                                             std::size_t number_of_branches);
 
 } // namespace Tubular_meshing
 } // namespace CGAL
+
+#ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
+#include <CGAL/Tubular_meshing/Quality/branch_resolution_impl.h>
+#endif
 
 #endif // CGAL_TUBULAR_MESHING_QUALITY_BRANCH_RESOLUTION_H

@@ -4,13 +4,33 @@
 #ifndef CGAL_TUBULAR_MESHING_QUALITY_SHAPE_MEASURES_H
 #define CGAL_TUBULAR_MESHING_QUALITY_SHAPE_MEASURES_H
 
+#include <CGAL/Tubular_meshing/Fields/Metric_tensor_3.h>
+#include <CGAL/Tubular_meshing/base/Vector_3d.h>
 #include <CGAL/Tubular_meshing/base/element_measures.h>
-#include <CGAL/Tubular_meshing/Quality/internal/metric_measures.h>
 
 #include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
 
 namespace CGAL {
 namespace Tubular_meshing {
+
+namespace internal {
+
+// eq. (16)
+inline double tetrahedron_Q(const std::array<Vector_3d, 4>& p, const std::array<Metric_tensor_3, 4>& metric) {
+  const Metric_tensor_3 mean = 0.25 * (metric[0] + metric[1] + metric[2] + metric[3]);
+  double sum = 0;
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      sum += mean.squared_length(p[i] - p[j]);
+  const double volume = std::abs(signed_volume(p[0], p[1], p[2], p[3])) * mean.density();
+  return volume > 0 ? sum * std::sqrt(sum) / (regular_tetrahedron_ratio * volume)
+                    : (std::numeric_limits<double>::infinity)();
+}
+
+} // namespace internal
 
 /*! \addtogroup PkgTubularMeshingRef
  * @{
@@ -66,15 +86,18 @@ template <class Point> double prism_jacobian(const std::array<Point, 6>& p) {
 template <class Point>
 double tetrahedron_Q(const std::array<Point, 4>& p, const std::array<std::array<double, 6>, 4>& metric) {
   typedef internal::Vector_3d V;
-  return internal::tetrahedron_Q({V(p[0]), V(p[1]), V(p[2]), V(p[3])}, metric);
+  typedef Metric_tensor_3 M;
+  return internal::tetrahedron_Q({V(p[0]), V(p[1]), V(p[2]), V(p[3])},
+                                 {M(metric[0]), M(metric[1]), M(metric[2]), M(metric[3])});
 }
 
-/*! The length (10) of a segment, the metric varying linearly between its ends, by four Gauss points. */
+/*! The length (10) of a segment, the metric varying linearly between its ends: Metric_tensor_3::edge_length_linear().
+ */
 template <class Point>
 double metric_length(const Point& p, const Point& q, const std::array<double, 6>& at_p,
                      const std::array<double, 6>& at_q) {
   typedef internal::Vector_3d V;
-  return internal::metric_length(V(q) - V(p), at_p, at_q);
+  return Metric_tensor_3::edge_length_linear(V(q) - V(p), Metric_tensor_3(at_p), Metric_tensor_3(at_q));
 }
 
 ///@}

@@ -48,10 +48,10 @@ public:
 
   /* Takes in those of the surface's samples that are not in the diagram yet, and makes vertices and poles of all. */
   void insert_samples(const Sampled_surface& surface) {
-    std::vector<std::pair<typename Delaunay::Point, Index>> samples;
+    std::vector<std::pair<Delaunay::Point, Index>> samples;
     for (std::size_t i = poles.size(); i < surface.points.size(); ++i) {
       const Point& p = surface.points[i];
-      samples.emplace_back(typename Delaunay::Point(p.x(), p.y(), p.z()), Index(i));
+      samples.emplace_back(Delaunay::Point(p.x(), p.y(), p.z()), Index(i));
     }
     delaunay_.insert(samples.begin(), samples.end());
     poles.assign(surface.points.size(), none);
@@ -84,7 +84,7 @@ public:
 
   /* The sample nearest to a point; before make_faces(). */
   Index nearest_sample(const Point& p) const {
-    return delaunay_.nearest_vertex(typename Delaunay::Point(p.x(), p.y(), p.z()))->info();
+    return delaunay_.nearest_vertex(Delaunay::Point(p.x(), p.y(), p.z()))->info();
   }
 
 private:
@@ -94,7 +94,7 @@ private:
       CGAL::Delaunay_triangulation_cell_base_3<Kernel, CGAL::Triangulation_cell_base_with_info_3<Index, Kernel>>>
       Data_structure;
   typedef CGAL::Delaunay_triangulation_3<Kernel, Data_structure> Delaunay;
-  typedef typename Delaunay::Cell_handle Cell;
+  typedef Delaunay::Cell_handle Cell;
 
   /* A vertex before it has its number. Numbers follow places, not the triangulation's memory, in which cells lie as a
    * random walk has found them: where the front has a choice, among equals, it is the same one each time. */
@@ -186,7 +186,7 @@ private:
   }
 
   // From its smallest vertex, on towards the smaller neighbour; empty if one is outside.
-  static std::vector<Index> outline_of(const typename Delaunay::Edge& edge, const Delaunay& delaunay) {
+  static std::vector<Index> outline_of(const Delaunay::Edge& edge, const Delaunay& delaunay) {
     std::vector<Index> outline;
     auto c = delaunay.incident_cells(edge);
     const auto first = c;

@@ -4,7 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_CENTERLINES_INTERNAL_SAMPLED_LINE_H
 #define CGAL_TUBULAR_MESHING_CENTERLINES_INTERNAL_SAMPLED_LINE_H
 
-#include <CGAL/Tubular_meshing/base/Kernel.h>
+#include <CGAL/Tubular_meshing/base/Function_view.h>
 #include <CGAL/Tubular_meshing/base/Nearest_tree.h>
 
 #include <algorithm>
@@ -66,9 +66,12 @@ inline Sampled_line without_zigzags(const Sampled_line& line) {
   return result;
 }
 
+/* The radius at a new point, where interpolation gives the second argument. */
+typedef Function_view<double(const Double_kernel::Point_3&, double)> Radius_at_new_point;
+
 // Appends b, and points between a and b so that steps are at most half a radius.
-template <class Radius>
-void append_refined(Sampled_line& line, const Line_point& a, const Line_point& b, const Radius& radius, int depth) {
+inline void append_refined(Sampled_line& line, const Line_point& a, const Line_point& b, Radius_at_new_point radius,
+                           int depth) {
   const double longest = 0.5; // of the radius
   if (depth > 0 && distance(a.point, b.point) > longest * (std::min)(a.radius, b.radius)) {
     const Double_kernel::Point_3 middle = CGAL::midpoint(a.point, b.point);
@@ -79,8 +82,8 @@ void append_refined(Sampled_line& line, const Line_point& a, const Line_point& b
     line.push_back(b);
 }
 
-// radius(p, r): the radius at a new point p, where linear interpolation gives r.
-template <class Radius> Sampled_line with_short_steps(const Sampled_line& line, const Radius& radius) {
+// With points between those further apart than half a radius.
+inline Sampled_line with_short_steps(const Sampled_line& line, Radius_at_new_point radius) {
   const int deepest = 8; // at most 256 steps for one, however small the radius
   Sampled_line result;
   for (const Line_point& p : line)

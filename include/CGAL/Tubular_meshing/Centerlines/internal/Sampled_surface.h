@@ -26,8 +26,8 @@ namespace internal {
 /* Points on a closed surface with their outward normals, in canonical coordinates and canonical order: all that the
  * Voronoi diagram is made from. Built in O(n log n).
  *
- * The vertices of the wall come first, sorted. A cap is sampled anew, whatever its triangles are: by its centre, and by
- * copies of its rim shrunk towards it. */
+ * The vertices of the wall come first, sorted. A cap is sampled again, whatever its triangles are: by its centre, and
+ * by copies of its rim shrunk towards it. */
 class Sampled_surface {
 public:
   typedef Double_kernel::Point_3 Point;
@@ -40,7 +40,7 @@ public:
   std::vector<Double_kernel::Triangle_3> wall_triangles;
 
   /* `patch` tells the label of a face; those that are not labels::wall are caps. */
-  Sampled_surface(const CGAL::Surface_mesh<Point_3>& mesh, const Face_patch_map& patch, const Canonical_frame& frame) {
+  Sampled_surface(const Surface& mesh, const Face_patch_map& patch, const Canonical_frame& frame) {
     add_vertices(mesh, patch, frame);
     for (auto f : mesh.faces())
       if (get(patch, f) == labels::wall)
@@ -134,8 +134,7 @@ public:
 private:
   static constexpr std::size_t none = std::size_t(-1);
 
-  void add_vertices(const CGAL::Surface_mesh<Point_3>& mesh, const Face_patch_map& patch,
-                    const Canonical_frame& frame) {
+  void add_vertices(const Surface& mesh, const Face_patch_map& patch, const Canonical_frame& frame) {
     sample_of_.assign(mesh.num_vertices(), none);
     for (auto f : mesh.faces())
       if (get(patch, f) == labels::wall)
@@ -157,7 +156,7 @@ private:
     normals.assign(points.size(), Vector(0, 0, 0));
   }
 
-  template <class Mesh> Triangle corners(const Mesh& mesh, typename Mesh::Face_index f) const {
+  Triangle corners(const Surface& mesh, Surface::Face_index f) const {
     const auto h = mesh.halfedge(f);
     Triangle t = {{sample_of_[mesh.source(h)], sample_of_[mesh.target(h)], sample_of_[mesh.target(mesh.next(h))]}};
     std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());

@@ -4,7 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_CENTERLINES_INTERNAL_BRANCH_AXES_H
 #define CGAL_TUBULAR_MESHING_CENTERLINES_INTERNAL_BRANCH_AXES_H
 
-#include <CGAL/Tubular_meshing/base/Kernel.h>
+#include <CGAL/Tubular_meshing/Centerlines/Centerline_graph.h>
 #include <CGAL/Tubular_meshing/base/Nearest_tree.h>
 
 #include <algorithm>
@@ -58,8 +58,10 @@ inline Double_vector transported(const Double_vector& n, const Double_kernel::Po
  * as the vessel, whatever the spacing and the noise of the points, and exact on lines and arcs. Normals are carried
  * from parent to child. O(n log n).
  */
-template <class Graph> class Branch_axes {
+class Branch_axes {
 public:
+  typedef Centerline_graph Graph;
+
   explicit Branch_axes(const Graph& graph)
       : graph_(graph)
       , tangents_(graph.branches().size())
@@ -95,7 +97,7 @@ private:
   }
 
   void compute_tangents(std::size_t branch) {
-    const typename Graph::Branch& b = graph_.branches()[branch];
+    const Graph::Branch& b = graph_.branches()[branch];
     const std::size_t n = b.points.size();
     tangents_[branch].resize(n);
     for (std::size_t i = 1; i + 1 < n; ++i)
@@ -106,7 +108,7 @@ private:
 
   // A quarter radius, and at least a step.
   double window(std::size_t branch, std::size_t i) const {
-    const typename Graph::Branch& b = graph_.branches()[branch];
+    const Graph::Branch& b = graph_.branches()[branch];
     const double infinity = (std::numeric_limits<double>::infinity)();
     const double before = i > 0 ? b.abscissa[i] - b.abscissa[i - 1] : infinity;
     const double after = i + 1 < b.points.size() ? b.abscissa[i + 1] - b.abscissa[i] : infinity;
@@ -115,7 +117,7 @@ private:
 
   // The direction from w before to w after an abscissa, or from as far as the branch reaches to both sides.
   Double_vector chord(std::size_t branch, double s, double w) const {
-    const typename Graph::Branch& b = graph_.branches()[branch];
+    const Graph::Branch& b = graph_.branches()[branch];
     w = (std::min)({w, s, b.length - s});
     return direction(branch, s - w, s + w);
   }
@@ -128,7 +130,7 @@ private:
 
   // The tangent at `step` inside the end, mirrored at the chord between: exact on arcs.
   Double_vector end_tangent(std::size_t branch, double end, double step) const {
-    const typename Graph::Branch& b = graph_.branches()[branch];
+    const Graph::Branch& b = graph_.branches()[branch];
     const double inside = end + step;
     const Double_vector c = direction(branch, (std::min)(end, inside), (std::max)(end, inside));
     const double room = (std::min)(inside, b.length - inside);

@@ -19,22 +19,22 @@ namespace Tubular_meshing {
 namespace internal {
 
 // Half-way along the branch: at the very end of a closed surface the nearest wall is the cap.
-template <class Graph> double radius_of_end(const Graph& graph, std::size_t node) {
+inline double radius_of_end(const Centerline_graph& graph, std::size_t node) {
   const auto& points = graph.branches()[graph.nodes()[node].branches.front()].points;
   return graph.radii()[points[points.size() / 2]];
 }
 
 /* The end at which most of the lines start or end, two at least; among equals, and if there is none, the end of largest
  * radius; node 0 of a graph without ends. Lines count for an end within two radii of it. O(n log n). */
-template <class Graph> std::size_t choose_root(const Graph& graph, const std::vector<Sampled_line>& lines) {
-  Graph_segments<Graph> where(graph);
+inline std::size_t choose_root(const Centerline_graph& graph, const std::vector<Sampled_line>& lines) {
+  Graph_segments where(graph);
   const Nearest_tree<Double_kernel::Segment_3> tree(std::move(where.segments));
   std::vector<std::size_t> votes(graph.nodes().size(), 1); // one line or none: no common start
 
   std::vector<std::size_t> lines_at(graph.nodes().size(), 0);
   const auto vote = [&](const Line_point& p) {
     const auto found = tree.nearest(p.point);
-    const typename Graph::Branch& b = graph.branches()[where.places[found.index].branch];
+    const Centerline_graph::Branch& b = graph.branches()[where.places[found.index].branch];
     const double abscissa = b.abscissa[where.places[found.index].segment];
     const std::size_t node = abscissa < 0.5 * b.length ? b.source : b.target;
     const double away = distance(p.point, to_double_point(graph.points()[graph.nodes()[node].point]));

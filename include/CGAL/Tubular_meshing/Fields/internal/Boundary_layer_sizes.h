@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_FIELDS_INTERNAL_BOUNDARY_LAYER_SIZES_H
 #define CGAL_TUBULAR_MESHING_FIELDS_INTERNAL_BOUNDARY_LAYER_SIZES_H
 
+#include <CGAL/Tubular_meshing/Fields/Centerline_metric_field.h>
 #include <CGAL/Tubular_meshing/Fields/internal/Layer_octree.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 
@@ -18,38 +19,31 @@ namespace CGAL {
 namespace Tubular_meshing {
 namespace internal {
 
-/* The options of Centerline_metric_field, under which they are described; lengths are relative to the local radius. */
-struct Boundary_layer_parameters {
-  double thickness, first_height, growth, smoothing_ratio, curvature_points, core_points, max_anisotropy, min_size,
-      max_size, smoothing_radius;
+inline void require(bool condition, const char* name, double value, const char* advice) {
+  if (!condition)
+    throw Parameter_error("The " + std::string(name) + " is " + std::to_string(value) + ": " + advice + ".");
+}
 
-  /* \throws Parameter_error if one of them is out of its range */
-  void check() const {
-    require(thickness > 0 && thickness <= 1, "thickness of the boundary layer", thickness,
-            "give a part of the local radius, above 0 and at most 1; 0.3 is usual");
-    require(first_height > 0 && first_height <= 1, "height of the first layer", first_height,
-            "give a part of the local radius, above 0 and at most 1; 0.015 is usual");
-    require(growth >= 1 && growth <= 100, "growth of the boundary layer", growth,
-            "give the ratio of two successive heights, at least 1; 1.3 is usual");
-    require(smoothing_ratio >= 1 && smoothing_ratio <= 1e6, "smoothing ratio", smoothing_ratio,
-            "give the largest ratio of adjacent edges, at least 1; 1.5 is usual");
-    for (double n : {curvature_points, core_points})
-      require(n >= 3 && n <= 1e6, "number of points per circumference", n, "give at least 3; 20 is usual");
-    require(max_anisotropy >= 1 && max_anisotropy <= 1e6, "largest anisotropy", max_anisotropy,
-            "give the largest ratio of two sizes at a point, from 1 to a million; 100 is usual");
-    require(min_size >= 0 && min_size <= max_size, "smallest size", min_size,
-            "give a length that is not above the largest size");
-    require(max_size > 0, "largest size", max_size, "give a length above 0");
-    require(smoothing_radius >= 0 && smoothing_radius <= 1e6, "smoothing radius of curvatures", smoothing_radius,
-            "give a part of the local radius, at least 0; 0.4 is usual");
-  }
-
-private:
-  static void require(bool condition, const char* name, double value, const char* advice) {
-    if (!condition)
-      throw Parameter_error("The " + std::string(name) + " is " + std::to_string(value) + ": " + advice + ".");
-  }
-};
+/* \throws Parameter_error if one of the options is out of its range */
+inline void check(const Centerline_metric_field_options& o) {
+  require(o.boundary_layer_thickness > 0 && o.boundary_layer_thickness <= 1, "thickness of the boundary layer",
+          o.boundary_layer_thickness, "give a part of the local radius, above 0 and at most 1; 0.3 is usual");
+  require(o.first_height > 0 && o.first_height <= 1, "height of the first layer", o.first_height,
+          "give a part of the local radius, above 0 and at most 1; 0.015 is usual");
+  require(o.growth >= 1 && o.growth <= 100, "growth of the boundary layer", o.growth,
+          "give the ratio of two successive heights, at least 1; 1.3 is usual");
+  require(o.smoothing_ratio >= 1 && o.smoothing_ratio <= 1e6, "smoothing ratio", o.smoothing_ratio,
+          "give the largest ratio of adjacent edges, at least 1; 1.5 is usual");
+  for (double n : {o.curvature_points, o.points_per_circumference})
+    require(n >= 3 && n <= 1e6, "number of points per circumference", n, "give at least 3; 20 is usual");
+  require(o.max_anisotropy >= 1 && o.max_anisotropy <= 1e6, "largest anisotropy", o.max_anisotropy,
+          "give the largest ratio of two sizes at a point, from 1 to a million; 100 is usual");
+  require(o.min_size >= 0 && o.min_size <= o.max_size, "smallest size", o.min_size,
+          "give a length that is not above the largest size");
+  require(o.max_size > 0, "largest size", o.max_size, "give a length above 0");
+  require(o.smoothing_radius >= 0 && o.smoothing_radius <= 1e6, "smoothing radius of curvatures", o.smoothing_radius,
+          "give a part of the local radius, at least 0; 0.4 is usual");
+}
 
 /* The bound (9) on a tangential size, as 1/h², for the curvature κ = 1/ρ: the solution of
  * ρ² (β² - 1) u² + u - 1/h_n² = 0, in the form in which nothing cancels and both limits come out: β = 1 gives 1/h_n²,
@@ -68,17 +62,17 @@ public:
     double log_normal, log_along, log_across;
   };
 
-  explicit Boundary_layer_sizes(const Boundary_layer_parameters& p)
+  explicit Boundary_layer_sizes(const Centerline_metric_field_options& p)
       : p_(p)
       , log_beta_(std::log(p.smoothing_ratio))
       , log_max_anisotropy_(std::log(p.max_anisotropy)) {}
 
-  const Boundary_layer_parameters& parameters() const { return p_; }
+  const Centerline_metric_field_options& options() const { return p_; }
 
   Log_sizes operator()(const Layer_octree::State& s, double d) const {
-    const double core = limited(2 * CGAL_PI * s.radius / p_.core_points);
+    const double core = limited(2 * CGAL_PI * s.radius / p_.points_per_circumference);
     const double normal = limited((std::min)(normal_size(s.radius, d), core));
-    const double thickness = p_.thickness * s.radius;
+    const double thickness = p_.boundary_layer_thickness * s.radius;
     const double x = s.radius > thickness ? (std::min)((std::max)((d - thickness) / (s.radius - thickness), 0.), 1.)
                                           : (d > thickness ? 1. : 0.);
     const Passage passage{std::log(core), x * x * (3 - 2 * x),
@@ -132,7 +126,7 @@ private:
     return (std::max)({by_points * by_points, by_smoothing, 1 / (largest * largest)});
   }
 
-  Boundary_layer_parameters p_;
+  Centerline_metric_field_options p_;
   double log_beta_, log_max_anisotropy_;
 };
 

@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_FIELDS_INTERNAL_CORNER_OCTREE_H
 #define CGAL_TUBULAR_MESHING_FIELDS_INTERNAL_CORNER_OCTREE_H
 
+#include <CGAL/Tubular_meshing/base/Function_view.h>
 #include <CGAL/Tubular_meshing/base/parallel.h>
 
 #include <CGAL/Bbox_3.h>
@@ -30,6 +31,10 @@ public:
   typedef std::array<std::uint32_t, 3> Lattice_point; // position in units of the smallest leaf
   typedef std::pair<std::uint32_t, double> Leaf;      // its number and its edge
 
+  // What there is to know at a node's center: how far away the domain is (0 inside), and how wide a leaf may be there.
+  struct Need {
+    double distance_to_domain, leaf_width;
+  };
   // Where a point is: in which leaf, at which coordinates from 0 to 1.
   struct Place {
     const std::uint32_t* corners; // eight, x fastest
@@ -43,10 +48,9 @@ public:
 
   Corner_octree() = default;
 
-  /* `need(Position)`, safe to call from several threads, tells of the center of a node how far away the domain is
-   * (`distance_to_domain`, 0 inside) and how wide a leaf may be there (`leaf_width`): a node that touches the domain is
-   * split until it is no wider. */
-  template <class Function> Corner_octree(const Bbox_3& box, const Function& need, int threads) {
+  /* `need`, safe to call from several threads, is asked at the center of each node: one that touches the domain is
+   * split until it is no wider than a leaf may be. */
+  Corner_octree(const Bbox_3& box, Function_view<Need(const Position&)> need, int threads) {
     const double dx = box.xmax() - box.xmin(), dy = box.ymax() - box.ymin(), dz = box.zmax() - box.zmin();
     edge_ = (std::max)({dx, dy, dz}) * 1.0625;
     origin_ = {(box.xmin() + box.xmax() - edge_) / 2, (box.ymin() + box.ymax() - edge_) / 2,
@@ -60,11 +64,17 @@ public:
   /* Eight a leaf, x fastest. */
   const std::vector<std::uint32_t>& leaf_corners() const { return leaf_corners_; }
   const std::vector<Lattice_point>& corners() const { return corners_; }
-  Position corner_position(std::size_t i) const {
-    return position({double(corners_[i][0]), double(corners_[i][1]), double(corners_[i][2])});
-  }
+
   /* The leaves whose centers lie in the domain. */
   const std::vector<Leaf>& leaves_in_domain() const { return leaves_in_domain_; }
+  /* Calls visit(i, position) for each corner, on several threads. */
+  void for_each_corner(Function_view<void(std::size_t, const Position&)> visit, int threads) const {
+    for_each_range(corners_.size(), threads, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i)
+        visit(i, position({double(corners_[i][0]), double(corners_[i][1]), double(corners_[i][2])}));
+    });
+  }
+
   /* The length of a step of the lattice. */
   double unit() const { return edge_ / side; }
 
@@ -77,7 +87,7 @@ public:
   /* Gives corners in the middle of a larger leaf's face or edge the value that is interpolated there: the interpolant
    * is continuous then. `assign(corner, place)` is called for each, in an order in which the place's own corners are
    * done; it must set the corner's value to the interpolated one. O(n log n). */
-  template <class Assign> void for_each_hanging_corner(const Assign& assign) const {
+  void for_each_hanging_corner(Function_view<void(std::uint32_t, const Place&)> assign) const {
     struct Hanging {
       std::uint32_t width, corner;
       Place place;
@@ -157,23 +167,23 @@ private:
   }
 
   // Level by level, so that the samples of a level can be taken in parallel.
-  template <class Function> void refine(const Function& need, int threads) {
+  void refine(Function_view<Need(const Position&)> need, int threads) {
     std::vector<Lattice_point> lower = {{0, 0, 0}}; // corner of each node
-    std::vector<decltype(need(Position()))> samples;
+    std::vector<Need> needs;
     nodes_.push_back({0, 0, true});
     for (std::size_t begin = 0, depth = 0; begin < nodes_.size(); ++depth) {
       const std::size_t end = nodes_.size();
       const std::uint32_t width = 1u << (max_depth - depth);
       const double edge = edge_ / double(1u << depth), half = width / 2.;
-      samples.resize(end - begin);
+      needs.resize(end - begin);
       for_each_range(end - begin, threads, [&](std::size_t first, std::size_t last) {
         for (std::size_t k = first; k < last; ++k) {
           const Lattice_point& l = lower[begin + k];
-          samples[k] = need(position({l[0] + half, l[1] + half, l[2] + half}));
+          needs[k] = need(position({l[0] + half, l[1] + half, l[2] + half}));
         }
       });
       for (std::size_t n = begin; n < end; ++n) {
-        const auto& s = samples[n - begin];
+        const Need& s = needs[n - begin];
         const bool may_touch_domain = s.distance_to_domain <= 0.87 * edge; // half the diagonal
         if (depth + 1 < max_depth && may_touch_domain && edge > s.leaf_width)
           split(n, width / 2, lower);

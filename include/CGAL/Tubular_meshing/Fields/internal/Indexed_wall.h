@@ -5,6 +5,7 @@
 #define CGAL_TUBULAR_MESHING_FIELDS_INTERNAL_INDEXED_WALL_H
 
 #include <CGAL/Tubular_meshing/base/Kernel.h>
+#include <CGAL/Tubular_meshing/Fields/curvature.h>
 #include <CGAL/Tubular_meshing/base/Nearest_tree.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
@@ -30,34 +31,14 @@ class Indexed_wall {
 public:
   typedef std::uint32_t Index;
 
-  Indexed_wall() = default;
-  /* The faces of which is_wall(face) is true; `vertices` becomes the mesh's vertices in the order of ours, which is
-   * that in which the faces mention them. */
-  template <class TriangleMesh, class VertexPointMap, class IsWall>
-  Indexed_wall(const TriangleMesh& mesh, const VertexPointMap& points, const IsWall& is_wall,
-               std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor>& vertices) {
-    std::unordered_map<typename boost::graph_traits<TriangleMesh>::vertex_descriptor, Index> index;
-    index.reserve(num_vertices(mesh));
-    vertices.clear();
-    for (auto f : faces(mesh)) {
-      if (!is_wall(f))
-        continue;
-      std::array<Index, 3> t;
-      auto h = halfedge(f, mesh);
-      for (Index& i : t) {
-        const auto v = target(h, mesh);
-        const auto inserted = index.emplace(v, Index(points_.size()));
-        if (inserted.second) {
-          const Double_kernel::Point_3 q = to_double_point(get(points, v));
-          points_.emplace_back(q.x(), q.y(), q.z());
-          vertices.push_back(v);
-        }
-        i = inserted.first->second;
-        h = next(h, mesh);
-      }
+  explicit Indexed_wall(const Indexed_triangles& faces) {
+    points_.reserve(faces.points.size());
+    for (const Point_3& p : faces.points)
+      points_.emplace_back(p);
+    triangles_.reserve(faces.triangles.size());
+    for (const std::array<Index, 3>& t : faces.triangles)
       if (squared_norm(doubled_area(t)) > 0)
         triangles_.push_back(t);
-    }
     connect();
   }
 

@@ -40,25 +40,26 @@ public:
 
   Layer_octree() = default;
 
-  /* `radius(Point)`: the local radius in a point of Double_kernel, safe to call from several threads. */
-  template <class Radius> Layer_octree(const Wall_frames& wall, const Radius& radius, int threads) {
+  /* `radius`: the local radius, safe to call from several threads. */
+  Layer_octree(const Wall_frames& wall, Length_function radius, int threads) {
     const auto need = [&](const Corner_octree::Position& x) {
       const Double_kernel::Point_3 p(x[0], x[1], x[2]);
       const auto found = wall.tree().nearest(p);
-      const double r = radius(p), d = std::sqrt(found.squared_distance);
+      const double r = radius(Point_3(x[0], x[1], x[2])), d = std::sqrt(found.squared_distance);
       const bool outside = dot(Vector_3d(p) - Vector_3d(found.point), wall.at(found.index, found.point).normal) > 0;
       // beyond an opening the wall's normal does not tell; but no point of the lumen is further away than its radius
-      return Need{(std::max)(outside ? d : 0, d - r), (std::min)((std::max)(leaf_at_wall * r, d), leaf_inside * r)};
+      return Corner_octree::Need{(std::max)(outside ? d : 0, d - r),
+                                 (std::min)((std::max)(leaf_at_wall * r, d), leaf_inside * r)};
     };
     tree_ = Corner_octree(wall.tree().bbox(), need, threads);
     values_.resize(tree_.number_of_corners());
     near_face_.resize(tree_.number_of_corners());
-    for_each_range(values_.size(), threads, [&](std::size_t first, std::size_t last) {
-      for (std::size_t i = first; i < last; ++i) {
-        const Corner_octree::Position x = tree_.corner_position(i);
-        values_[i] = sample(wall, radius, Double_kernel::Point_3(x[0], x[1], x[2]), near_face_[i]);
-      }
-    });
+    tree_.for_each_corner(
+        [&](std::size_t i, const Corner_octree::Position& x) {
+          values_[i] =
+              sample(wall, radius(Point_3(x[0], x[1], x[2])), Double_kernel::Point_3(x[0], x[1], x[2]), near_face_[i]);
+        },
+        threads);
     tree_.for_each_hanging_corner(
         [&](std::uint32_t corner, const Corner_octree::Place& place) { values_[corner] = interpolate(place); });
     tree_.release_corners();
@@ -89,9 +90,6 @@ private:
    * off by its like. */
   static constexpr double leaf_at_wall = 0.2, leaf_inside = 0.45;
 
-  struct Need {
-    double distance_to_domain, leaf_width;
-  };
   // Of each tensor five entries, for the traces are one; floats, so that a corner is one line of the cache.
   typedef std::array<float, 16> Values;
 
@@ -116,8 +114,7 @@ private:
             a.xy * b.xz + a.yy * b.yz + a.yz * b.zz, a.xz * b.xz + a.yz * b.yz + a.zz * b.zz};
   }
 
-  template <class Radius>
-  static Values sample(const Wall_frames& wall, const Radius& radius, const Double_kernel::Point_3& p,
+  static Values sample(const Wall_frames& wall, double radius, const Double_kernel::Point_3& p,
                        std::uint32_t& near_face) {
     const auto found = wall.tree().nearest(p);
     near_face = std::uint32_t(found.index);
@@ -138,7 +135,7 @@ private:
             as_float(f.bend_across),
             as_float(f.curvature_along),
             as_float(f.curvature_across),
-            as_float(radius(p)),
+            as_float(radius),
             as_float(std::sqrt(found.squared_distance))};
   }
 

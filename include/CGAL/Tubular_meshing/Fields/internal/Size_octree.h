@@ -33,26 +33,18 @@ class Size_octree {
 public:
   typedef Corner_octree::Position Position;
 
-  /* What the function says at a position: its value, how far away the domain is (0 inside; only there is the value
-   * asked for), and how wide a leaf may be that represents it. */
   struct Sample {
-    double size;
-    double distance_to_domain;
-    double leaf_width;
+    Corner_octree::Need need;
+    double size; // wanted inside of the domain only
   };
-
-  Size_octree() = default;
 
   /* `sample(Position) -> Sample`, safe to call from several threads; a leaf that touches the domain is no wider
    * than the sample at its center allows; |size(x) - size(y)| <= slope |x - y| along the tree's edges. */
-  template <class Function>
-  Size_octree(const Bbox_3& box, const Function& sample, double slope, int threads)
-      : tree_(box, sample, threads)
+  Size_octree(const Bbox_3& box, Function_view<Sample(const Position&)> sample, double slope, int threads)
+      : tree_(
+            box, [&](const Position& x) { return sample(x).need; }, threads)
       , values_(tree_.number_of_corners()) {
-    for_each_range(values_.size(), threads, [&](std::size_t first, std::size_t last) {
-      for (std::size_t i = first; i < last; ++i)
-        values_[i] = sample(tree_.corner_position(i)).size;
-    });
+    tree_.for_each_corner([&](std::size_t i, const Position& x) { values_[i] = sample(x).size; }, threads);
     limit_growth(slope);
     tree_.release_corners();
   }

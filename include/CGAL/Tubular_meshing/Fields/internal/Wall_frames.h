@@ -8,6 +8,7 @@
 #include <CGAL/Tubular_meshing/Fields/Metric_tensor_3.h>
 #include <CGAL/Tubular_meshing/Fields/internal/Curvature_estimator.h>
 #include <CGAL/Tubular_meshing/Fields/internal/Indexed_wall.h>
+#include <CGAL/Tubular_meshing/base/Function_view.h>
 #include <CGAL/Tubular_meshing/base/Nearest_tree.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
 #include <CGAL/Tubular_meshing/base/parallel.h>
@@ -42,8 +43,8 @@ public:
    * several threads. Curvatures are averaged within `smoothing` radii, directions within half a radius,
    * normals within a quarter of `smoothing` radii: layers lie along the wall as it is, at the scale of their elements.
    * O(n). */
-  template <class Radius, class Direction>
-  Wall_frames(Indexed_wall wall, const Radius& radius, const Direction& direction, double smoothing, int threads)
+  Wall_frames(Indexed_wall wall, Function_view<double(Indexed_wall::Index)> radius,
+              Function_view<Vector_3d(Indexed_wall::Index)> direction, double smoothing, int threads)
       : wall_(std::move(wall))
       , tree_(wall_.make_tree())
       , threads_(threads) {

@@ -5,7 +5,7 @@
 #define CGAL_TUBULAR_MESHING_IO_INTERNAL_NUMBER_WRITER_H
 
 #include <CGAL/Tubular_meshing/IO/internal/Byte_cursor.h>
-#include <CGAL/Tubular_meshing/IO/internal/Output_file.h>
+#include <CGAL/Tubular_meshing/IO/Output_file.h>
 
 #include <charconv>
 #include <string>

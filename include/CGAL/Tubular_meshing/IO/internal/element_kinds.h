@@ -40,7 +40,7 @@ template <class Value, class Member> const Element_kind* find_kind(Member Elemen
 }
 
 // Calls f(block, kind) for the elements of each kind, in the order of element_kinds.
-template <class Mesh, class F> void for_each_block(Mesh& mesh, F f) {
+template <class F> void for_each_block(const Mixed_mesh& mesh, F f) {
   f(mesh.tetrahedra, element_kinds[0]);
   f(mesh.pyramids, element_kinds[1]);
   f(mesh.prisms, element_kinds[2]);
@@ -64,8 +64,8 @@ void add_element(Element_block<N>& block, const Element_kind& kind, Corners corn
 }
 
 // Adds an element whose corners, already checked, begin at `corners`.
-template <class Mesh, class Corners>
-void add_element(Mesh& mesh, const Element_kind& kind, Corners corners, bool vtk_order, int label) {
+template <class Corners>
+void add_element(Mixed_mesh& mesh, const Element_kind& kind, Corners corners, bool vtk_order, int label) {
   switch (&kind - element_kinds) {
   case 0:
     return add_element(mesh.tetrahedra, kind, corners, vtk_order, label);
@@ -81,6 +81,9 @@ void add_element(Mesh& mesh, const Element_kind& kind, Corners corners, bool vtk
     return add_element(mesh.quads, kind, corners, vtk_order, label);
   }
 }
+
+// The array in which VMTK keeps the radius at each point of a centerline.
+constexpr const char* radius_array_name = "MaximumInscribedSphereRadius";
 
 // A tensor at each point is kept as xx xy xz yy yz zz. Row by row it has nine components, and these are where:
 constexpr std::size_t symmetric_component[9] = {0, 1, 2, 1, 3, 4, 2, 4, 5};

@@ -54,7 +54,8 @@ inline void read_point_arrays(const Vtk_xml_file& vtu, pugi::xml_node piece, std
   }
 }
 
-inline void read_vtu_cells(const Vtk_xml_file& vtu, pugi::xml_node piece, std::size_t points, std::size_t shift, Mixed_mesh& mesh) {
+inline void read_vtu_cells(const Vtk_xml_file& vtu, pugi::xml_node piece, std::size_t points, std::size_t shift,
+                           Mixed_mesh& mesh) {
   const std::size_t n = vtu.count(piece, "NumberOfCells");
   const pugi::xml_node cells = piece.child("Cells");
   const auto types = vtu.values<std::int64_t>(vtu.find(cells, "types"));

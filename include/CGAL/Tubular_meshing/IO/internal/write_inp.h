@@ -5,13 +5,10 @@
 #define CGAL_TUBULAR_MESHING_IO_INTERNAL_WRITE_INP_H
 
 #include <CGAL/Tubular_meshing/IO/internal/Number_writer.h>
-#include <CGAL/Tubular_meshing/IO/internal/Output_file.h>
+#include <CGAL/Tubular_meshing/IO/Output_file.h>
 #include <CGAL/Tubular_meshing/IO/internal/element_kinds.h>
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
-
-#include <CGAL/double.h>
-#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <array>
@@ -59,9 +56,9 @@ template <> struct Inp_cell<8> {
 
 /* Writes a mesh as the part of an input deck that another one includes: nodes, elements in a set a region, and for each
  * patch a set of its nodes and a surface. */
-template <class Mesh> class Inp_writer {
+class Inp_writer {
 public:
-  Inp_writer(Output_file& file, const Mesh& mesh)
+  Inp_writer(Output_file& file, const Mixed_mesh& mesh)
       : file_(file)
       , out_(file)
       , mesh_(mesh) {}
@@ -75,7 +72,7 @@ public:
     for (std::size_t i = 0; i < mesh_.points.size(); ++i) {
       out_ << i + 1;
       for (int k = 0; k < 3; ++k)
-        out_ << ", " << short_number(CGAL::to_double(mesh_.points[i][k]));
+        out_ << ", " << short_number(mesh_.points[i][k]);
       out_ << '\n';
     }
     write_cells(mesh_.tetrahedra);
@@ -245,7 +242,7 @@ private:
 
   Output_file& file_;
   Number_writer out_;
-  const Mesh& mesh_;
+  const Mixed_mesh& mesh_;
   std::vector<Facet> facets_; // sorted
   std::vector<char> on_facet_;
   std::size_t element_ = 0; // the last one written; they count from 1

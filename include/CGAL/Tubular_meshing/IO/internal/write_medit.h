@@ -35,7 +35,7 @@ inline void write_medit_solution(Output_file& file, const Point_array& metric) {
 }
 
 // The format has no names: they stand in comments, which other programs pass over.
-template <class Mesh> void write_medit(Output_file& file, const Mesh& mesh) {
+inline void write_medit(Output_file& file, const Mixed_mesh& mesh) {
   Number_writer out(file);
   out << "MeshVersionFormatted 2\nDimension 3\n";
   for (const auto& n : mesh.region_names)
@@ -43,9 +43,9 @@ template <class Mesh> void write_medit(Output_file& file, const Mesh& mesh) {
   for (const auto& n : mesh.patch_names)
     out << "# patch " << n.first << ' ' << n.second << '\n';
   out << "Vertices\n" << mesh.points.size() << '\n';
-  for (const auto& p : mesh.points) {
+  for (const Point_3& p : mesh.points) {
     for (int k = 0; k < 3; ++k)
-      out << CGAL::to_double(p[k]) << ' ';
+      out << p[k] << ' ';
     out << "0\n";
   }
   for_each_block(mesh, [&](const auto& block, const Element_kind& kind) {

@@ -7,9 +7,6 @@
 #include <CGAL/Tubular_meshing/IO/internal/Number_writer.h>
 #include <CGAL/Tubular_meshing/IO/internal/element_kinds.h>
 
-#include <CGAL/double.h>
-#include <CGAL/number_utils.h>
-
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -26,9 +23,9 @@ namespace internal {
 // Writes a mesh for Gmsh, format 4.1 in binary or 2.2 in ASCII (older programs rarely read another form of it). Each
 // label is an entity and a physical group of the same number; elements of label 0 are in no group. Nodes and elements
 // are numbered in the mesh's order, so that it can be restored although 4.1 lists elements by entity.
-template <class Mesh> class Msh_writer {
+class Msh_writer {
 public:
-  Msh_writer(Output_file& file, const Mesh& mesh)
+  Msh_writer(Output_file& file, const Mixed_mesh& mesh)
       : file_(file)
       , out_(file)
       , mesh_(mesh) {
@@ -93,7 +90,7 @@ private:
     std::array<double, 6> box = {0, 0, 0, 0, 0, 0};
     for (std::size_t i = 0; i < mesh_.points.size(); ++i)
       for (int k = 0; k < 3; ++k) {
-        const double x = CGAL::to_double(mesh_.points[i][k]);
+        const double x = mesh_.points[i][k];
         box[k] = i == 0 ? x : (std::min)(box[k], x);
         box[k + 3] = i == 0 ? x : (std::max)(box[k + 3], x);
       }
@@ -132,9 +129,9 @@ private:
     out_.bytes(std::int32_t(0)).bytes(n);
     for (std::uint64_t i = 1; i <= n; ++i)
       out_.bytes(i);
-    for (const auto& p : mesh_.points)
+    for (const Point_3& p : mesh_.points)
       for (int k = 0; k < 3; ++k)
-        out_.bytes(double(CGAL::to_double(p[k])));
+        out_.bytes(double(p[k]));
     out_ << "\n$EndNodes\n";
   }
 
@@ -172,7 +169,7 @@ private:
     for (std::size_t i = 0; i < mesh_.points.size(); ++i) {
       out_ << i + 1;
       for (int k = 0; k < 3; ++k)
-        out_ << ' ' << CGAL::to_double(mesh_.points[i][k]);
+        out_ << ' ' << mesh_.points[i][k];
       out_ << '\n';
     }
     out_ << "$EndNodes\n";
@@ -219,7 +216,7 @@ private:
 
   Output_file& file_;
   Number_writer out_;
-  const Mesh& mesh_;
+  const Mixed_mesh& mesh_;
   std::array<std::map<int, bool>, 4> labels_; // that occur, by dimension
   std::array<int, 4> highest_label_ = {0, 0, 0, 0};
 };

@@ -18,7 +18,7 @@ namespace internal {
 
 // Each name is a field array of pairs (label, dimension), as Gmsh's names are: dimension 3 for regions, 2 for patches.
 // A region and a patch of the same name share the array, one pair after the other.
-template <class Mesh> void write_names(const Mesh& mesh, Vtk_xml_writer& out) {
+inline void write_names(const Mixed_mesh& mesh, Vtk_xml_writer& out) {
   std::map<std::string, std::vector<std::int32_t>> pairs;
   for (const auto& n : mesh.patch_names)
     pairs[n.second].insert(pairs[n.second].end(), {n.first, 2});
@@ -32,7 +32,7 @@ template <class Mesh> void write_names(const Mesh& mesh, Vtk_xml_writer& out) {
   out.end("FieldData");
 }
 
-template <class Mesh> void write_cells(const Mesh& mesh, Vtk_xml_writer& out) {
+inline void write_cells(const Mixed_mesh& mesh, Vtk_xml_writer& out) {
   std::vector<std::int32_t> regions, patches;
   std::vector<std::int64_t> connectivity, offsets;
   std::vector<std::uint8_t> types;
@@ -57,7 +57,7 @@ template <class Mesh> void write_cells(const Mesh& mesh, Vtk_xml_writer& out) {
   out.end("Cells");
 }
 
-template <class Mesh> void write_vtu(Output_file& file, const Mesh& mesh) {
+inline void write_vtu(Output_file& file, const Mixed_mesh& mesh) {
   Vtk_xml_writer out("UnstructuredGrid");
   write_names(mesh, out);
   out.begin("Piece NumberOfPoints=\"" + std::to_string(mesh.points.size()) + "\" NumberOfCells=\"" +

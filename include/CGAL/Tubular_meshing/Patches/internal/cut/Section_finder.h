@@ -40,7 +40,7 @@ public:
   Section_finder(const Surface& surface, const Centerline_graph& graph)
       : surface_(surface)
       , first_hit_(triangles(surface))
-      , centerlines_(Graph_segments<Centerline_graph>(graph).segments) {}
+      , centerlines_(Graph_segments(graph).segments) {}
 
   /* The section around the plane's origin, no point of it further than `reach`. False if there is none to accept. */
   bool find(const Section_plane& plane, double reach, Section& section) const {

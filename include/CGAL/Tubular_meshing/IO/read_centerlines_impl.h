@@ -1,25 +1,29 @@
 // Copyright (c) 2026 The Tubular_meshing authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_TUBULAR_MESHING_IO_INTERNAL_READ_LINES_H
-#define CGAL_TUBULAR_MESHING_IO_INTERNAL_READ_LINES_H
+#ifndef CGAL_TUBULAR_MESHING_IO_READ_CENTERLINES_IMPL_H
+#define CGAL_TUBULAR_MESHING_IO_READ_CENTERLINES_IMPL_H
 
+#include <CGAL/Tubular_meshing/IO/read_centerlines.h>
 #include <CGAL/Tubular_meshing/IO/internal/Gmsh_file.h>
+#include <CGAL/Tubular_meshing/IO/internal/Input_file.h>
 #include <CGAL/Tubular_meshing/IO/internal/Legacy_vtk_file.h>
+#include <CGAL/Tubular_meshing/IO/internal/Polygon_soup.h>
 #include <CGAL/Tubular_meshing/IO/internal/Vtk_xml_file.h>
+#include <CGAL/Tubular_meshing/IO/internal/element_kinds.h>
 #include <CGAL/Tubular_meshing/IO/internal/read_vtp.h>
 
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
 namespace CGAL {
 namespace Tubular_meshing {
 namespace IO {
-namespace internal {
 
-// The array in which VMTK keeps the radius at each point of a centerline.
-constexpr const char* radius_array_name = "MaximumInscribedSphereRadius";
+namespace internal {
 
 struct Line_soup {
   std::vector<Coordinates> points;
@@ -124,8 +128,16 @@ inline Line_soup read_lines(const std::string& name) {
 }
 
 } // namespace internal
+
+CGAL_TUBULAR_MESHING_INLINE void read_centerlines(const std::string& file, Centerline_polylines& centerlines) {
+  internal::Line_soup soup = internal::read_lines(file);
+  centerlines.points = internal::to_points(soup.points);
+  centerlines.radius.swap(soup.radius);
+  centerlines.lines.swap(soup.lines);
+}
+
 } // namespace IO
 } // namespace Tubular_meshing
 } // namespace CGAL
 
-#endif // CGAL_TUBULAR_MESHING_IO_INTERNAL_READ_LINES_H
+#endif // CGAL_TUBULAR_MESHING_IO_READ_CENTERLINES_IMPL_H

@@ -1,42 +1,29 @@
 // Copyright (c) 2026 The Tubular_meshing authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_TUBULAR_MESHING_IO_INTERNAL_WRITE_FACES_H
-#define CGAL_TUBULAR_MESHING_IO_INTERNAL_WRITE_FACES_H
+#ifndef CGAL_TUBULAR_MESHING_IO_WRITE_SURFACE_IMPL_H
+#define CGAL_TUBULAR_MESHING_IO_WRITE_SURFACE_IMPL_H
 
+#include <CGAL/Tubular_meshing/IO/write_surface.h>
+#include <CGAL/Tubular_meshing/IO/internal/Byte_cursor.h>
+#include <CGAL/Tubular_meshing/IO/internal/Input_file.h>
 #include <CGAL/Tubular_meshing/IO/internal/Number_writer.h>
 #include <CGAL/Tubular_meshing/IO/internal/Polygon_soup.h>
+#include <CGAL/Tubular_meshing/IO/internal/write_msh.h>
 #include <CGAL/Tubular_meshing/IO/internal/write_polydata.h>
+#include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
+#include <CGAL/Tubular_meshing/base/labels.h>
 
-#include <array>
+#include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <string>
-#include <vector>
+#include <iterator>
+#include <set>
 
 namespace CGAL {
 namespace Tubular_meshing {
 namespace IO {
+
 namespace internal {
-
-// A triangle or a quad.
-struct Index_face {
-  std::array<std::size_t, 4> corners{{0, 0, 0, 0}};
-  std::size_t number_of_corners = 0;
-
-  const std::size_t* begin() const { return corners.data(); }
-  const std::size_t* end() const { return corners.data() + number_of_corners; }
-};
-
-// A surface on its way into a file.
-struct Labelled_faces {
-  std::vector<Coordinates> points;
-  std::vector<Index_face> faces;
-  std::vector<std::int32_t> patch;         // one a face, or none
-  std::vector<std::int32_t> surface_patch; // likewise
-  std::vector<double> metric;              // six a point: xx, xy, xz, yy, yz, zz; or none
-};
 
 inline std::vector<Index_triangle> triangles_of(const Labelled_faces& surface) {
   std::vector<Index_triangle> result;
@@ -147,9 +134,67 @@ inline Polydata polydata_of(const Labelled_faces& surface) {
   return data;
 }
 
+// Names of the patches that occur, as labels.h has them.
+inline Label_names names_of_patches(const std::vector<std::int32_t>& patch) {
+  const std::set<int> used(patch.begin(), patch.end());
+  const int most = used.empty() ? 0 : (std::min)(*used.rbegin(), labels::outer_wall - 1);
+  Label_names names = lumen_patch_names((std::max)(0, most - labels::inlet + 1));
+  for (auto n = names.begin(); n != names.end();)
+    n = used.count(n->first) ? std::next(n) : names.erase(n);
+  return names;
+}
+
+inline void write_msh_surface(Output_file& file, const Labelled_faces& surface) {
+  Mixed_mesh mesh;
+  mesh.points = to_points(surface.points);
+  for (std::size_t i = 0; i < surface.faces.size(); ++i) {
+    const Index_face& f = surface.faces[i];
+    const std::int32_t label = surface.patch.empty() ? 0 : surface.patch[i];
+    std::array<std::uint32_t, 4> c;
+    std::copy(f.corners.begin(), f.corners.end(), c.begin());
+    if (f.number_of_corners == 4)
+      mesh.quads.push_back(c, label);
+    else
+      mesh.triangles.push_back({c[0], c[1], c[2]}, label);
+  }
+  if (!surface.metric.empty())
+    mesh.point_arrays.push_back({"metric", 6, surface.metric});
+  mesh.patch_names = names_of_patches(surface.patch);
+  Msh_writer(file, mesh).write_4_1();
+}
+
+CGAL_TUBULAR_MESHING_INLINE void write_surface(Output_file& file, const Labelled_faces& surface) {
+  const std::string ext = extension_of(file.name());
+  if (ext == "stl")
+    write_stl(file, surface);
+  else if (ext == "off")
+    write_off(file, surface);
+  else if (ext == "obj")
+    write_obj(file, surface);
+  else if (ext == "ply")
+    write_ply(file, surface);
+  else if (ext == "vtp")
+    write_vtp(file, polydata_of(surface));
+  else if (ext == "vtk")
+    write_legacy_vtk(file, polydata_of(surface));
+  else if (ext == "msh")
+    write_msh_surface(file, surface);
+  else
+    throw Output_error(
+        "The file " + quoted(file.name()) +
+        " cannot be written: surfaces are written as .stl, .off, .obj, .ply, .vtp, .vtk or .msh; give it "
+        "one of these extensions.");
+}
+
 } // namespace internal
+
+CGAL_TUBULAR_MESHING_INLINE bool is_supported_surface_format(const std::string& file) {
+  const std::string ext = internal::extension_of(file);
+  return ext == "stl" || ext == "off" || ext == "obj" || ext == "ply" || ext == "vtp" || ext == "vtk" || ext == "msh";
+}
+
 } // namespace IO
 } // namespace Tubular_meshing
 } // namespace CGAL
 
-#endif // CGAL_TUBULAR_MESHING_IO_INTERNAL_WRITE_FACES_H
+#endif // CGAL_TUBULAR_MESHING_IO_WRITE_SURFACE_IMPL_H

@@ -1,0 +1,52 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_CENTERLINES_WALL_DISTANCE_IMPL_H
+#define CGAL_TUBULAR_MESHING_CENTERLINES_WALL_DISTANCE_IMPL_H
+
+#include <CGAL/Tubular_meshing/Centerlines/Wall_distance.h>
+#include <CGAL/Tubular_meshing/base/Nearest_tree.h>
+#include <CGAL/Tubular_meshing/base/exceptions.h>
+
+#include <cmath>
+#include <utility>
+
+namespace CGAL {
+namespace Tubular_meshing {
+
+struct Wall_distance::Impl {
+  internal::Nearest_tree<internal::Double_kernel::Triangle_3> tree;
+};
+
+CGAL_TUBULAR_MESHING_INLINE Wall_distance::Wall_distance(const std::vector<std::array<Point_3, 3>>& triangles) {
+  typedef internal::Double_kernel::Triangle_3 Triangle;
+  std::vector<Triangle> shapes;
+  shapes.reserve(triangles.size());
+  for (const std::array<Point_3, 3>& corners : triangles) {
+    const Triangle t(internal::to_double_point(corners[0]), internal::to_double_point(corners[1]),
+                     internal::to_double_point(corners[2]));
+    if (CGAL::cross_product(t[1] - t[0], t[2] - t[0]).squared_length() > 0) // its neighbours cover a flat one
+      shapes.push_back(t);
+  }
+  if (shapes.empty())
+    throw Input_error("The surface has no wall: none of its faces can be used to measure the radius of the vessel.");
+  impl_ = std::make_shared<const Impl>(Impl{internal::Nearest_tree<Triangle>(std::move(shapes))});
+}
+
+CGAL_TUBULAR_MESHING_INLINE double Wall_distance::operator()(const Point_3& x) const {
+  return std::sqrt(impl_->tree.nearest(internal::to_double_point(x)).squared_distance);
+}
+
+CGAL_TUBULAR_MESHING_INLINE Point_3 Wall_distance::closest_point(const Point_3& x) const {
+  const internal::Double_kernel::Point_3 p = impl_->tree.nearest(internal::to_double_point(x)).point;
+  return Point_3(p.x(), p.y(), p.z());
+}
+
+CGAL_TUBULAR_MESHING_INLINE CGAL::Bbox_3 Wall_distance::bbox() const {
+  return impl_->tree.bbox();
+}
+
+} // namespace Tubular_meshing
+} // namespace CGAL
+
+#endif // CGAL_TUBULAR_MESHING_CENTERLINES_WALL_DISTANCE_IMPL_H

@@ -1,0 +1,167 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_CENTERLINES_COMPUTE_CENTERLINES_IMPL_H
+#define CGAL_TUBULAR_MESHING_CENTERLINES_COMPUTE_CENTERLINES_IMPL_H
+
+#include <CGAL/Tubular_meshing/Centerlines/build_centerline_graph.h>
+#include <CGAL/Tubular_meshing/Centerlines/compute_centerlines.h>
+#include <CGAL/Tubular_meshing/Centerlines/internal/Centerline_tracer.h>
+#include <CGAL/Tubular_meshing/base/Canonical_frame.h>
+#include <CGAL/Tubular_meshing/base/Labelled_surface.h>
+#include <CGAL/Tubular_meshing/base/Nearest_tree.h>
+#include <CGAL/Tubular_meshing/base/exceptions.h>
+#include <CGAL/Tubular_meshing/base/labels.h>
+
+#include <CGAL/boost/graph/helpers.h>
+
+#include <cmath>
+#include <cstddef>
+#include <string>
+
+namespace CGAL {
+namespace Tubular_meshing {
+namespace internal {
+
+inline void check_closed_surface(const Surface& surface) {
+  if (surface.is_empty())
+    throw Input_error("The surface is empty; it has no centerlines.");
+  if (!CGAL::is_triangle_mesh(surface) || !CGAL::is_closed(surface))
+    throw Input_error("Centerlines are computed inside closed surfaces of triangles; close the openings of this one "
+                      "first (close_openings()), and triangulate its faces.");
+  for (auto v : surface.vertices())
+    for (int k = 0; k < 3; ++k)
+      if (!std::isfinite(surface.point(v)[k]))
+        throw Input_error("Vertex " + std::to_string(std::size_t(v)) +
+                          " of the surface has a coordinate that is not a number; repair the file.");
+}
+
+// Of a closed surface: the number of independent cycles inside it, half of those on it.
+inline int genus(const Surface& surface) {
+  const long characteristic =
+      long(surface.number_of_vertices()) - long(surface.number_of_edges()) + long(surface.number_of_faces());
+  return int((2 - characteristic) / 2);
+}
+
+// The graph in the canonical frame, as a graph of the caller's points.
+inline Centerline_graph from_canonical(const Centerline_graph& graph, const Canonical_frame& frame,
+                                       const Point_3& root) {
+  std::vector<Point_3> points;
+  std::vector<double> radii;
+  std::vector<std::vector<std::size_t>> branches;
+  for (const Point_3& p : graph.points()) {
+    const Double_kernel::Point_3 q = frame.from_canonical(to_double_point(p));
+    points.emplace_back(q.x(), q.y(), q.z());
+  }
+  for (double r : graph.radii())
+    radii.push_back(frame.scale() * r);
+  for (const auto& b : graph.branches())
+    branches.push_back(b.points);
+  Centerline_graph result(std::move(points), std::move(radii), std::move(branches));
+  const auto away = [&](std::size_t n) {
+    return CGAL::squared_distance(result.points()[result.nodes()[n].point], root);
+  };
+  std::size_t nearest = 0;
+  for (std::size_t n = 1; n < result.nodes().size(); ++n)
+    if (away(n) < away(nearest))
+      nearest = n;
+  result.direct_from(nearest);
+  return result;
+}
+
+struct Centerline_computation::Impl {
+  Impl(const Surface& surface, const Face_patch_map& patch, const std::vector<std::pair<Point_3, int>>& ends)
+      : frame(points_of(surface, ends.size()))
+      , root(ends.front().first)
+      , tracer(Sampled_surface(surface, patch, frame), canonical(ends))
+      , wall(tracer.wall_triangles()) {}
+
+  static std::vector<Double_kernel::Point_3> points_of(const Surface& surface, std::size_t number_of_ends) {
+    check_closed_surface(surface);
+    if (number_of_ends < 2)
+      throw Input_error("Centerlines lead from an inlet to outlets, but the surface has only " +
+                        std::to_string(number_of_ends) + " opening; name further ends, by points.");
+    std::vector<Double_kernel::Point_3> points;
+    for (auto v : surface.vertices())
+      points.push_back(to_double_point(surface.point(v)));
+    return points;
+  }
+
+  std::vector<Centerline_end> canonical(const std::vector<std::pair<Point_3, int>>& ends) const {
+    std::vector<Centerline_end> result;
+    for (const auto& e : ends)
+      result.push_back(Centerline_end{frame.to_canonical(to_double_point(e.first)), e.second});
+    return result;
+  }
+
+  const Canonical_frame frame;
+  const Point_3 root;
+  Centerline_tracer tracer;
+  const Nearest_tree<Double_kernel::Triangle_3> wall;
+};
+
+CGAL_TUBULAR_MESHING_INLINE
+Centerline_computation::Centerline_computation(const Surface& surface, const Face_patch_map& patch,
+                                               const std::vector<std::pair<Point_3, int>>& ends, bool loops,
+                                               bool everywhere) {
+  if (ends.empty()) // before one is taken for the root
+    throw Input_error("Centerlines lead from an inlet to outlets, but the surface has no opening; name its ends, by "
+                      "points.");
+  impl_ = std::make_unique<Impl>(surface, patch, ends);
+  impl_->tracer.trace(loops ? genus(surface) : 0, everywhere);
+}
+
+CGAL_TUBULAR_MESHING_INLINE Centerline_computation::~Centerline_computation() = default;
+
+CGAL_TUBULAR_MESHING_INLINE bool Centerline_computation::add_end(Surface::Vertex_index v) {
+  return impl_->tracer.add_end(std::size_t(v));
+}
+
+CGAL_TUBULAR_MESHING_INLINE void
+Centerline_computation::make_graph(Centerline_graph& graph, const Build_centerline_graph_options& options) const {
+  Centerline_polylines polylines;
+  for (const Sampled_line& line : impl_->tracer.lines()) {
+    polylines.lines.emplace_back();
+    for (const Line_point& p : line) {
+      polylines.lines.back().push_back(polylines.points.size());
+      polylines.points.push_back(to_core(p.point));
+    }
+  }
+  const auto radius = [&](const Point_3& p) {
+    return std::sqrt(impl_->wall.nearest(to_double_point(p)).squared_distance);
+  };
+  Centerline_graph merged;
+  build_centerline_graph(polylines, radius, merged, options);
+  graph = from_canonical(merged, impl_->frame, impl_->root);
+}
+
+CGAL_TUBULAR_MESHING_INLINE void compute_centerlines(const Surface& surface, const Face_patch_map& patch,
+                                                     const std::vector<Opening>& openings, Centerline_graph& graph,
+                                                     const Compute_centerlines_options& options) {
+  std::vector<std::pair<Point_3, int>> ends;
+  for (const Opening& o : openings)
+    ends.emplace_back(o.center, o.patch);
+  Build_centerline_graph_options merging;
+  merging.merge_tolerance = options.merge_tolerance;
+  Centerline_computation(surface, patch, ends, options.loops, false).make_graph(graph, merging);
+}
+
+CGAL_TUBULAR_MESHING_INLINE void compute_centerlines(const Surface& surface, const std::vector<Point_3>& ends,
+                                                     Centerline_graph& graph,
+                                                     const Compute_centerlines_options& options) {
+  Labelled_surface labelled(surface);
+  for (Surface::Face_index f : labelled.surface.faces())
+    labelled.patch[f] = labels::wall;
+  std::vector<Opening> openings(ends.size());
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    openings[i].center = ends[i];
+    openings[i].patch = labels::wall;
+  }
+  compute_centerlines(labelled.surface, labelled.patch, openings, graph, options);
+}
+
+} // namespace internal
+} // namespace Tubular_meshing
+} // namespace CGAL
+
+#endif // CGAL_TUBULAR_MESHING_CENTERLINES_COMPUTE_CENTERLINES_IMPL_H

@@ -1,0 +1,64 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_FIELDS_CENTERLINE_SIZING_FIELD_IMPL_H
+#define CGAL_TUBULAR_MESHING_FIELDS_CENTERLINE_SIZING_FIELD_IMPL_H
+
+#include <CGAL/Tubular_meshing/Fields/Centerline_sizing_field.h>
+#include <CGAL/Tubular_meshing/Fields/internal/Size_octree.h>
+#include <CGAL/Tubular_meshing/base/exceptions.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace CGAL {
+namespace Tubular_meshing {
+
+namespace internal {
+
+inline void check(const Centerline_sizing_field_options& o) {
+  if (!(o.points_per_circumference >= 3 && o.points_per_circumference <= 1e6))
+    throw Parameter_error("The number of points per circumference is " + std::to_string(o.points_per_circumference) +
+                          ": give at least 3; 20 is usual.");
+  if (!(o.min_size >= 0) || !(o.max_size > 0) || !(o.min_size <= o.max_size))
+    throw Parameter_error("The limits of the mesh size, " + std::to_string(o.min_size) + " to " +
+                          std::to_string(o.max_size) + ", are no interval of positive lengths.");
+  if (!(o.gradation >= 1 && o.gradation <= 1e6))
+    throw Parameter_error("The gradation is " + std::to_string(o.gradation) +
+                          ": give the largest ratio of the sizes of neighboring elements, at least 1; 1.3 is usual.");
+}
+
+} // namespace internal
+
+CGAL_TUBULAR_MESHING_INLINE
+Centerline_sizing_field::Centerline_sizing_field(const Centerline_field& centerlines, const Wall_distance& wall,
+                                                 const Centerline_sizing_field_options& options) {
+  internal::check(options);
+  const double leaf_per_radius = 0.8;
+  const auto sample = [&](const internal::Size_octree::Position& x) {
+    const Point_3 p(x[0], x[1], x[2]), on_wall = wall.closest_point(p);
+    const auto d = centerlines.descriptors(on_wall);
+    const double radius = (std::max)(d.radius, d.distance);
+    const double size = (std::min)(
+        (std::max)(2 * CGAL_PI * radius / options.points_per_circumference, options.min_size), options.max_size);
+    const bool outside = squared_distance(p, d.point) > squared_distance(on_wall, d.point);
+    return internal::Size_octree::Sample{
+        {outside ? std::sqrt(squared_distance(p, on_wall)) : 0, leaf_per_radius * radius}, size};
+  };
+  octree_ = std::make_shared<const internal::Size_octree>(wall.bbox(), sample, options.gradation - 1,
+                                                          options.number_of_threads);
+}
+
+CGAL_TUBULAR_MESHING_INLINE double Centerline_sizing_field::size(double x, double y, double z) const {
+  return (*octree_)(x, y, z);
+}
+
+CGAL_TUBULAR_MESHING_INLINE double Centerline_sizing_field::estimated_number_of_tetrahedra() const {
+  return 7 * octree_->number_of_cubes();
+}
+
+} // namespace Tubular_meshing
+} // namespace CGAL
+
+#endif // CGAL_TUBULAR_MESHING_FIELDS_CENTERLINE_SIZING_FIELD_IMPL_H

@@ -1,0 +1,148 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_QUALITY_QUALITY_REPORT_IMPL_H
+#define CGAL_TUBULAR_MESHING_QUALITY_QUALITY_REPORT_IMPL_H
+
+#include <CGAL/Tubular_meshing/Fields/Metric_tensor_3.h>
+#include <CGAL/Tubular_meshing/Quality/quality_report.h>
+#include <CGAL/Tubular_meshing/Quality/shape_measures.h>
+#include <CGAL/Tubular_meshing/base/Vector_3d.h>
+#include <CGAL/Tubular_meshing/base/element_measures.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+namespace CGAL {
+namespace Tubular_meshing {
+
+CGAL_TUBULAR_MESHING_INLINE Measure_statistics::Measure_statistics(std::vector<double> values)
+    : values_(std::move(values)) {
+  std::sort(values_.begin(), values_.end());
+  for (double v : values_)
+    mean_ += v;
+  if (!values_.empty())
+    mean_ /= double(values_.size());
+}
+
+CGAL_TUBULAR_MESHING_INLINE double Measure_statistics::percentile(double percent) const {
+  if (values_.empty())
+    return 0;
+  const double at = (std::min)((std::max)(percent, 0.), 100.) / 100 * double(values_.size() - 1);
+  const std::size_t i = std::size_t(at);
+  return i + 1 < values_.size() ? values_[i] + (at - double(i)) * (values_[i + 1] - values_[i]) : values_.back();
+}
+
+CGAL_TUBULAR_MESHING_INLINE double Measure_statistics::share_below(double bound) const {
+  return values_.empty() ? 0
+                         : double(std::lower_bound(values_.begin(), values_.end(), bound) - values_.begin()) /
+                               double(values_.size());
+}
+
+CGAL_TUBULAR_MESHING_INLINE std::array<std::size_t, Measure_statistics::number_of_bins>
+Measure_statistics::histogram() const {
+  std::array<std::size_t, number_of_bins> bins = {};
+  for (double v : values_)
+    ++bins[std::size_t((std::min)((std::max)(v, 0.) * number_of_bins, number_of_bins - 1.))];
+  return bins;
+}
+
+namespace internal {
+
+/* Measures the elements of a mesh: all of them, or the cells of one region. */
+class Quality_reporter {
+public:
+  explicit Quality_reporter(const Mixed_mesh& mesh, const int* region = nullptr)
+      : mesh_(mesh)
+      , region_(region) {}
+
+  Quality_report report() const {
+    Quality_report r;
+    if (region_ == nullptr) {
+      r.gamma_T =
+          over(mesh_.triangles, [](const std::array<Vector_3d, 3>& p) { return triangle_gamma(p[0], p[1], p[2]); });
+      r.eta_q = over(mesh_.quads, [](const std::array<Vector_3d, 4>& p) { return internal::quad_eta(p); });
+    }
+    r.gamma_tau = over(mesh_.tetrahedra, [](const std::array<Vector_3d, 4>& p) {
+      return internal::tetrahedron_gamma(p[0], p[1], p[2], p[3]);
+    });
+    r.zeta_H = over(mesh_.hexahedra, [](const std::array<Vector_3d, 8>& p) { return internal::hexahedron_zeta(p); });
+    r.prism_jacobian =
+        over(mesh_.prisms, [](const std::array<Vector_3d, 6>& p) { return internal::prism_jacobian(p); });
+    r.pyramid_jacobian =
+        over(mesh_.pyramids, [](const std::array<Vector_3d, 5>& p) { return internal::pyramid_jacobian(p); });
+    for (const Point_array& a : mesh_.point_arrays)
+      if (a.name == "metric" && a.components == 6)
+        add_metric_measures(a, r);
+    return r;
+  }
+
+private:
+  // Calls visit(vertices) for the elements that count.
+  template <std::size_t N, class Visit> void for_each(const Element_block<N>& elements, const Visit& visit) const {
+    for (std::size_t i = 0; i < elements.size(); ++i)
+      if (region_ == nullptr || elements.label[i] == *region_)
+        visit(elements.vertices[i]);
+  }
+
+  Vector_3d point(std::uint32_t v) const { return Vector_3d(mesh_.points[v]); }
+
+  template <std::size_t N, class Measure>
+  Measure_statistics over(const Element_block<N>& elements, const Measure& measure) const {
+    std::vector<double> values;
+    values.reserve(elements.size());
+    for_each(elements, [&](const std::array<std::uint32_t, N>& v) {
+      std::array<Vector_3d, N> p;
+      for (std::size_t i = 0; i < N; ++i)
+        p[i] = point(v[i]);
+      values.push_back(measure(p));
+    });
+    return Measure_statistics(std::move(values));
+  }
+
+  void add_metric_measures(const Point_array& array, Quality_report& r) const {
+    const auto metric = [&](std::uint32_t v) {
+      const double* m = array.values.data() + 6 * std::size_t(v);
+      return Metric_tensor_3(m[0], m[1], m[2], m[3], m[4], m[5]);
+    };
+    std::vector<double> values;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
+    for_each(mesh_.tetrahedra, [&](const std::array<std::uint32_t, 4>& v) {
+      values.push_back(internal::tetrahedron_Q({point(v[0]), point(v[1]), point(v[2]), point(v[3])},
+                                               {metric(v[0]), metric(v[1]), metric(v[2]), metric(v[3])}));
+      for (std::size_t i = 0; i < 4; ++i)
+        for (std::size_t j = 0; j < i; ++j)
+          edges.push_back(std::minmax(v[i], v[j]));
+    });
+    r.Q_tau = Measure_statistics(std::move(values));
+    std::sort(edges.begin(), edges.end());
+    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+    double sum = 0;
+    for (const auto& e : edges) {
+      const double l =
+          Metric_tensor_3::edge_length_linear(point(e.second) - point(e.first), metric(e.first), metric(e.second));
+      sum += l < 1 ? l - 1 : 1 / l - 1;
+    }
+    r.efficiency = edges.empty() ? 0 : std::exp(sum / double(edges.size()));
+  }
+
+  const Mixed_mesh& mesh_;
+  const int* region_; // null: all
+};
+
+} // namespace internal
+
+CGAL_TUBULAR_MESHING_INLINE Quality_report quality_report(const Mixed_mesh& mesh) {
+  return internal::Quality_reporter(mesh).report();
+}
+
+CGAL_TUBULAR_MESHING_INLINE Quality_report quality_report(const Mixed_mesh& mesh, int region) {
+  return internal::Quality_reporter(mesh, &region).report();
+}
+
+} // namespace Tubular_meshing
+} // namespace CGAL
+
+#endif // CGAL_TUBULAR_MESHING_QUALITY_QUALITY_REPORT_IMPL_H

@@ -1,0 +1,6 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Tubular_meshing/Fields/Centerline_metric_field_impl.h>
+#include <CGAL/Tubular_meshing/Fields/Centerline_sizing_field_impl.h>
+#include <CGAL/Tubular_meshing/Fields/curvature_impl.h>
