@@ -4,8 +4,12 @@
 #ifndef CGAL_TUBULAR_MESHING_BASE_EXCEPTIONS_H
 #define CGAL_TUBULAR_MESHING_BASE_EXCEPTIONS_H
 
+#include <CGAL/Tubular_meshing/base/Sentence.h>
+
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Tubular_meshing {
@@ -17,8 +21,29 @@ namespace Tubular_meshing {
  */
 class Error : public std::runtime_error {
 public:
-  explicit Error(const std::string& sentence)
-      : std::runtime_error(sentence) {}
+  explicit Error(const Sentence& sentence)
+      : std::runtime_error("")
+      , sentence_(sentence)
+      , what_(sentence.str()) {}
+
+  const char* what() const noexcept override { return what_.c_str(); }
+
+  /// The places that the sentence names, in the frame of the surface; none for most.
+  std::vector<Place> places() const { return sentence_.places(); }
+
+  /// The stage of a Mesher in which it happened, as its observer receives it; empty outside of one.
+  const std::string& stage() const { return stage_; }
+  void set_stage(const std::string& stage) { stage_ = stage; }
+
+  /// Brings the places that the sentence names into another frame.
+  template <class Map> void transform_places(const Map& map) {
+    sentence_.transform(map);
+    what_ = sentence_.str();
+  }
+
+private:
+  Sentence sentence_;
+  std::string what_, stage_;
 };
 
 /*! \ingroup PkgTubularMeshingRef
@@ -27,8 +52,7 @@ public:
  */
 class Input_error : public Error {
 public:
-  explicit Input_error(const std::string& sentence)
-      : Error(sentence) {}
+  using Error::Error;
 };
 
 /*! \ingroup PkgTubularMeshingRef
@@ -37,8 +61,7 @@ public:
  */
 class Parameter_error : public Error {
 public:
-  explicit Parameter_error(const std::string& sentence)
-      : Error(sentence) {}
+  using Error::Error;
 };
 
 /*! \ingroup PkgTubularMeshingRef
@@ -47,8 +70,7 @@ public:
  */
 class Meshing_error : public Error {
 public:
-  explicit Meshing_error(const std::string& sentence)
-      : Error(sentence) {}
+  using Error::Error;
 };
 
 /*! \ingroup PkgTubularMeshingRef
@@ -57,8 +79,7 @@ public:
  */
 class Output_error : public Error {
 public:
-  explicit Output_error(const std::string& sentence)
-      : Error(sentence) {}
+  using Error::Error;
 };
 
 } // namespace Tubular_meshing
