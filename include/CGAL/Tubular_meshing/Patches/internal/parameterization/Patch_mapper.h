@@ -80,11 +80,10 @@ public:
     for (double shortening : {4., 16., 64., 256.})
       if (map_inside(Edge_weights::shortened, shortening))
         return Method::shortened;
-    throw Meshing_error("A patch of " + std::to_string(patch_.own_triangles) + " triangles near (" +
-                        std::to_string(patch_.points[0].x) + ", " + std::to_string(patch_.points[0].y) + ", " +
-                        std::to_string(patch_.points[0].z) +
-                        ") could not be mapped onto the plane; it may be too long: cut it further, by a smaller "
-                        "aspect ratio.");
+    throw Meshing_error("A patch of " + std::to_string(patch_.own_triangles) + " triangles near " +
+                        place_of(patch_.points[0]) +
+                        " could not be mapped onto the plane; it may be too long: cut it further, by a smaller aspect "
+                        "ratio.");
   }
 
   const Plane_points& uv() const { return uv_; }
