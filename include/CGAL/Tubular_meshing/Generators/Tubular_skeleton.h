@@ -8,7 +8,6 @@
 #include <CGAL/Tubular_meshing/Centerlines/Centerline_graph.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 
-#include <CGAL/Kernel_traits.h>
 
 #include <algorithm>
 #include <cmath>
@@ -32,7 +31,6 @@ namespace Tubular_meshing {
  */
 struct Tubular_skeleton {
   typedef Tubular_meshing::Point_3 Point_3;
-  typedef typename Kernel_traits<Point_3>::Kernel::Vector_3 Vector_3;
 
   struct Branch {
     std::size_t source, target;  ///< nodes
@@ -148,7 +146,7 @@ inline void check_skeleton(const Tubular_skeleton& skeleton) {
 
 namespace internal {
 
-inline void append_branch(const typename Tubular_skeleton::Branch& b, bool forwards, Centerline_polylines& lines) {
+inline void append_branch(const Tubular_skeleton::Branch& b, bool forwards, Centerline_polylines& lines) {
   const std::size_t n = b.points.size();
   for (std::size_t i = 0; i < n; ++i) {
     const std::size_t j = forwards ? i : n - 1 - i;

@@ -29,7 +29,7 @@ namespace internal {
 class Bronchial_tree_builder {
 public:
   typedef Tubular_skeleton Skeleton;
-  typedef typename Skeleton::Vector_3 Vector_3;
+  typedef Skeleton::Vector_3 Vector_3;
 
   explicit Bronchial_tree_builder(std::size_t number_of_branches) {
     grow_trachea();

@@ -19,7 +19,6 @@ namespace internal {
 
 // The cubic from p to q with tangents along u and v, of a speed that makes an arc out of perpendicular ones.
 struct Hermite_curve {
-  typedef typename Kernel_traits<Point_3>::Kernel::Vector_3 Vector_3;
 
   Hermite_curve(const Point_3& p, const Vector_3& u, const Point_3& q, const Vector_3& v)
       : p(p)
@@ -72,7 +71,7 @@ inline Tubular_skeleton curved_tube(double bend_radius = 5, double angle = CGAL_
 
 /*! A tube of radius 1 that divides into two of radius 0.8 and 0.7: three branches, three openings. */
 inline Tubular_skeleton y_bifurcation() {
-  typedef typename Tubular_skeleton::Vector_3 Vector_3;
+  typedef Tubular_skeleton::Vector_3 Vector_3;
   Tubular_skeleton s;
   s.nodes = {Point_3(0, 0, 0), Point_3(0, 0, 6), Point_3(3.2, 0, 12), Point_3(-3, 0.5, 11)};
   const Vector_3 up(0, 0, 1);
@@ -88,7 +87,7 @@ inline Tubular_skeleton y_bifurcation() {
 /*! An aortic arch: ascending part, arch with three branches on its top, descending part. Seven branches, one inlet,
  * four outlets, as in the paper's figure 2; radii from 14 to 3.5. */
 inline Tubular_skeleton aortic_arch() {
-  typedef typename Tubular_skeleton::Vector_3 Vector_3;
+  typedef Tubular_skeleton::Vector_3 Vector_3;
   const double bend = 38, rise = 45, fall = 110;
   const double at[3] = {1.15, 1.62, 2.1}; // the branches, as angles from the ascending end of the arch
   auto arch = [&](double a) {
@@ -124,7 +123,7 @@ inline Tubular_skeleton aortic_arch() {
 /*! A loop like the circle of Willis: a ring of seven arcs with a basilar inlet and six outlets. Fourteen branches,
  * seven openings, one loop; radii from 1.6 to 1. */
 inline Tubular_skeleton willis_loop() {
-  typedef typename Tubular_skeleton::Vector_3 Vector_3;
+  typedef Tubular_skeleton::Vector_3 Vector_3;
   const double to_radians = CGAL_PI / 180;
   const double at[7] = {-90, -35, 20, 65, 115, 160, 215}; // junctions on the ring, counterclockwise from the inlet
   const double end_radius[7] = {1.6, 1.1, 1.3, 1.1, 1.1, 1.3, 1.1};

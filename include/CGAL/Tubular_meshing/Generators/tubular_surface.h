@@ -15,7 +15,6 @@
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 #include <CGAL/Tubular_meshing/base/parameters.h>
 
-#include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/boost/graph/helpers.h>
 
@@ -41,10 +40,9 @@ namespace internal {
 
 class Tubular_surface_generator {
 public:
-  typedef CGAL::Surface_mesh<Point_3> Mesh;
-  typedef typename Mesh::Vertex_index Vertex;
-  typedef typename Mesh::Halfedge_index Halfedge;
-  typedef typename Tubular_skeleton::End End;
+  typedef Surface::Vertex_index Vertex;
+  typedef Surface::Halfedge_index Halfedge;
+  typedef Tubular_skeleton::End End;
   typedef Tubular_distance_function Function;
 
   explicit Tubular_surface_generator(const Tubular_skeleton& skeleton)
@@ -57,7 +55,7 @@ public:
       ends_of_branch_[ends_[i].branch].push_back(i);
   }
 
-  Mesh& mesh() { return mesh_; }
+  Surface& mesh() { return mesh_; }
 
   void make_open_surface(double points_per_circumference) {
     // Cells smaller than the radius leave no tube and no gap between tubes unseen; the remeshing does the rest.
@@ -114,7 +112,7 @@ public:
   }
 
 private:
-  static double half_length(const typename Tubular_skeleton::Branch& b) {
+  static double half_length(const Tubular_skeleton::Branch& b) {
     double length = 0;
     for (std::size_t i = 0; i + 1 < b.points.size(); ++i)
       length += norm(Vector_3d(b.points[i + 1]) - Vector_3d(b.points[i]));
@@ -138,9 +136,9 @@ private:
     const std::vector<Vertex> tips = find_tips();
     for (std::size_t i = 0; i < ends_.size(); ++i) {
       const End& end = ends_[i];
-      const std::vector<Vertex> seeds(tips[i] == Mesh::null_vertex() ? 0 : 1, tips[i]);
+      const std::vector<Vertex> seeds(tips[i] == Surface::null_vertex() ? 0 : 1, tips[i]);
       const Halfedge rim = trim_by_plane(mesh_, end.center, end.normal, seeds, 3 * end.radius);
-      if (rim == Mesh::null_halfedge())
+      if (rim == Surface::null_halfedge())
         throw Meshing_error("the end of the tube at node " + std::to_string(end.node) + ", branch " +
                             std::to_string(end.branch) +
                             " of the skeleton, cannot be opened: another branch is too near, or its own is too short; "
@@ -150,7 +148,7 @@ private:
   }
 
   std::vector<Vertex> find_tips() const {
-    std::vector<Vertex> tips(ends_.size(), Mesh::null_vertex());
+    std::vector<Vertex> tips(ends_.size(), Surface::null_vertex());
     std::vector<double> highest(ends_.size(), 0.5);
     for (Vertex v : mesh_.vertices()) {
       const std::size_t branch = function_.evaluate(mesh_.point(v)).branch;
@@ -167,7 +165,7 @@ private:
   }
 
   void find_rims() {
-    rims_.assign(ends_.size(), Mesh::null_halfedge());
+    rims_.assign(ends_.size(), Surface::null_halfedge());
     for (Halfedge h : mesh_.halfedges())
       if (mesh_.is_border(h)) {
         const Point_3& p = mesh_.point(mesh_.target(h));
@@ -180,7 +178,7 @@ private:
   std::vector<std::vector<std::size_t>> ends_of_branch_;
   std::vector<double> half_length_; // of the branches
   std::vector<Halfedge> rims_;
-  Mesh mesh_;
+  Surface mesh_;
 };
 
 inline void check_range(double value, double from, double to, const std::string& what) {

@@ -10,7 +10,6 @@
 #include <CGAL/Tubular_meshing/base/labels.h>
 
 #include <CGAL/Polygon_mesh_processing/orientation.h>
-#include <CGAL/Surface_mesh.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -56,7 +55,7 @@ private:
 // The sites of the openings, in their order. Flat ends are searched for with ever other criteria, as when they were
 // found.
 inline std::vector<Opening_site> sites_of(const std::vector<Opening>& openings, const std::vector<Opening_site>& loops,
-                                          const CGAL::Surface_mesh<Point_3>& surface) {
+                                          const Surface& surface) {
   std::vector<Opening_site> sites(openings.size());
   std::vector<std::size_t> missing, still_missing;
   Site_index index;
@@ -123,7 +122,7 @@ inline std::vector<Opening_site> sites_of(const std::vector<Opening>& openings, 
  * Complexity: a linear pass over the surface, and O(k log k) in the number of faces within about a radius of openings.
  */
 template <class NamedParameters = CGAL::parameters::Default_named_parameters>
-void close_openings(CGAL::Surface_mesh<Point_3>& surface, std::vector<Opening>& openings, Face_patch_map patch,
+void close_openings(Surface& surface, std::vector<Opening>& openings, Face_patch_map patch,
                     const NamedParameters& /* np */ = CGAL::parameters::default_values()) {
   typedef Surface::Face_index Face;
   internal::check_tubular_surface(surface);

@@ -20,7 +20,6 @@
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
-#include <CGAL/Surface_mesh.h>
 #include <CGAL/tags.h>
 
 #include <algorithm>
@@ -40,13 +39,12 @@ namespace internal {
 
 /* Extends openings; where it throws, the surface and the openings may be half done. */
 class Flow_extender {
-  typedef CGAL::Surface_mesh<Point_3> Mesh;
-  typedef typename Mesh::Face_index Face;
-  typedef CGAL::AABB_face_graph_triangle_primitive<Mesh> Primitive;
-  typedef CGAL::AABB_tree<Aabb_traits<typename Kernel_traits<Point_3>::Kernel, Primitive>> Tree;
+  typedef Surface::Face_index Face;
+  typedef CGAL::AABB_face_graph_triangle_primitive<Surface> Primitive;
+  typedef CGAL::AABB_tree<Aabb_traits<Kernel, Primitive>> Tree;
 
 public:
-  Flow_extender(Mesh& mesh, std::vector<Opening>& openings, const std::vector<bool>& wanted)
+  Flow_extender(Surface& mesh, std::vector<Opening>& openings, const std::vector<bool>& wanted)
       : mesh_(mesh)
       , openings_(openings)
       , wanted_(wanted)
@@ -187,7 +185,7 @@ private:
                         "opening out (extended_openings).");
   }
 
-  Mesh& mesh_;
+  Surface& mesh_;
   std::vector<Opening>& openings_;
   const std::vector<bool>& wanted_;
   std::vector<Opening_site> sites_;
@@ -257,7 +255,7 @@ inline void check_extension_lengths(double length, double min_length) {
  * vessel is a few radii.
  */
 template <class NamedParameters = CGAL::parameters::Default_named_parameters>
-std::vector<double> add_flow_extensions(CGAL::Surface_mesh<Point_3>& surface, std::vector<Opening>& openings,
+std::vector<double> add_flow_extensions(Surface& surface, std::vector<Opening>& openings,
                                         const NamedParameters& np = CGAL::parameters::default_values()) {
   const double length = internal::choose(np, internal_np::extension_length, 5.);
   const double min_length = internal::choose(np, internal_np::min_extension_length, (std::min)(1., length));
@@ -273,7 +271,7 @@ std::vector<double> add_flow_extensions(CGAL::Surface_mesh<Point_3>& surface, st
   }
 
   internal::check_tubular_surface(surface);
-  CGAL::Surface_mesh<Point_3> surface_before = surface;
+  Surface surface_before = surface;
   std::vector<Opening> openings_before = openings;
   try {
     return internal::Flow_extender(surface, openings, wanted).extend(length, min_length);

@@ -13,7 +13,6 @@
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 #include <CGAL/Tubular_meshing/base/parameters.h>
 
-#include <CGAL/Surface_mesh.h>
 
 #include <algorithm>
 #include <cmath>
@@ -56,7 +55,7 @@ inline double median_radius(const std::vector<Opening_site>& sites) {
 }
 
 // Matches the loops to ends of the graph, and adds the flat ends that ends without a loop lead to.
-inline std::vector<Centerline_ends::End> match_to_graph(const CGAL::Surface_mesh<Point_3>& surface,
+inline std::vector<Centerline_ends::End> match_to_graph(const Surface& surface,
                                                           const Centerline_graph& graph, bool inside_out,
                                                           std::vector<Opening_site>& sites) {
   Flat_end_finder finder(surface, inside_out);
@@ -105,7 +104,7 @@ std::size_t choose_inlet(const std::vector<Opening>& openings, std::size_t root,
 
 // None, where the surface is closed and has no flat ends.
 template <class NamedParameters>
-std::vector<Opening> find_any_openings(const CGAL::Surface_mesh<Point_3>& surface, const NamedParameters& np) {
+std::vector<Opening> find_any_openings(const Surface& surface, const NamedParameters& np) {
   check_tubular_surface(surface);
   std::vector<Opening_site> sites = border_loops(surface);
   const bool inside_out = is_inside_out(surface, sites);
@@ -179,7 +178,7 @@ std::vector<Opening> find_any_openings(const CGAL::Surface_mesh<Point_3>& surfac
  * Complexity: O(n) in the number of faces (expected), plus O(m log m) in openings and points of the graph.
  */
 template <class NamedParameters = CGAL::parameters::Default_named_parameters>
-std::vector<Opening> find_openings(const CGAL::Surface_mesh<Point_3>& surface,
+std::vector<Opening> find_openings(const Surface& surface,
                                    const NamedParameters& np = CGAL::parameters::default_values()) {
   std::vector<Opening> openings = internal::find_any_openings(surface, np);
   if (openings.empty())

@@ -14,7 +14,6 @@
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 #include <CGAL/Tubular_meshing/base/parameters.h>
 
-#include <CGAL/Surface_mesh.h>
 
 #include <algorithm>
 #include <cmath>
@@ -29,7 +28,7 @@ namespace internal {
 
 /* The openings, that nearest to the first seed being the inlet. A surface without any must have seeds. */
 template <class NamedParameters>
-std::vector<Opening> find_openings_or_seeds(const CGAL::Surface_mesh<Point_3>& surface,
+std::vector<Opening> find_openings_or_seeds(const Surface& surface,
                                             const std::vector<Point_3>& seeds, const NamedParameters& np) {
   typedef Named_parameters<Point_3, internal_np::inlet_t, NamedParameters> With_inlet;
   if (seeds.empty())

@@ -55,7 +55,7 @@ inline std::string name_of(Surface_defect defect) {
                                       "handles",
                                       "noise",
                                       "wrapped"};
-  return names[static_cast<std::size_t>(defect)];
+  return names[std::size_t(defect)];
 }
 
 /*! Whether a finding is but a note: the shape and the openings of the surface are as they were. */

@@ -10,7 +10,6 @@
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 #include <CGAL/Tubular_meshing/base/parameters.h>
 
-#include <CGAL/Surface_mesh.h>
 
 #include <array>
 #include <cmath>
@@ -80,7 +79,7 @@ enum class Repair_mode {
 template <class NamedParameters = CGAL::parameters::Default_named_parameters>
 Repair_report
 repair_surface(const std::vector<Point_3>& points, const std::vector<std::array<std::size_t, 3>>& triangles,
-               CGAL::Surface_mesh<Point_3>& mesh, const NamedParameters& np = CGAL::parameters::default_values()) {
+               Surface& mesh, const NamedParameters& np = CGAL::parameters::default_values()) {
   const Repair_mode mode = internal::choose(np, internal_np::repair_mode, Repair_mode::automatic);
   internal::Triangle_soup soup;
   soup.points.reserve(points.size());
@@ -115,7 +114,7 @@ repair_surface(const std::vector<Point_3>& points, const std::vector<std::array<
  * \throws Input_error as above, and if a face is not a triangle; the mesh may then be changed
  */
 template <class NamedParameters = CGAL::parameters::Default_named_parameters>
-Repair_report repair_surface(CGAL::Surface_mesh<Point_3>& mesh,
+Repair_report repair_surface(Surface& mesh,
                              const NamedParameters& np = CGAL::parameters::default_values()) {
   internal::check_tubular_surface(mesh);
   std::vector<Point_3> points(mesh.num_vertices());
@@ -128,7 +127,7 @@ Repair_report repair_surface(CGAL::Surface_mesh<Point_3>& mesh,
     triangles.push_back(
         {std::size_t(mesh.source(h)), std::size_t(mesh.target(h)), std::size_t(mesh.target(mesh.next(h)))});
   }
-  CGAL::Surface_mesh<Point_3> repaired;
+  Surface repaired;
   Repair_report report = repair_surface(points, triangles, repaired, np);
   if (!report.empty())
     mesh = std::move(repaired);

@@ -8,7 +8,6 @@
 #include <CGAL/Tubular_meshing/Generators/Tubular_skeleton.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
-#include <CGAL/Surface_mesh.h>
 #include <CGAL/number_type_config.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/iterator.h>
@@ -29,14 +28,13 @@ namespace internal {
  * ends and stay there. A pass is linear in the number of triangles, and costs about three evaluations a vertex. */
 template <class Function> class Tubular_remesher {
 public:
-  typedef CGAL::Surface_mesh<Point_3> Mesh;
-  typedef typename Mesh::Vertex_index Vertex;
-  typedef typename Mesh::Halfedge_index Halfedge;
-  typedef typename Mesh::Edge_index Edge;
-  typedef typename Mesh::Face_index Face;
-  typedef typename Tubular_skeleton::End End;
+  typedef Surface::Vertex_index Vertex;
+  typedef Surface::Halfedge_index Halfedge;
+  typedef Surface::Edge_index Edge;
+  typedef Surface::Face_index Face;
+  typedef Tubular_skeleton::End End;
 
-  Tubular_remesher(const Function& function, const std::vector<End>& ends, double points_per_circumference, Mesh& mesh)
+  Tubular_remesher(const Function& function, const std::vector<End>& ends, double points_per_circumference, Surface& mesh)
       : function_(function)
       , ends_(ends)
       , edge_over_radius_(2 * CGAL_PI / points_per_circumference)
@@ -242,7 +240,7 @@ private:
     const Vertex a = mesh_.source(h), b = mesh_.target(h), c = mesh_.target(mesh_.next(h)),
                  d = mesh_.target(mesh_.next(o));
     const Vector_3d pa = at(a), pb = at(b), pc = at(c), pd = at(d);
-    if (cotangent(pc, pa, pb) + cotangent(pd, pa, pb) > -1e-6 || mesh_.halfedge(c, d) != Mesh::null_halfedge() ||
+    if (cotangent(pc, pa, pb) + cotangent(pd, pa, pb) > -1e-6 || mesh_.halfedge(c, d) != Surface::null_halfedge() ||
         (end_[c] >= 0 && end_[d] >= 0))
       return false;
     const Vector_3d n = normal_[a] + normal_[b] + normal_[c] + normal_[d];
@@ -296,10 +294,10 @@ private:
   const Function& function_;
   const std::vector<End>& ends_;
   double edge_over_radius_;
-  Mesh& mesh_;
-  typename Mesh::template Property_map<Vertex, Vector_3d> normal_;
-  typename Mesh::template Property_map<Vertex, double> size_;
-  typename Mesh::template Property_map<Vertex, int> end_;
+  Surface& mesh_;
+  Surface::Property_map<Vertex, Vector_3d> normal_;
+  Surface::Property_map<Vertex, double> size_;
+  Surface::Property_map<Vertex, int> end_;
 };
 
 } // namespace internal

@@ -7,7 +7,6 @@
 #include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Generators/internal/Tubular_octree.h>
 
-#include <CGAL/Surface_mesh.h>
 
 #include <algorithm>
 #include <array>
@@ -31,9 +30,8 @@ namespace internal {
  * tetrahedron is crossed by one or two triangles at most. */
 template <class Function> class Tetrahedra_marcher {
 public:
-  typedef CGAL::Surface_mesh<Point_3> Mesh;
 
-  Tetrahedra_marcher(const Function& function, const Tubular_octree& octree, Mesh& mesh)
+  Tetrahedra_marcher(const Function& function, const Tubular_octree& octree, Surface& mesh)
       : function_(function)
       , octree_(octree)
       , mesh_(mesh) {
@@ -44,7 +42,7 @@ public:
 private:
   typedef Tubular_octree::Cell Cell;
   typedef Tubular_octree::Lattice_point Lattice_point;
-  typedef typename Mesh::Vertex_index Vertex;
+  typedef Surface::Vertex_index Vertex;
   typedef std::array<std::size_t, 4> Tetrahedron; // of lattice points
 
   void march(const Cell& c) {
@@ -194,7 +192,7 @@ private:
 
   const Function& function_;
   const Tubular_octree& octree_;
-  Mesh& mesh_;
+  Surface& mesh_;
   std::unordered_map<std::uint64_t, std::uint32_t> lattice_;
   std::vector<Vector_3d> positions_;
   std::vector<double> values_;
@@ -202,7 +200,7 @@ private:
 };
 
 template <class Function>
-void march_tetrahedra(const Function& function, const Tubular_octree& octree, CGAL::Surface_mesh<Point_3>& mesh) {
+void march_tetrahedra(const Function& function, const Tubular_octree& octree, Surface& mesh) {
   Tetrahedra_marcher<Function>(function, octree, mesh);
 }
 

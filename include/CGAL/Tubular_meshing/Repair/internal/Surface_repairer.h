@@ -26,7 +26,6 @@
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Polygon_mesh_processing/stitch_borders.h>
-#include <CGAL/Surface_mesh.h>
 
 #include <algorithm>
 #include <cmath>
@@ -43,13 +42,12 @@ namespace internal {
 
 /* The repairs, one after the other: first those of the triangles as a soup, then those of the mesh that they make. */
 class Surface_repairer {
-  typedef CGAL::Surface_mesh<Point_3> Mesh;
-  typedef typename Mesh::Vertex_index Vertex;
-  typedef typename Mesh::Halfedge_index Halfedge;
-  typedef typename Mesh::Face_index Face;
+  typedef Surface::Vertex_index Vertex;
+  typedef Surface::Halfedge_index Halfedge;
+  typedef Surface::Face_index Face;
 
 public:
-  Surface_repairer(Mesh& mesh, Repair_report& report)
+  Surface_repairer(Surface& mesh, Repair_report& report)
       : mesh_(mesh)
       , report_(report) {}
 
@@ -86,7 +84,7 @@ public:
                           coordinates(find_bad_faces(mesh_).crossing) + ": leave the smoothing out.");
     double farthest = 0;
     for (std::size_t i = 0; i < (std::min)(before.size(), std::size_t(mesh_.num_vertices())); ++i)
-      farthest = (std::max)(farthest, point_distance(before[i], mesh_.point(Vertex(typename Mesh::size_type(i)))));
+      farthest = (std::max)(farthest, point_distance(before[i], mesh_.point(Vertex(Surface::size_type(i)))));
     report_.add(Surface_defect::noise, mesh_.number_of_vertices(), farthest,
                 "The surface was smoothed, by up to " + short_number(farthest) + ".");
   }
@@ -102,7 +100,7 @@ private:
     if (soup.points.size() < points)
       report_.add(Surface_defect::duplicate_points, points - soup.points.size(), 0,
                   counted(points - soup.points.size(), "point was", "points were") + " merged with equal ones.");
-    const std::size_t collapsed = static_cast<std::size_t>(
+    const std::size_t collapsed = std::size_t(
         std::count_if(soup.triangles.begin(), soup.triangles.end(),
                       [](const Index_triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }));
     drop_degenerate_and_duplicate(soup.triangles);
@@ -203,7 +201,7 @@ private:
       return;
     note_flat_ends();
     const Point_3 place = mesh_.point(mesh_.target(mesh_.halfedge(needles.front())));
-    const Mesh before = mesh_;
+    const Surface before = mesh_;
     if (!Crossing_mender(mesh_).replace_all([&] { return remover.find(); }) || !keeps_ends()) {
       mesh_ = before;
       return;
@@ -256,7 +254,7 @@ private:
     if (bad.empty())
       return true;
     note_flat_ends();
-    const Mesh before = mesh_;
+    const Surface before = mesh_;
     const bool mended = Crossing_mender(mesh_).mend(bad) && keeps_ends();
     const std::string end = mended ? "; they were smoothed or replaced." : "; they could not be mended locally.";
     if (bad.crossings > 0) {
@@ -318,8 +316,8 @@ private:
   void report_handles() {
     const long handles = number_of_handles();
     if (handles > 0)
-      report_.add(Surface_defect::handles, static_cast<std::size_t>(handles), 0,
-                  "The lumen has " + counted(static_cast<std::size_t>(handles), "loop", "loops") +
+      report_.add(Surface_defect::handles, std::size_t(handles), 0,
+                  "The lumen has " + counted(std::size_t(handles), "loop", "loops") +
                       ": vessels split and rejoin there, or touch and are fused.");
   }
 
@@ -391,7 +389,7 @@ private:
     return triangles;
   }
 
-  Mesh& mesh_;
+  Surface& mesh_;
   Repair_report& report_;
   std::vector<Tube_end> tube_ends_; ///< as they were before what was amiss between them was mended
   bool knows_flat_ends_ = false;

@@ -9,7 +9,6 @@
 #include <CGAL/Tubular_meshing/Rims/flat_ends.h>
 #include <CGAL/Tubular_meshing/Repair/internal/drop_islands.h>
 
-#include <CGAL/Surface_mesh.h>
 
 #include <cmath>
 #include <cstddef>
@@ -24,14 +23,12 @@ namespace internal {
  * loses is then made up for by moving the wall along its normals, all over by the same length. A vertex on a rim moves
  * along the rim only, as a vertex of that curve; flat caps stay as they are. O(n) a round. */
 class Noise_smoother {
-  typedef CGAL::Surface_mesh<Point_3> Mesh;
-  typedef typename Mesh::Vertex_index Vertex;
-  typedef typename Mesh::Halfedge_index Halfedge;
-  typedef Vector_3 Vector;
+  typedef Surface::Vertex_index Vertex;
+  typedef Surface::Halfedge_index Halfedge;
 
 public:
   /* The mesh has no garbage, and is turned outward. */
-  explicit Noise_smoother(Mesh& mesh)
+  explicit Noise_smoother(Surface& mesh)
       : mesh_(mesh)
       , fixed_(mesh.num_vertices(), false) {
     for (const auto& end : Flat_end_finder(mesh, false).find(certain_flat_end()))
@@ -52,7 +49,7 @@ public:
 
 private:
   void step(double factor) {
-    moves_.assign(mesh_.num_vertices(), Vector(0, 0, 0));
+    moves_.assign(mesh_.num_vertices(), Vector_3(0, 0, 0));
     for (Vertex v : mesh_.vertices())
       if (!fixed_[std::size_t(v)])
         moves_[std::size_t(v)] = factor * mean_of_neighbours(v);
@@ -78,10 +75,10 @@ private:
   }
 
   void offset(double volume) {
-    std::vector<Vector> normals(mesh_.num_vertices(), Vector(0, 0, 0));
+    std::vector<Vector_3> normals(mesh_.num_vertices(), Vector_3(0, 0, 0));
     double area = 0;
     for (auto f : mesh_.faces()) {
-      const Vector n = area_vector(mesh_.halfedge(f), mesh_);
+      const Vector_3 n = area_vector(mesh_.halfedge(f), mesh_);
       area += std::sqrt(n.squared_length());
       for (Vertex v : CGAL::vertices_around_face(mesh_.halfedge(f), mesh_))
         normals[std::size_t(v)] = normals[std::size_t(v)] + n;
@@ -94,8 +91,8 @@ private:
     }
   }
 
-  Vector mean_of_neighbours(Vertex v) const {
-    Vector sum(0, 0, 0);
+  Vector_3 mean_of_neighbours(Vertex v) const {
+    Vector_3 sum(0, 0, 0);
     double n = 0;
     const bool on_rim = mesh_.is_border(v);
     for (Halfedge h : CGAL::halfedges_around_target(mesh_.halfedge(v), mesh_)) {
@@ -107,9 +104,9 @@ private:
     return n > 0 ? sum / n : sum;
   }
 
-  Mesh& mesh_;
+  Surface& mesh_;
   std::vector<bool> fixed_;
-  std::vector<Vector> moves_;
+  std::vector<Vector_3> moves_;
 };
 
 } // namespace internal

@@ -9,7 +9,6 @@
 #include <CGAL/Tubular_meshing/Rims/flat_ends.h>
 #include <CGAL/Tubular_meshing/Repair/internal/drop_islands.h>
 
-#include <CGAL/Surface_mesh.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -43,7 +42,7 @@ inline void append_ends(const std::vector<Opening_site>& sites, std::vector<Tube
     ends.push_back(tube_end(site));
 }
 
-inline std::vector<Opening_site> flat_ends(const CGAL::Surface_mesh<Point_3>& mesh) {
+inline std::vector<Opening_site> flat_ends(const Surface& mesh) {
   return Flat_end_finder(mesh, false).find(certain_flat_end());
 }
 

@@ -13,7 +13,6 @@
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
-#include <CGAL/Surface_mesh.h>
 #include <CGAL/alpha_wrap_3.h>
 
 #include <algorithm>
@@ -32,10 +31,8 @@ namespace internal {
  * 2022; CGAL's Alpha_wrap_3): the ends are closed by fans, the whole is wrapped with balls of a third of the smallest
  * end's radius, the wrap is drawn onto the surface again, by the offset it keeps, and cut open at the ends. */
 class Surface_wrapper {
-  typedef CGAL::Surface_mesh<Point_3> Mesh;
-  typedef typename Mesh::Vertex_index Vertex;
-  typedef typename Mesh::Face_index Face;
-  typedef Vector_3 Vector;
+  typedef Surface::Vertex_index Vertex;
+  typedef Surface::Face_index Face;
 
 public:
   /* Takes the soup, with the fans in the ends; `reason` begins the sentence of an error. */
@@ -49,7 +46,7 @@ public:
   double alpha() const { return alpha_; }
 
   /* Replaces `mesh`. Throws Input_error if the wrap would be too large, or an end is not found on it. */
-  void wrap(Mesh& mesh, double smallest_radius) {
+  void wrap(Surface& mesh, double smallest_radius) {
     alpha_ = smallest_radius / 3;
     offset_ = alpha_ / 15;
     check_size();
@@ -76,7 +73,7 @@ private:
                         std::to_string(3 * alpha_) + ": repair it in another program, or cut it into parts.");
   }
 
-  void draw_onto_surface(Mesh& mesh) const {
+  void draw_onto_surface(Surface& mesh) const {
     typedef Double_kernel::Triangle_3 Triangle;
     std::vector<Triangle> shapes;
     for (const Index_triangle& t : triangles_) {
@@ -118,7 +115,7 @@ private:
       mesh.point(v) = before[std::size_t(v)];
   }
 
-  void open_ends(Mesh& mesh) const {
+  void open_ends(Surface& mesh) const {
     const std::vector<Face> faces(mesh.faces().begin(), mesh.faces().end());
     std::vector<Double_kernel::Triangle_3> shapes;
     for (Face f : faces) {
@@ -135,7 +132,7 @@ private:
   }
 
   // Cuts a little further in than where the end was, all that is connected to the face at its centre.
-  bool open(Mesh& mesh, const Tube_end& end, Face face) const {
+  bool open(Surface& mesh, const Tube_end& end, Face face) const {
     if (mesh.is_removed(face))
       return false;
     for (double margin : {0.02, 0.1, 0.25, 0.5, 1.}) {
@@ -144,7 +141,7 @@ private:
       for (Vertex v : CGAL::vertices_around_face(mesh.halfedge(face), mesh))
         if ((mesh.point(v) - origin) * end.normal > 0 &&
             trim_by_plane(mesh, origin, end.normal, std::vector<Vertex>{v}, 2 * (end.reach + depth)) !=
-                Mesh::null_halfedge())
+                Surface::null_halfedge())
           return true;
     }
     return false;

@@ -193,7 +193,7 @@ private:
                                                        CGAL::No_constraint_intersection_tag>
         Triangulation;
     Triangulation triangulation;
-    std::vector<typename Triangulation::Vertex_handle> vertices;
+    std::vector<Triangulation::Vertex_handle> vertices;
     for (std::size_t i = 0; i < points.size(); ++i) {
       vertices.push_back(triangulation.insert(on_annulus(points[i])));
       vertices.back()->info() = i;
@@ -207,7 +207,7 @@ private:
     // what is reached from outside without crossing the rim is no part; neither is what the ring encloses
     for (auto f : triangulation.all_face_handles())
       f->info() = 0;
-    std::vector<typename Triangulation::Face_handle> outside = {triangulation.infinite_face()};
+    std::vector<Triangulation::Face_handle> outside = {triangulation.infinite_face()};
     outside[0]->info() = 1;
     while (!outside.empty()) {
       const auto f = outside.back();

@@ -30,7 +30,6 @@ struct Unrolled_point {
  * height. Angles are lengths along the rim's projection across the axis, so that they increase around any rim, be it
  * noisy or not convex; at the circle they are polar angles. Heights are counted from the centre of the projection. */
 class Extension_profile {
-  typedef Vector_3 Vector;
   typedef CGAL::Exact_predicates_inexact_constructions_kernel Plane_kernel;
 
 public:
@@ -39,7 +38,7 @@ public:
 
   Extension_profile() {}
   /* `rim` turns left about `direction`, the unit vector of the axis. */
-  Extension_profile(const std::vector<Point_3>& rim, const Vector& direction) {
+  Extension_profile(const std::vector<Point_3>& rim, const Vector_3& direction) {
     Rim_shape across;
     rim_weights(rim, across.perimeter);
     const Point_3& farthest = *std::max_element(rim.begin(), rim.end(), [&](const Point_3& p, const Point_3& q) {
@@ -54,7 +53,7 @@ public:
       radius_ = 0;
       return;
     }
-    const Vector shift = heights_mean(rim, across) * direction;
+    const Vector_3 shift = heights_mean(rim, across) * direction;
     axis_ = Rim_plane(across.center + shift, direction, farthest - rim[0]);
     unroll(rim);
     choose_corners();
@@ -105,7 +104,7 @@ public:
   Point_3 axis_point(double height) const { return axis_.origin() + radius_ * height * axis_.normal(); }
 
 private:
-  static double squared_distance_to_axis(const Point_3& p, const Point_3& origin, const Vector& direction) {
+  static double squared_distance_to_axis(const Point_3& p, const Point_3& origin, const Vector_3& direction) {
     return CGAL::cross_product(p - origin, direction).squared_length();
   }
 

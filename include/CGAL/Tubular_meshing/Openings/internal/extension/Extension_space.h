@@ -10,7 +10,6 @@
 
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Bbox_3.h>
-#include <CGAL/Kernel_traits.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/box_intersection_d.h>
 
@@ -37,7 +36,7 @@ constexpr double extension_step = 0.5;       // in radii
 
 /* A piece of the tube that has to be free for an extension: a prism around it, from one height to another. */
 class Extension_prism {
-  typedef typename Kernel_traits<Point_3>::Kernel::Triangle_3 Triangle;
+  typedef Kernel::Triangle_3 Triangle;
 
 public:
   Extension_prism(const Extension_profile& profile, double from, double to)
@@ -46,11 +45,11 @@ public:
       , to_(to) {}
 
   /* Whether a mesh has a vertex in it, or crosses its sides or its top. `tree` holds the faces of the mesh. */
-  template <class Mesh, class Tree> bool meets(const Mesh& mesh, const Tree& tree) const {
+  template <class Mesh, class Tree> bool meets(const Surface& mesh, const Tree& tree) const {
     CGAL::Bbox_3 box;
     for (int i = 0; i < sides; ++i)
       box += corner(i, from_).bbox() + corner(i, to_).bbox();
-    std::vector<typename Tree::Primitive_id> near;
+    std::vector<Tree::Primitive_id> near;
     tree.all_intersected_primitives(box, std::back_inserter(near));
     if (near.empty())
       return false;
@@ -90,7 +89,7 @@ private:
 
 /* The height up to which a tube slightly wider than the extension does not meet the wall, in steps. */
 template <class Mesh, class Tree>
-Extension_limit free_of_wall(const Extension_profile& profile, const Mesh& mesh, const Tree& wall) {
+Extension_limit free_of_wall(const Extension_profile& profile, const Surface& mesh, const Tree& wall) {
   double from = profile.highest() + 0.1;
   while (from < profile.end()) {
     const double to = (std::min)(from + extension_step, profile.end());
