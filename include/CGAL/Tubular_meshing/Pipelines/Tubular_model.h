@@ -17,6 +17,7 @@
 #include <CGAL/Tubular_meshing/Patches/follow_blind_vessels.h>
 #include <CGAL/Tubular_meshing/Openings/seeds.h>
 #include <CGAL/Tubular_meshing/Openings/openings.h>
+#include <CGAL/Tubular_meshing/Rims/Opening_site.h>
 #include <CGAL/Tubular_meshing/base/labels.h>
 #include <CGAL/Tubular_meshing/base/parameters.h>
 
@@ -147,7 +148,7 @@ Tubular_model make_tubular_model(const CGAL::Surface_mesh<Point_3>& surface,
   const auto seeds = internal::choose(np, internal_np::seeds, std::vector<Point_3>());
   Tubular_model model;
   internal::copy_surface(surface, model);
-  model.openings = internal::find_openings_or_seeds(model.surface, seeds, np);
+  model.openings = internal::find_openings_or_seeds(model.surface, seeds, Find_openings_options(np));
   close_openings(model.surface, model.openings, model.patch);
   internal::check_no_crossings(model.surface);
   const bool blind_vessels = internal::choose(np, internal_np::blind_vessels, true);

@@ -6,7 +6,7 @@
 
 #include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Rims/Opening_site.h>
-#include <CGAL/Tubular_meshing/Rims/Rim_flattener.h>
+#include <CGAL/Tubular_meshing/Openings/internal/Rim_flattener.h>
 #include <CGAL/Tubular_meshing/Rims/planar_cap.h>
 #include <CGAL/Tubular_meshing/Rims/trim_by_plane.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tubular_meshing authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_TUBULAR_MESHING_RIMS_RIM_FLATTENER_H
-#define CGAL_TUBULAR_MESHING_RIMS_RIM_FLATTENER_H
+#ifndef CGAL_TUBULAR_MESHING_OPENINGS_INTERNAL_RIM_FLATTENER_H
+#define CGAL_TUBULAR_MESHING_OPENINGS_INTERNAL_RIM_FLATTENER_H
 
 #include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Rims/Opening_site.h>
@@ -170,4 +170,4 @@ private:
 } // namespace Tubular_meshing
 } // namespace CGAL
 
-#endif // CGAL_TUBULAR_MESHING_RIMS_RIM_FLATTENER_H
+#endif // CGAL_TUBULAR_MESHING_OPENINGS_INTERNAL_RIM_FLATTENER_H

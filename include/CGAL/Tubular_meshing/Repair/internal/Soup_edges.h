@@ -54,8 +54,8 @@ public:
         sides_[end[ends.first]++] = Side{ends.second, 3 * f + k};
       }
     for (std::size_t v = 0; v + 1 < begin_.size(); ++v)
-      std::sort(sides_.begin() + std::ptrdiff_t(begin_[v]),
-                sides_.begin() + std::ptrdiff_t(begin_[v + 1]), [](const Side& s, const Side& t) {
+      std::sort(sides_.begin() + std::ptrdiff_t(begin_[v]), sides_.begin() + std::ptrdiff_t(begin_[v + 1]),
+                [](const Side& s, const Side& t) {
                   return std::make_pair(s.other_end, s.side) < std::make_pair(t.other_end, t.side);
                 });
   }

@@ -22,23 +22,6 @@ namespace CGAL {
 namespace Tubular_meshing {
 namespace internal {
 
-/* The border loops of any manifold mesh: unlike border_loops(), they may touch, and bound no area. */
-inline std::vector<Opening_site> border_cycles(const Surface& mesh) {
-  typedef Surface::Halfedge_index Halfedge;
-  std::vector<Opening_site> loops;
-  std::unordered_set<Halfedge> visited;
-  for (Halfedge first : mesh.halfedges()) {
-    if (!mesh.is_border(first) || visited.count(first))
-      continue;
-    Opening_site loop;
-    for (Halfedge h = first; visited.insert(h).second; h = mesh.next(h))
-      loop.rim.push_back(h);
-    loop.shape = measure_rim(rim_points(loop.rim, mesh));
-    loops.push_back(std::move(loop));
-  }
-  return loops;
-}
-
 struct Dropped_islands {
   std::size_t count = 0, triangles = 0;
   double share = 0, extent = 0; ///< of the whole area; the diagonal of the largest one's box

@@ -1,9 +1,10 @@
 // Copyright (c) 2026 The Tubular_meshing authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_TUBULAR_MESHING_REPAIR_INTERNAL_MEND_CROSSINGS_H
-#define CGAL_TUBULAR_MESHING_REPAIR_INTERNAL_MEND_CROSSINGS_H
+#ifndef CGAL_TUBULAR_MESHING_REPAIR_INTERNAL_REPAIR_CROSSINGS_H
+#define CGAL_TUBULAR_MESHING_REPAIR_INTERNAL_REPAIR_CROSSINGS_H
 
+#include <CGAL/Tubular_meshing/base/Function_view.h>
 #include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Rims/Opening_site.h>
 #include <CGAL/Tubular_meshing/Repair/internal/fill_wall.h>
@@ -48,8 +49,7 @@ inline bool is_folded(Surface::Edge_index e, const Surface& mesh) {
 
 /* The pairs of faces that cross each other, in order. O(n log n), and more than all else that is done to a clean
  * surface. On one thread: CGAL's parallel version took twice the time on two cores. */
-inline std::vector<std::pair<Surface::Face_index, Surface::Face_index>>
-find_crossings(const Surface& mesh) {
+inline std::vector<std::pair<Surface::Face_index, Surface::Face_index>> find_crossings(const Surface& mesh) {
   typedef Surface::Face_index Face;
   std::vector<std::pair<Face, Face>> pairs;
   Polygon_mesh_processing::self_intersections(mesh, std::back_inserter(pairs));
@@ -82,29 +82,29 @@ inline Bad_faces find_bad_faces(const Surface& mesh) {
   return bad;
 }
 
-/* Mends crossing and folded faces in place: first by smoothing them and the faces around, bent like the wall or flat,
+/* Repairs crossing and folded faces in place: first by smoothing them and the faces around, bent like the wall or flat,
  * which is taken back where it does not help, then by replacing them with a patch that is bent like the wall around it,
  * then ever larger patches, without bending: walls that pierce each other retreat from each other. Where bad faces
  * reach a rim, they are removed, and the notch is filled up to a chord. O(n log n) for each of at most ten rounds. */
-class Crossing_mender {
+class Crossing_repairer {
   typedef Surface::Vertex_index Vertex;
   typedef Surface::Halfedge_index Halfedge;
   typedef Surface::Face_index Face;
   typedef std::unordered_set<Face> Faces;
 
 public:
-  explicit Crossing_mender(Surface& mesh)
+  explicit Crossing_repairer(Surface& mesh)
       : mesh_(mesh) {}
 
   /* Whether nothing bad is left. */
-  bool mend(Bad_faces bad) {
+  bool repair(Bad_faces bad) {
     for (int round = 0; round < 4 && !bad.empty(); ++round)
       bad = smooth(bad, (round + 1) / 2, round < 2);
     return bad.empty() || replace_all([&] { return find_bad_faces(mesh_).faces; });
   }
 
   /* Replaces what `find` returns, with ever more faces around, until it returns none. Whether it does. */
-  template <class Find> bool replace_all(const Find& find) {
+  bool replace_all(Function_view<std::vector<Face>()> find) {
     std::vector<Face> faces = find();
     for (int round = 0; round < 6 && !faces.empty(); ++round) {
       for (const Faces& patch : patches_around(faces, 1 + round / 2))
@@ -257,7 +257,8 @@ private:
     }
     for (const auto& t : ordered)
       for (int k = 0; k < 3; ++k)
-        if (t[(k + 1) % 3] - t[k] != 1 && mesh_.halfedge(notch[t[k]], notch[t[(k + 1) % 3]]) != Surface::null_halfedge())
+        if (t[(k + 1) % 3] - t[k] != 1 &&
+            mesh_.halfedge(notch[t[k]], notch[t[(k + 1) % 3]]) != Surface::null_halfedge())
           return; // an edge that the wall has already
     for (const auto& t : ordered)
       mesh_.add_face(notch[t[0]], notch[t[1]], notch[t[2]]);
@@ -307,4 +308,4 @@ private:
 } // namespace Tubular_meshing
 } // namespace CGAL
 
-#endif // CGAL_TUBULAR_MESHING_REPAIR_INTERNAL_MEND_CROSSINGS_H
+#endif // CGAL_TUBULAR_MESHING_REPAIR_INTERNAL_REPAIR_CROSSINGS_H

@@ -5,10 +5,8 @@
 #define CGAL_TUBULAR_MESHING_REPAIR_INTERNAL_SMOOTH_NOISE_H
 
 #include <CGAL/Tubular_meshing/base/Kernel.h>
-#include <CGAL/Tubular_meshing/Rims/Opening_site.h>
 #include <CGAL/Tubular_meshing/Rims/flat_ends.h>
-#include <CGAL/Tubular_meshing/Repair/internal/drop_islands.h>
-
+#include <CGAL/Tubular_meshing/Rims/Opening_site.h>
 
 #include <cmath>
 #include <cstddef>
@@ -39,7 +37,7 @@ public:
 
   void smooth(int rounds = 10) {
     const double lambda = 0.5, pass_band = 0.1, mu = 1 / (pass_band - 1 / lambda);
-    const double volume = closed_volume();
+    const double volume = closed_volume(mesh_, border_cycles(mesh_));
     for (int i = 0; i < rounds; ++i) {
       step(lambda);
       step(mu);
@@ -57,23 +55,6 @@ private:
       mesh_.point(v) = mesh_.point(v) + moves_[std::size_t(v)];
   }
 
-  // Of the surface with its border loops closed by fans.
-  double closed_volume() const {
-    double volume = 0;
-    const Point_3 o = mesh_.point(*mesh_.vertices().begin());
-    const auto add = [&](const Point_3& a, const Point_3& b, const Point_3& c) {
-      volume += (a - o) * CGAL::cross_product(b - o, c - o) / 6;
-    };
-    for (auto f : mesh_.faces()) {
-      const Halfedge h = mesh_.halfedge(f);
-      add(mesh_.point(mesh_.source(h)), mesh_.point(mesh_.target(h)), mesh_.point(mesh_.target(mesh_.next(h))));
-    }
-    for (const auto& loop : border_cycles(mesh_))
-      for (Halfedge h : loop.rim)
-        add(mesh_.point(mesh_.source(h)), mesh_.point(mesh_.target(h)), loop.shape.center);
-    return volume;
-  }
-
   void offset(double volume) {
     std::vector<Vector_3> normals(mesh_.num_vertices(), Vector_3(0, 0, 0));
     double area = 0;
@@ -83,7 +64,7 @@ private:
       for (Vertex v : CGAL::vertices_around_face(mesh_.halfedge(f), mesh_))
         normals[std::size_t(v)] = normals[std::size_t(v)] + n;
     }
-    const double distance = (volume - closed_volume()) / area;
+    const double distance = (volume - closed_volume(mesh_, border_cycles(mesh_))) / area;
     for (Vertex v : mesh_.vertices()) {
       const double length = std::sqrt(normals[std::size_t(v)].squared_length());
       if (!fixed_[std::size_t(v)] && length > 0)

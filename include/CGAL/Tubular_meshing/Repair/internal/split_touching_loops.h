@@ -5,7 +5,7 @@
 #define CGAL_TUBULAR_MESHING_REPAIR_INTERNAL_SPLIT_TOUCHING_LOOPS_H
 
 #include <CGAL/Tubular_meshing/base/Kernel.h>
-#include <CGAL/Tubular_meshing/Repair/internal/drop_islands.h>
+#include <CGAL/Tubular_meshing/Rims/Opening_site.h>
 
 #include <CGAL/boost/graph/iterator.h>
 

@@ -9,7 +9,6 @@
 #include <CGAL/Tubular_meshing/Openings/internal/extension/Extension_band.h>
 #include <CGAL/Tubular_meshing/Openings/internal/extension/Extension_profile.h>
 
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>

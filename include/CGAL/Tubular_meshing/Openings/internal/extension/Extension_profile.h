@@ -7,13 +7,13 @@
 #include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Rims/Rim_shape.h>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_2_algorithms.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -30,7 +30,6 @@ struct Unrolled_point {
  * height. Angles are lengths along the rim's projection across the axis, so that they increase around any rim, be it
  * noisy or not convex; at the circle they are polar angles. Heights are counted from the centre of the projection. */
 class Extension_profile {
-  typedef CGAL::Exact_predicates_inexact_constructions_kernel Plane_kernel;
 
 public:
   static constexpr double transition = 2;  // in radii: the height over the rim in which the profile becomes a circle
@@ -109,12 +108,12 @@ private:
   }
 
   static bool is_simple_across(const std::vector<Point_3>& rim, const Rim_plane& plane) {
-    std::vector<Plane_kernel::Point_2> polygon;
+    std::vector<Kernel::Point_2> polygon;
     for (const Point_3& p : rim) {
       const auto q = plane.in_plane(p);
       polygon.emplace_back(q[0], q[1]);
     }
-    return CGAL::is_simple_2(polygon.begin(), polygon.end(), Plane_kernel());
+    return CGAL::is_simple_2(polygon.begin(), polygon.end(), Kernel());
   }
 
   // Over the plane, weighted by the lengths of edges: of the rim's own centre.

@@ -7,7 +7,6 @@
 #include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Rims/Opening_site.h>
 
-
 #include <Eigen/Dense>
 
 #include <algorithm>
@@ -56,8 +55,7 @@ inline std::unordered_map<Surface::Vertex_index, double> depths_behind_rim(const
  * (the least eigenvector of their normals' spread; the nearer the rim, the more a face weighs). An oblique cut does not
  * tilt it, as it does the normal of the rim. Where the wall has no direction, as at a hole in a dome, or is too short
  * to tell, it is the rim's normal. `outwards` is that normal. */
-inline Vector_3 wall_direction(const Opening_site& site, const Vector_3& outwards,
-                               const Surface& mesh) {
+inline Vector_3 wall_direction(const Opening_site& site, const Vector_3& outwards, const Surface& mesh) {
   const double clear = 0.25, vague = 0.75; // ratios of the two smaller eigenvalues
   const double reach = site.shape.radius;
   const auto depth = depths_behind_rim(site, reach, mesh);
