@@ -5,6 +5,7 @@
 #define CGAL_TUBULAR_MESHING_GENERATORS_INTERNAL_TUBULAR_REMESHER_H
 
 #include <CGAL/Tubular_meshing/base/Kernel.h>
+#include <CGAL/Tubular_meshing/Generators/Tubular_distance_function.h>
 #include <CGAL/Tubular_meshing/Generators/Tubular_skeleton.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
@@ -26,7 +27,7 @@ namespace internal {
  * Delaunay flips, and tangential relaxation, each vertex being projected back onto the surface (compare M. Botsch, L.
  * Kobbelt, A remeshing approach to multiresolution modeling, 2004). Border loops lie on the circles of the skeleton's
  * ends and stay there. A pass is linear in the number of triangles, and costs about three evaluations a vertex. */
-template <class Function> class Tubular_remesher {
+class Tubular_remesher {
 public:
   typedef Surface::Vertex_index Vertex;
   typedef Surface::Halfedge_index Halfedge;
@@ -34,7 +35,8 @@ public:
   typedef Surface::Face_index Face;
   typedef Tubular_skeleton::End End;
 
-  Tubular_remesher(const Function& function, const std::vector<End>& ends, double points_per_circumference, Surface& mesh)
+  Tubular_remesher(const Tubular_distance_function& function, const std::vector<End>& ends,
+                   double points_per_circumference, Surface& mesh)
       : function_(function)
       , ends_(ends)
       , edge_over_radius_(2 * CGAL_PI / points_per_circumference)
@@ -88,7 +90,7 @@ private:
     double radius;
   };
 
-  Place place_at(const Vector_3d& p, const typename Function::Value& value) const {
+  Place place_at(const Vector_3d& p, const Tubular_distance_function::Value& value) const {
     return {p, normalized(Vector_3d(value.gradient[0], value.gradient[1], value.gradient[2])), value.radius};
   }
 
@@ -188,14 +190,14 @@ private:
       if (mesh_.is_border(h) || a == w || b == w)
         continue;
       const Vector_3d n = normalized(normal_[a] + normal_[b] + normal_[v]);
-      before = (std::min)(before, goodness(at(v), at(b), at(a), n));
-      after = (std::min)(after, goodness(p, at(b), at(a), n));
+      before = (std::min)(before, shape_on_surface(at(v), at(b), at(a), n));
+      after = (std::min)(after, shape_on_surface(p, at(b), at(a), n));
     }
     return after > 0.05 || after > before;
   }
 
   // Twice the area, seen along the normal, over the longest edge's square: 0.87 for an equilateral triangle.
-  static double goodness(const Vector_3d& a, const Vector_3d& b, const Vector_3d& c, const Vector_3d& normal) {
+  static double shape_on_surface(const Vector_3d& a, const Vector_3d& b, const Vector_3d& c, const Vector_3d& normal) {
     const double longest = (std::max)({squared_norm(b - a), squared_norm(c - b), squared_norm(a - c)});
     const Vector_3d area = cross(b - a, c - a);
     const double size = norm(area), cosine = size > 0 ? dot(area, normal) / size : 0;
@@ -291,7 +293,7 @@ private:
     return onto_surface(p + step);
   }
 
-  const Function& function_;
+  const Tubular_distance_function& function_;
   const std::vector<End>& ends_;
   double edge_over_radius_;
   Surface& mesh_;

@@ -5,8 +5,8 @@
 #define CGAL_TUBULAR_MESHING_GENERATORS_INTERNAL_MARCH_TETRAHEDRA_H
 
 #include <CGAL/Tubular_meshing/base/Kernel.h>
+#include <CGAL/Tubular_meshing/Generators/Tubular_distance_function.h>
 #include <CGAL/Tubular_meshing/Generators/internal/Tubular_octree.h>
-
 
 #include <algorithm>
 #include <array>
@@ -28,10 +28,9 @@ namespace internal {
  * next to smaller cells is taken as their four faces, and an edge that a smaller cell has divided as two pieces. Both
  * sides of a face thus see the same triangles, so that the result is watertight by construction, and manifold as each
  * tetrahedron is crossed by one or two triangles at most. */
-template <class Function> class Tetrahedra_marcher {
+class Tetrahedra_marcher {
 public:
-
-  Tetrahedra_marcher(const Function& function, const Tubular_octree& octree, Surface& mesh)
+  Tetrahedra_marcher(const Tubular_distance_function& function, const Tubular_octree& octree, Surface& mesh)
       : function_(function)
       , octree_(octree)
       , mesh_(mesh) {
@@ -190,7 +189,7 @@ private:
     return inserted.first->second;
   }
 
-  const Function& function_;
+  const Tubular_distance_function& function_;
   const Tubular_octree& octree_;
   Surface& mesh_;
   std::unordered_map<std::uint64_t, std::uint32_t> lattice_;
@@ -199,9 +198,8 @@ private:
   std::unordered_map<std::uint64_t, Vertex> crossings_;
 };
 
-template <class Function>
-void march_tetrahedra(const Function& function, const Tubular_octree& octree, Surface& mesh) {
-  Tetrahedra_marcher<Function>(function, octree, mesh);
+inline void march_tetrahedra(const Tubular_distance_function& function, const Tubular_octree& octree, Surface& mesh) {
+  Tetrahedra_marcher(function, octree, mesh);
 }
 
 } // namespace internal

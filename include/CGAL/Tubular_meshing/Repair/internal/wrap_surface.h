@@ -7,13 +7,12 @@
 #include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/base/Nearest_tree.h>
 #include <CGAL/Tubular_meshing/Rims/Opening_site.h>
-#include <CGAL/Tubular_meshing/Repair/internal/Soup_edges.h>
+#include <CGAL/Tubular_meshing/Repair/internal/alpha_wrap.h>
 #include <CGAL/Tubular_meshing/Rims/Rim_shape.h>
 #include <CGAL/Tubular_meshing/Rims/trim_by_plane.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
-#include <CGAL/alpha_wrap_3.h>
 
 #include <algorithm>
 #include <array>
@@ -51,7 +50,7 @@ public:
     offset_ = alpha_ / 15;
     check_size();
     mesh.clear();
-    CGAL::alpha_wrap_3(points_, triangles_, alpha_, offset_, mesh);
+    alpha_wrap(points_, triangles_, alpha_, offset_, mesh);
     draw_onto_surface(mesh);
     open_ends(mesh);
     mesh.collect_garbage();
