@@ -4,190 +4,41 @@
 #ifndef CGAL_TUBULAR_MESHING_GENERATORS_TUBULAR_SURFACE_H
 #define CGAL_TUBULAR_MESHING_GENERATORS_TUBULAR_SURFACE_H
 
-#include <CGAL/Tubular_meshing/base/Kernel.h>
-#include <CGAL/Tubular_meshing/Generators/Tubular_distance_function.h>
+#include <CGAL/Tubular_meshing/Generators/Sag_shape.h>
 #include <CGAL/Tubular_meshing/Generators/Tubular_skeleton.h>
-#include <CGAL/Tubular_meshing/Generators/internal/Tubular_octree.h>
-#include <CGAL/Tubular_meshing/Generators/internal/Tubular_remesher.h>
-#include <CGAL/Tubular_meshing/Generators/internal/march_tetrahedra.h>
-#include <CGAL/Tubular_meshing/Generators/internal/tubular_caps.h>
-#include <CGAL/Tubular_meshing/Rims/trim_by_plane.h>
-#include <CGAL/Tubular_meshing/base/exceptions.h>
+#include <CGAL/Tubular_meshing/base/Kernel.h>
+#include <CGAL/Tubular_meshing/base/config.h>
+#include <CGAL/Tubular_meshing/base/convert_surface.h>
 #include <CGAL/Tubular_meshing/base/parameters.h>
-
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/boost/graph/copy_face_graph.h>
-#include <CGAL/boost/graph/helpers.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <random>
-#include <string>
-#include <vector>
 
 namespace CGAL {
 namespace Tubular_meshing {
 
 /*! \ingroup PkgTubularMeshingRef
- * How the rim of a generated opening leaves its plane. */
-enum class Sag_shape {
-  saddle, ///< twice up and twice down around the rim, by cos(2a)
-  tilt    ///< an oblique ellipse, by cos(a)
+ *
+ * The options of generate_tubular_surface(): its named parameters of the same names. */
+struct Tubular_surface_options {
+  double points_per_circumference = 24;
+  bool capped_ends = false;
+  double noise = 0; ///< of the radius
+  unsigned noise_seed = 0;
+  double sag = 0; ///< of the radius
+  Sag_shape sag_shape = Sag_shape::saddle;
+
+  Tubular_surface_options() = default;
+  template <class NamedParameters>
+  explicit Tubular_surface_options(const NamedParameters& np)
+      : points_per_circumference(internal::choose(np, internal_np::points_per_circumference, 24.))
+      , capped_ends(internal::choose(np, internal_np::capped_ends, false))
+      , noise(internal::choose(np, internal_np::noise, 0.))
+      , noise_seed(internal::choose(np, internal_np::noise_seed, 0u))
+      , sag(internal::choose(np, internal_np::sag, 0.))
+      , sag_shape(internal::choose(np, internal_np::sag_shape, Sag_shape::saddle)) {}
 };
 
 namespace internal {
 
-class Tubular_surface_generator {
-public:
-  typedef CGAL::Surface_mesh<Point_3> Mesh;
-  typedef typename Mesh::Vertex_index Vertex;
-  typedef typename Mesh::Halfedge_index Halfedge;
-  typedef typename Tubular_skeleton::End End;
-  typedef Tubular_distance_function Function;
-
-  explicit Tubular_surface_generator(const Tubular_skeleton& skeleton)
-      : function_(skeleton)
-      , ends_(skeleton.ends()) {
-    for (const auto& b : skeleton.branches)
-      half_length_.push_back(half_length(b));
-    ends_of_branch_.resize(skeleton.branches.size());
-    for (std::size_t i = 0; i < ends_.size(); ++i)
-      ends_of_branch_[ends_[i].branch].push_back(i);
-  }
-
-  Mesh& mesh() { return mesh_; }
-
-  void make_open_surface(double points_per_circumference) {
-    // Cells smaller than the radius leave no tube and no gap between tubes unseen; the remeshing does the rest.
-    march_tetrahedra(function_, Tubular_octree(function_, 0.9), mesh_);
-    Tubular_remesher<Function> remesher(function_, ends_, points_per_circumference, mesh_);
-    remesher.clean_up_slivers();
-    mesh_.collect_garbage();
-    trim_ends(remesher);
-    for (int pass = 0; pass < 6; ++pass) {
-      mesh_.collect_garbage();
-      remesher.pass();
-    }
-    mesh_.collect_garbage();
-    find_rims();
-  }
-
-  // Along the normal; rims stay in their planes.
-  void add_noise(double amplitude, unsigned seed) {
-    std::mt19937 random(seed);
-    for (Vertex v : mesh_.vertices()) {
-      const double in_0_1 = random() / 4294967296.; // the same on all platforms, unlike std's distributions
-      const auto value = function_.evaluate(mesh_.point(v));
-      Vector_3d n(value.gradient[0], value.gradient[1], value.gradient[2]);
-      if (mesh_.is_border(v)) {
-        const Vector_3d axis(ends_[nearest_end(value.branch, Vector_3d(mesh_.point(v)))].normal);
-        n = n - dot(n, axis) * axis;
-      }
-      move(v, amplitude * value.radius * (2 * in_0_1 - 1) * normalized(n));
-    }
-  }
-
-  void cap_ends() {
-    for (std::size_t i = 0; i < ends_.size(); ++i)
-      Cap_filler(ends_[i], mesh_).fill(rims_[i]);
-  }
-
-  // Rim, and cap, move along the axis, and the wall with them, ever less, over two radii.
-  void sag_ends(double amplitude, Sag_shape shape) {
-    for (Vertex v : mesh_.vertices()) {
-      const Vector_3d p(mesh_.point(v));
-      const auto value = function_.evaluate(p);
-      if (ends_of_branch_[value.branch].empty())
-        continue;
-      const End& end = ends_[nearest_end(value.branch, p)];
-      const End_frame frame(end);
-      const double range = (std::min)(2 * end.radius, half_length_[end.branch]);
-      const double t = 1 + frame.height(p) / range, rho = frame.distance_from_axis(p) / end.radius;
-      if (!(t > 0) || rho > 2)
-        continue;
-      const double weight = t >= 1 ? 1 : t * t * (3 - 2 * t), a = frame.angle(p);
-      const double wave = shape == Sag_shape::saddle ? rho * rho * std::cos(2 * a) : rho * std::cos(a);
-      move(v, amplitude * end.radius * weight * wave * frame.n);
-    }
-  }
-
-private:
-  static double half_length(const typename Tubular_skeleton::Branch& b) {
-    double length = 0;
-    for (std::size_t i = 0; i + 1 < b.points.size(); ++i)
-      length += norm(Vector_3d(b.points[i + 1]) - Vector_3d(b.points[i]));
-    return length / 2;
-  }
-
-  void move(Vertex v, const Vector_3d& d) {
-    const Vector_3d p = Vector_3d(mesh_.point(v)) + d;
-    mesh_.point(v) = Point_3(p.x, p.y, p.z);
-  }
-
-  std::size_t nearest_end(std::size_t branch, const Vector_3d& p) const {
-    const std::vector<std::size_t>& ends = ends_of_branch_[branch];
-    return *std::min_element(ends.begin(), ends.end(), [&](std::size_t a, std::size_t b) {
-      return squared_norm(Vector_3d(ends_[a].center) - p) < squared_norm(Vector_3d(ends_[b].center) - p);
-    });
-  }
-
-  // The ends are half balls until now: their tips are where the trimming starts.
-  void trim_ends(Tubular_remesher<Function>& remesher) {
-    const std::vector<Vertex> tips = find_tips();
-    for (std::size_t i = 0; i < ends_.size(); ++i) {
-      const End& end = ends_[i];
-      const std::vector<Vertex> seeds(tips[i] == Mesh::null_vertex() ? 0 : 1, tips[i]);
-      const Halfedge rim = trim_by_plane(mesh_, end.center, end.normal, seeds, 3 * end.radius);
-      if (rim == Mesh::null_halfedge())
-        throw Meshing_error("the end of the tube at node " + std::to_string(end.node) + ", branch " +
-                            std::to_string(end.branch) +
-                            " of the skeleton, cannot be opened: another branch is too near, or its own is too short; "
-                            "move it, or make it longer than its radius.");
-      remesher.attach_border(rim, i);
-    }
-  }
-
-  std::vector<Vertex> find_tips() const {
-    std::vector<Vertex> tips(ends_.size(), Mesh::null_vertex());
-    std::vector<double> highest(ends_.size(), 0.5);
-    for (Vertex v : mesh_.vertices()) {
-      const std::size_t branch = function_.evaluate(mesh_.point(v)).branch;
-      for (std::size_t i : ends_of_branch_[branch]) {
-        const Vector_3d d = Vector_3d(mesh_.point(v)) - Vector_3d(ends_[i].center);
-        const double height = dot(d, Vector_3d(ends_[i].normal)) / ends_[i].radius;
-        if (height > highest[i] && norm(d) < 1.3 * ends_[i].radius) {
-          highest[i] = height;
-          tips[i] = v;
-        }
-      }
-    }
-    return tips;
-  }
-
-  void find_rims() {
-    rims_.assign(ends_.size(), Mesh::null_halfedge());
-    for (Halfedge h : mesh_.halfedges())
-      if (mesh_.is_border(h)) {
-        const Point_3& p = mesh_.point(mesh_.target(h));
-        rims_[nearest_end(function_.evaluate(p).branch, Vector_3d(p))] = h;
-      }
-  }
-
-  Function function_;
-  std::vector<End> ends_;
-  std::vector<std::vector<std::size_t>> ends_of_branch_;
-  std::vector<double> half_length_; // of the branches
-  std::vector<Halfedge> rims_;
-  Mesh mesh_;
-};
-
-inline void check_range(double value, double from, double to, const std::string& what) {
-  if (!(value >= from && value <= to))
-    throw Parameter_error(what + " must be between " + std::to_string(from) + " and " + std::to_string(to) + ", not " +
-                          std::to_string(value) + ".");
-}
+Surface generate_tubular_surface(const Tubular_skeleton& skeleton, const Tubular_surface_options& options);
 
 } // namespace internal
 
@@ -201,46 +52,65 @@ inline void check_range(double value, double from, double to, const std::string&
  * orientable manifold, oriented outwards, with a circular planar rim at each end, or closed by a flat cap there. It
  * does not intersect itself as long as branches that do not share a node keep half a radius apart.
  *
+ * \tparam TriangleMesh a model of `MutableFaceGraph`
+ *
  * \param skeleton the nodes, branches and radii
  * \param out replaced by the surface
- * \param np named parameters:
- *   - `points_per_circumference` (24, from 8 to 1000): edges are 2 pi r / n long on average, r being the local radius
- *   - `capped_ends` (false): whether ends are closed by planar triangulated caps
- *   - `noise` (0, at most 1): amplitude of a random displacement of each vertex along the normal, as a fraction of the
- *     local radius, uniformly distributed; rims stay planar, caps flat
- *   - `noise_seed` (0): the same seed gives the same noise
- *   - `sag` (0, at most 0.5): how far rims, with the caps, leave their planes, as a fraction of the radius; the wall
- *     follows within two radii
- *   - `sag_shape` (Sag_shape::saddle)
- * \tparam TriangleMesh a model of `MutableFaceGraph` whose points are `Point_3`
- * \exception Input_error if the skeleton is not consistent, Parameter_error for values out of range, Meshing_error if
- *   an end cannot be cut open, as another branch goes through it
+ * \param np an optional sequence of named parameters among the ones listed below
+ *
+ * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{points_per_circumference}
+ *     \cgalParamDescription{n, from 8 to 1000: edges are \f$ 2 \pi r / n \f$ long on average, r being the local radius}
+ *     \cgalParamType{`double`}
+ *     \cgalParamDefault{24}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{capped_ends}
+ *     \cgalParamDescription{whether ends are closed by planar triangulated caps}
+ *     \cgalParamType{`bool`}
+ *     \cgalParamDefault{`false`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{noise}
+ *     \cgalParamDescription{amplitude of a random displacement of each vertex along the normal, as a fraction of the
+ * local radius, at most 1, uniformly distributed; rims stay planar, caps flat} \cgalParamType{`double`}
+ *     \cgalParamDefault{0}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{noise_seed}
+ *     \cgalParamDescription{the same seed gives the same noise}
+ *     \cgalParamType{`unsigned`}
+ *     \cgalParamDefault{0}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{sag}
+ *     \cgalParamDescription{how far rims, with the caps, leave their planes, as a fraction of the radius, at most 0.5;
+ * the wall follows within two radii} \cgalParamType{`double`} \cgalParamDefault{0} \cgalParamNEnd
+ *   \cgalParamNBegin{sag_shape}
+ *     \cgalParamDescription{how they leave them}
+ *     \cgalParamType{Sag_shape}
+ *     \cgalParamDefault{`Sag_shape::saddle`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{vertex_point_map}
+ *     \cgalParamDescription{the points of the vertices of `out`}
+ *     \cgalParamType{a model of `WritablePropertyMap`}
+ *     \cgalParamDefault{`boost::get(CGAL::vertex_point, out)`}
+ *   \cgalParamNEnd
+ * \cgalNamedParamsEnd
+ *
+ * \throws Input_error if the skeleton is not consistent
+ * \throws Parameter_error for values out of range
+ * \throws Meshing_error if an end cannot be cut open, as another branch goes through it
  *
  * Complexity: O(t log n) for t triangles and n points of the skeleton.
  */
 template <class TriangleMesh, class NamedParameters = CGAL::parameters::Default_named_parameters>
 void generate_tubular_surface(const Tubular_skeleton& skeleton, TriangleMesh& out,
                               const NamedParameters& np = CGAL::parameters::default_values()) {
-  const double points = internal::choose(np, internal_np::points_per_circumference, 24.);
-  const double noise = internal::choose(np, internal_np::noise, 0.);
-  const double sag = internal::choose(np, internal_np::sag, 0.);
-  internal::check_range(points, 8, 1000, "the number of points round the circumference");
-  internal::check_range(noise, 0, 1, "the noise, a fraction of the radius,");
-  internal::check_range(sag, 0, 0.5, "the sag, a fraction of the radius,");
-
-  internal::Tubular_surface_generator generator(skeleton);
-  generator.make_open_surface(points);
-  if (noise > 0)
-    generator.add_noise(noise, internal::choose(np, internal_np::noise_seed, 0u));
-  if (internal::choose(np, internal_np::capped_ends, false))
-    generator.cap_ends();
-  if (sag > 0)
-    generator.sag_ends(sag, internal::choose(np, internal_np::sag_shape, Sag_shape::saddle));
-  CGAL::clear(out);
-  CGAL::copy_face_graph(generator.mesh(), out);
+  internal::copy_from_core(internal::generate_tubular_surface(skeleton, Tubular_surface_options(np)), out, np);
 }
 
 } // namespace Tubular_meshing
 } // namespace CGAL
+
+#ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
+#include <CGAL/Tubular_meshing/Generators/tubular_surface_impl.h>
+#endif
 
 #endif // CGAL_TUBULAR_MESHING_GENERATORS_TUBULAR_SURFACE_H

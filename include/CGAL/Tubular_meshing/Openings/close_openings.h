@@ -5,87 +5,20 @@
 #define CGAL_TUBULAR_MESHING_OPENINGS_CLOSE_OPENINGS_H
 
 #include <CGAL/Tubular_meshing/base/Kernel.h>
-#include <CGAL/Tubular_meshing/Openings/internal/Opening_closer.h>
-#include <CGAL/Tubular_meshing/Openings/openings.h>
-#include <CGAL/Tubular_meshing/base/labels.h>
+#include <CGAL/Tubular_meshing/base/Labelled_surface.h>
+#include <CGAL/Tubular_meshing/base/Opening.h>
+#include <CGAL/Tubular_meshing/base/config.h>
+#include <CGAL/Tubular_meshing/base/convert_surface.h>
+#include <CGAL/Tubular_meshing/base/parameters.h>
 
-#include <CGAL/Polygon_mesh_processing/orientation.h>
-#include <CGAL/Surface_mesh.h>
-
-#include <algorithm>
-#include <cstddef>
-#include <map>
-#include <string>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Tubular_meshing {
 namespace internal {
 
-// Sites by the first coordinate of their centres, to look openings up in.
-class Site_index {
-public:
-  void insert(const Opening_site& site) { by_x_.emplace(site.shape.center.x(), site); }
-
-  /* The site whose centre is that of the opening but for rounding, taken out of the index; false if there is none. */
-  bool take(const Opening& opening, Opening_site& site) {
-    const double tolerance = 1e-3 * opening.radius;
-    auto nearest = by_x_.end();
-    for (auto i = by_x_.lower_bound(opening.center.x() - tolerance);
-         i != by_x_.end() && i->first <= opening.center.x() + tolerance; ++i)
-      if (point_distance(i->second.shape.center, opening.center) <= tolerance &&
-          std::abs(i->second.shape.radius - opening.radius) <= tolerance &&
-          (nearest == by_x_.end() || point_distance(i->second.shape.center, opening.center) <
-                                         point_distance(nearest->second.shape.center, opening.center)))
-        nearest = i;
-    if (nearest == by_x_.end())
-      return false;
-    site = std::move(nearest->second);
-    by_x_.erase(nearest);
-    return true;
-  }
-
-  bool empty() const { return by_x_.empty(); }
-  const Opening_site& front() const { return by_x_.begin()->second; }
-
-private:
-  std::multimap<double, Opening_site> by_x_;
-};
-
-// The sites of the openings, in their order. Flat ends are searched for with ever other criteria, as when they were
-// found.
-inline std::vector<Opening_site> sites_of(const std::vector<Opening>& openings, const std::vector<Opening_site>& loops,
-                                          const CGAL::Surface_mesh<Point_3>& surface) {
-  std::vector<Opening_site> sites(openings.size());
-  std::vector<std::size_t> missing, still_missing;
-  Site_index index;
-  for (const auto& loop : loops)
-    index.insert(loop);
-  for (std::size_t i = 0; i < openings.size(); ++i)
-    if (!index.take(openings[i], sites[i]))
-      missing.push_back(i);
-  if (!index.empty())
-    throw Input_error("The border loop at " + coordinates(index.front().shape.center) +
-                      " is not one of the openings that were given: pass all that find_openings() returns.");
-  if (missing.empty())
-    return sites;
-  Flat_end_finder finder(surface, false);
-  for (const Flat_end_criteria& criteria : possible_flat_ends()) {
-    Site_index flat_ends;
-    for (const auto& end : finder.find(criteria))
-      flat_ends.insert(end);
-    still_missing.clear();
-    for (std::size_t i : missing)
-      if (!flat_ends.take(openings[i], sites[i]))
-        still_missing.push_back(i);
-    missing.swap(still_missing);
-    if (missing.empty())
-      return sites;
-  }
-  throw Input_error("The surface has no opening at " + coordinates(openings[missing[0]].center) +
-                    ": pass what find_openings() returns for this surface.");
-}
+/* The labels of the faces, in the order of the faces. */
+std::vector<int> close_openings(Surface& surface, std::vector<Opening>& openings);
 
 } // namespace internal
 
@@ -110,53 +43,49 @@ inline std::vector<Opening_site> sites_of(const std::vector<Opening>& openings, 
  * planar up to rounding (about 1e-15 of the largest coordinate), and `openings` describe the caps: centre, normal,
  * area, perimeter and radius are those of the polygon that is the cap. Their order, labels and ends do not change.
  *
- * \param surface a triangle mesh, manifold, as given to find_openings(). Descriptors are not kept, as garbage is
- *   collected; property maps are, with default values for new elements.
- * \param openings what find_openings() has returned for this surface
- * \param patch a writable property map from face to int: labels::wall, or the label of the face's opening
+ * \tparam TriangleMesh a model of `MutableFaceGraph`; a Surface is changed in place
+ * \tparam FacePatchMap a model of `WritablePropertyMap` from the faces of the mesh to `int`
  *
- * The fourth parameter is for later options; there is none at present.
+ * \param surface a triangle mesh, manifold, as given to find_openings(). Descriptors are not kept, as garbage is
+ *   collected; property maps of a Surface are, with default values for new elements.
+ * \param openings what find_openings() has returned for this surface
+ * \param patch receives labels::wall, or the label of the face's opening
+ * \param np an optional sequence of named parameters among the ones listed below
+ *
+ * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{vertex_point_map}
+ *     \cgalParamDescription{the points of the vertices of `surface`}
+ *     \cgalParamType{a model of `ReadWritePropertyMap`}
+ *     \cgalParamDefault{`boost::get(CGAL::vertex_point, surface)`}
+ *   \cgalParamNEnd
+ * \cgalNamedParamsEnd
  *
  * \throws Input_error as find_openings() does, and if the openings are not those of the surface
- * \throws Meshing_error if an opening cannot be closed without folding the wall. The surface is then partly closed.
+ * \throws Meshing_error if an opening cannot be closed without folding the wall. A Surface is then partly closed.
  *
  * Complexity: a linear pass over the surface, and O(k log k) in the number of faces within about a radius of openings.
  */
-template <class NamedParameters = CGAL::parameters::Default_named_parameters>
-void close_openings(CGAL::Surface_mesh<Point_3>& surface, std::vector<Opening>& openings, Face_patch_map patch,
-                    const NamedParameters& /* np */ = CGAL::parameters::default_values()) {
-  typedef Surface::Face_index Face;
-  internal::check_tubular_surface(surface);
-  std::vector<internal::Opening_site> loops = internal::border_loops(surface), pinholes;
-  if (internal::is_inside_out(surface, loops)) {
-    CGAL::Polygon_mesh_processing::reverse_face_orientations(surface);
-    loops = internal::border_loops(surface);
+template <class TriangleMesh, class FacePatchMap, class NamedParameters = CGAL::parameters::Default_named_parameters>
+void close_openings(TriangleMesh& surface, std::vector<Opening>& openings, FacePatchMap patch,
+                    const NamedParameters& np = CGAL::parameters::default_values()) {
+  if constexpr (internal::is_core_surface<TriangleMesh, NamedParameters>) {
+    const std::vector<int> labels = internal::close_openings(surface, openings);
+    auto label = labels.begin();
+    for (auto f : surface.faces())
+      put(patch, f, *label++);
+  } else {
+    Labelled_surface closed;
+    internal::copy_to_core(surface, closed.surface, np);
+    close_openings(closed.surface, openings, closed.patch);
+    internal::copy_from_core(closed.surface, closed.patch, surface, patch, np);
   }
-  const auto first_pinhole = std::stable_partition(
-      loops.begin(), loops.end(), [&](const auto& loop) { return !internal::is_pinhole(loop, surface); });
-  pinholes.assign(first_pinhole, loops.end());
-  loops.erase(first_pinhole, loops.end());
-  std::vector<internal::Opening_site> sites = internal::sites_of(openings, loops, surface);
-
-  // Labels are kept with the faces until no more of them come and go.
-  auto label = surface.add_property_map<Face, int>("f:tubular_meshing_label", labels::wall).first;
-  internal::Opening_closer closer(surface);
-  for (auto& pinhole : pinholes)
-    closer.fill(pinhole);
-  for (std::size_t i = 0; i < sites.size(); ++i) {
-    closer.close(sites[i]);
-    for (Face f : sites[i].cap)
-      label[f] = openings[i].patch;
-    internal::set_shape(openings[i], sites[i].shape, false);
-  }
-  if (surface.has_garbage())
-    surface.collect_garbage();
-  for (Face f : surface.faces())
-    put(patch, f, int(label[f]));
-  surface.remove_property_map(label);
 }
 
 } // namespace Tubular_meshing
 } // namespace CGAL
+
+#ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
+#include <CGAL/Tubular_meshing/Openings/close_openings_impl.h>
+#endif
 
 #endif // CGAL_TUBULAR_MESHING_OPENINGS_CLOSE_OPENINGS_H

@@ -4,22 +4,13 @@
 #ifndef CGAL_TUBULAR_MESHING_OPENINGS_SEEDS_H
 #define CGAL_TUBULAR_MESHING_OPENINGS_SEEDS_H
 
-// Where centerlines begin and end: at openings, and at points (seeds) that stand for vessels' ends without one.
-
-#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Centerlines/Centerline_graph.h>
-#include <CGAL/Tubular_meshing/base/Opening.h>
-#include <CGAL/Tubular_meshing/Openings/order_openings.h>
 #include <CGAL/Tubular_meshing/Openings/openings.h>
-#include <CGAL/Tubular_meshing/base/exceptions.h>
-#include <CGAL/Tubular_meshing/base/parameters.h>
+#include <CGAL/Tubular_meshing/base/Kernel.h>
+#include <CGAL/Tubular_meshing/base/Opening.h>
+#include <CGAL/Tubular_meshing/base/config.h>
 
-#include <CGAL/Surface_mesh.h>
-
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -27,65 +18,26 @@ namespace CGAL {
 namespace Tubular_meshing {
 namespace internal {
 
-/* The openings, that nearest to the first seed being the inlet. A surface without any must have seeds. */
-template <class NamedParameters>
-std::vector<Opening> find_openings_or_seeds(const CGAL::Surface_mesh<Point_3>& surface,
-                                            const std::vector<Point_3>& seeds, const NamedParameters& np) {
-  typedef Named_parameters<Point_3, internal_np::inlet_t, NamedParameters> With_inlet;
-  if (seeds.empty())
-    return find_openings(surface, np);
-  for (const Point_3& p : seeds)
-    if (!std::isfinite(p.x()) || !std::isfinite(p.y()) || !std::isfinite(p.z()))
-      throw Parameter_error("The seed " + coordinates(p) + " has to have finite coordinates.");
-  return find_any_openings(surface, With_inlet(seeds.front(), np));
-}
+// Where centerlines begin and end: at openings, and at points (seeds) that stand for vessels' ends without one.
 
-// Within an opening's rim, also where that is an ellipse, or the point was picked a little outside.
-inline bool lies_at(const Point_3& seed, const Opening& opening) {
-  const double reach = 1.5 * opening.radius;
-  return (seed - opening.center).squared_length() <= reach * reach;
-}
+/* The openings, that nearest to the first seed being the inlet. A surface without any must have seeds. */
+std::vector<Opening> find_openings_or_seeds(const Surface& surface, const std::vector<Point_3>& seeds,
+                                            Find_openings_options options);
 
 /* The ends of the lines, each with the label of the faces around it; the source comes first: the first seed, or what it
  * stands for, else the inlet. */
-inline std::vector<std::pair<Point_3, int>> ends_of_lines(const std::vector<Opening>& openings,
-                                                          const std::vector<Point_3>& seeds) {
-  std::vector<std::pair<Point_3, int>> ends;
-  for (const Opening& o : openings)
-    ends.emplace_back(o.center, o.patch);
-  for (std::size_t i = 0; i < seeds.size(); ++i)
-    if (openings.empty() || !lies_at(seeds[i], openings[nearest_opening(openings, seeds[i])])) {
-      ends.emplace_back(seeds[i], int(labels::wall));
-      if (i == 0)
-        std::rotate(ends.begin(), ends.end() - 1, ends.end());
-    }
-  if (ends.size() < 2)
-    throw Input_error("The vessels have one end only, at " + coordinates(ends.front().first) +
-                      ", so that nothing can flow through them: open the surface where they end, or give the points "
-                      "(seeds) at which they do.");
-  return ends;
-}
+std::vector<std::pair<Point_3, int>> ends_of_lines(const std::vector<Opening>& openings,
+                                                   const std::vector<Point_3>& seeds);
 
 /* For each opening the free end of the centerlines that lies at its centre, where lines were computed to lead to it. */
-inline std::vector<std::size_t> nodes_at(const Centerline_graph& graph, const std::vector<Opening>& openings) {
-  std::vector<std::size_t> ends, found;
-  for (std::size_t n = 0; n < graph.nodes().size(); ++n)
-    if (graph.nodes()[n].is_end())
-      ends.push_back(n);
-  for (const Opening& o : openings) {
-    const auto away = [&](std::size_t n) {
-      return (graph.points()[graph.nodes()[n].point] - o.center).squared_length();
-    };
-    const auto nearest =
-        std::min_element(ends.begin(), ends.end(), [&](std::size_t m, std::size_t n) { return away(m) < away(n); });
-    const bool is_there = nearest != ends.end() && away(*nearest) <= o.radius * o.radius;
-    found.push_back(is_there ? *nearest : Opening::no_branch);
-  }
-  return found;
-}
+std::vector<std::size_t> nodes_at(const Centerline_graph& graph, const std::vector<Opening>& openings);
 
 } // namespace internal
 } // namespace Tubular_meshing
 } // namespace CGAL
+
+#ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
+#include <CGAL/Tubular_meshing/Openings/seeds_impl.h>
+#endif
 
 #endif // CGAL_TUBULAR_MESHING_OPENINGS_SEEDS_H

@@ -6,9 +6,7 @@
 
 #include <CGAL/Tubular_meshing/base/Kernel.h>
 
-#include <algorithm>
 #include <cstddef>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -17,7 +15,7 @@ namespace Tubular_meshing {
 
 /*! \ingroup PkgTubularMeshingRef
  *
- * What repair_surface() may find amiss in a surface, and what it does about it. */
+ * What repair_surface() may find wrong with a surface, and what it does about it. */
 enum class Surface_defect {
   duplicate_points,    ///< points of equal coordinates, merged
   duplicate_triangles, ///< triangles with the same three corners, all but one removed
@@ -55,7 +53,7 @@ inline std::string name_of(Surface_defect defect) {
                                       "handles",
                                       "noise",
                                       "wrapped"};
-  return names[static_cast<std::size_t>(defect)];
+  return names[std::size_t(defect)];
 }
 
 /*! Whether a finding is but a note: the shape and the openings of the surface are as they were. */
@@ -80,7 +78,7 @@ struct Repair {
 struct Repair_report {
   std::vector<Repair> repairs;
 
-  /// Whether nothing was amiss: then the surface is as it was read.
+  /// Whether nothing was wrong: then the surface is as it was read.
   bool empty() const { return repairs.empty(); }
 
   /// How many of a kind there were.
@@ -114,21 +112,6 @@ struct Repair_report {
   }
 };
 
-namespace internal {
-
-// "1 triangle", "2 triangles"
-inline std::string counted(std::size_t n, const std::string& one, const std::string& many) {
-  return std::to_string(n) + " " + (n == 1 ? one : many);
-}
-
-inline std::string short_number(double x) {
-  std::ostringstream out;
-  out.precision(3);
-  out << x;
-  return out.str();
-}
-
-} // namespace internal
 } // namespace Tubular_meshing
 } // namespace CGAL
 

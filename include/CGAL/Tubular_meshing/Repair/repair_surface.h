@@ -4,19 +4,15 @@
 #ifndef CGAL_TUBULAR_MESHING_REPAIR_REPAIR_SURFACE_H
 #define CGAL_TUBULAR_MESHING_REPAIR_REPAIR_SURFACE_H
 
-#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Repair/Repair_report.h>
-#include <CGAL/Tubular_meshing/Repair/internal/Surface_repairer.h>
-#include <CGAL/Tubular_meshing/base/exceptions.h>
+#include <CGAL/Tubular_meshing/base/Kernel.h>
+#include <CGAL/Tubular_meshing/base/config.h>
+#include <CGAL/Tubular_meshing/base/convert_surface.h>
 #include <CGAL/Tubular_meshing/base/parameters.h>
 
-#include <CGAL/Surface_mesh.h>
-
 #include <array>
-#include <cmath>
 #include <cstddef>
-#include <string>
-#include <utility>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -27,9 +23,32 @@ namespace Tubular_meshing {
  * How far repair_surface() goes. */
 enum class Repair_mode {
   off,       ///< the triangles are connected and oriented, nothing else
-  automatic, ///< what is amiss is mended where it is; where that fails, the surface is wrapped
-  wrap       ///< the surface is mended as far as possible, and then wrapped in any case
+  automatic, ///< what is wrong is repaired where it is; where that fails, the surface is wrapped
+  wrap       ///< the surface is repaired as far as possible, and then wrapped in any case
 };
+
+/*! \ingroup PkgTubularMeshingRef
+ *
+ * The options of repair_surface(): its named parameters of the same names. */
+struct Repair_options {
+  Repair_mode repair_mode = Repair_mode::automatic;
+  bool smooth = false; ///< whether staircase noise is smoothed off at last
+
+  Repair_options() = default;
+  template <class NamedParameters>
+  explicit Repair_options(const NamedParameters& np)
+      : repair_mode(internal::choose(np, internal_np::repair_mode, Repair_mode::automatic))
+      , smooth(internal::choose(np, internal_np::smooth, false)) {}
+};
+
+namespace internal {
+
+Repair_report repair_soup(const std::vector<Point_3>& points, const std::vector<std::array<std::size_t, 3>>& triangles,
+                          Surface& mesh, const Repair_options& options);
+
+Repair_report repair_mesh(Surface& mesh, const Repair_options& options);
+
+} // namespace internal
 
 /*! \ingroup PkgTubularMeshingRef
  *
@@ -51,8 +70,8 @@ enum class Repair_mode {
  *   radius, as it does at any end of a tube, however oblique, coarse or ragged: the wall there is on average more than
  *   half a radius behind the loop, and faces in all directions. Of the loops that lie in the wall, a pinhole has less
  *   than half the local radius (half the way to the opposite wall), or few edges; cracks are filled as well. A hole
- *   that touches an opening in a point is told from it, and filled by itself. A larger hole in the wall, one that is
- *   round and plane as if it had been cut, and one that cannot be told from an opening, are refused;
+ *   that touches an opening in a point is distinguished from it, and filled by itself. A larger hole in the wall, one
+ * that is round and plane as if it had been cut, and one that may be an opening as well, are refused;
  * - triangles that cross, or fold back on their neighbours by more than 154 degrees, are smoothed or replaced by a
  *   patch that continues the wall; at a rim they are removed. If that loses or adds an opening, it is taken back;
  * - where this fails, the surface, its ends closed, is replaced by an alpha wrap (CGAL's Alpha_wrap_3) with alpha a
@@ -62,80 +81,87 @@ enum class Repair_mode {
  *
  * A surface with none of these is exactly what `IO::read_surface()` makes of it, and the report is empty.
  *
+ * \tparam Point a model of `Kernel::Point_3`, of any kernel
+ * \tparam TriangleMesh a model of `MutableFaceGraph`; a Surface receives the result without a copy
+ *
  * \param points, triangles the soup, as from `IO::read_triangle_soup()`
  * \param mesh receives the surface; what it held before is removed
- * \param np named parameters:
- *   - `repair_mode`: a Repair_mode. Default: `automatic`.
- *   - `smooth`: whether staircase noise is smoothed off at last, keeping the volume (Taubin's filter, pass band 0.1);
- *     rims stay curves along themselves, flat caps stay. Default: `false`.
+ * \param np an optional sequence of named parameters among the ones listed below
+ *
+ * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{repair_mode}
+ *     \cgalParamDescription{how far the repair goes}
+ *     \cgalParamType{Repair_mode}
+ *     \cgalParamDefault{`Repair_mode::automatic`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{smooth}
+ *     \cgalParamDescription{whether staircase noise is smoothed off at last, keeping the volume (Taubin's filter, pass
+ *       band 0.1); rims stay curves along themselves, flat caps stay}
+ *     \cgalParamType{`bool`}
+ *     \cgalParamDefault{`false`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{vertex_point_map}
+ *     \cgalParamDescription{the points of the vertices of `mesh`}
+ *     \cgalParamType{a model of `ReadWritePropertyMap`}
+ *     \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
+ *   \cgalParamNEnd
+ * \cgalNamedParamsEnd
+ *
  * \return what was done, in order
  *
- * \throws Input_error naming what cannot be mended and its place: no triangles, indices out of range, coordinates that
- *   are not finite, a hole too large, a gap too wide, a wrap that loses an opening.
+ * \throws Input_error naming what cannot be repaired and its place: no triangles, indices out of range, coordinates
+ *   that are not finite, a hole too large, a gap too wide, a wrap that loses an opening.
  * \throws Meshing_error if smoothing makes the surface intersect itself
  *
  * Complexity: O(n log n) in the number of triangles. About 2 s for 400,000 clean ones, most of it the test for
  * self-intersections.
  */
-template <class NamedParameters = CGAL::parameters::Default_named_parameters>
-Repair_report
-repair_surface(const std::vector<Point_3>& points, const std::vector<std::array<std::size_t, 3>>& triangles,
-               CGAL::Surface_mesh<Point_3>& mesh, const NamedParameters& np = CGAL::parameters::default_values()) {
-  const Repair_mode mode = internal::choose(np, internal_np::repair_mode, Repair_mode::automatic);
-  internal::Triangle_soup soup;
-  soup.points.reserve(points.size());
-  for (const Point_3& p : points) {
-    if (!std::isfinite(p.x()) || !std::isfinite(p.y()) || !std::isfinite(p.z()))
-      throw Input_error("The surface has coordinates that are no finite numbers at point " +
-                        std::to_string(soup.points.size()) + ": remove or correct that point.");
-    soup.points.push_back({p.x(), p.y(), p.z()});
+template <class Point, class TriangleMesh, class NamedParameters = CGAL::parameters::Default_named_parameters>
+Repair_report repair_surface(const std::vector<Point>& points, const std::vector<std::array<std::size_t, 3>>& triangles,
+                             TriangleMesh& mesh, const NamedParameters& np = CGAL::parameters::default_values()) {
+  const Repair_options options(np);
+  if constexpr (!std::is_same<Point, Point_3>::value) {
+    std::vector<Point_3> converted;
+    converted.reserve(points.size());
+    for (const Point& p : points)
+      converted.push_back(internal::to_core(p));
+    return repair_surface(converted, triangles, mesh, np);
+  } else if constexpr (internal::is_core_surface<TriangleMesh, NamedParameters>)
+    return internal::repair_soup(points, triangles, mesh, options);
+  else {
+    Surface repaired;
+    Repair_report report = internal::repair_soup(points, triangles, repaired, options);
+    internal::copy_from_core(repaired, mesh, np);
+    return report;
   }
-  for (const auto& t : triangles)
-    for (std::size_t v : t)
-      if (v >= points.size())
-        throw Input_error("A triangle of the surface refers to point " + std::to_string(v) + ", but there are only " +
-                          std::to_string(points.size()) + ".");
-  soup.triangles = triangles;
-
-  Repair_report report;
-  internal::Surface_repairer repairer(mesh, report);
-  if (mode == Repair_mode::off)
-    repairer.assemble(soup);
-  else
-    repairer.repair(soup, mode == Repair_mode::wrap);
-  if (internal::choose(np, internal_np::smooth, false))
-    repairer.smooth();
-  return report;
 }
 
 /*! \ingroup PkgTubularMeshingRef
  *
- * repairs a mesh in place. If nothing is amiss it is not touched; else its descriptors and property maps are lost.
+ * repairs a mesh in place. If nothing is wrong it is not touched; else its descriptors and property maps are lost.
  *
  * \throws Input_error as above, and if a face is not a triangle; the mesh may then be changed
  */
-template <class NamedParameters = CGAL::parameters::Default_named_parameters>
-Repair_report repair_surface(CGAL::Surface_mesh<Point_3>& mesh,
-                             const NamedParameters& np = CGAL::parameters::default_values()) {
-  internal::check_tubular_surface(mesh);
-  std::vector<Point_3> points(mesh.num_vertices());
-  for (auto v : mesh.vertices())
-    points[std::size_t(v)] = mesh.point(v);
-  std::vector<std::array<std::size_t, 3>> triangles;
-  triangles.reserve(mesh.number_of_faces());
-  for (auto f : mesh.faces()) {
-    const auto h = mesh.halfedge(f);
-    triangles.push_back(
-        {std::size_t(mesh.source(h)), std::size_t(mesh.target(h)), std::size_t(mesh.target(mesh.next(h)))});
+template <class TriangleMesh, class NamedParameters = CGAL::parameters::Default_named_parameters>
+Repair_report repair_surface(TriangleMesh& mesh, const NamedParameters& np = CGAL::parameters::default_values()) {
+  const Repair_options options(np);
+  if constexpr (internal::is_core_surface<TriangleMesh, NamedParameters>)
+    return internal::repair_mesh(mesh, options);
+  else {
+    Surface repaired;
+    internal::copy_to_core(mesh, repaired, np);
+    Repair_report report = internal::repair_mesh(repaired, options);
+    if (!report.empty())
+      internal::copy_from_core(repaired, mesh, np);
+    return report;
   }
-  CGAL::Surface_mesh<Point_3> repaired;
-  Repair_report report = repair_surface(points, triangles, repaired, np);
-  if (!report.empty())
-    mesh = std::move(repaired);
-  return report;
 }
 
 } // namespace Tubular_meshing
 } // namespace CGAL
+
+#ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
+#include <CGAL/Tubular_meshing/Repair/repair_surface_impl.h>
+#endif
 
 #endif // CGAL_TUBULAR_MESHING_REPAIR_REPAIR_SURFACE_H

@@ -8,7 +8,6 @@
 #include <CGAL/Tubular_meshing/Rims/Rim_shape.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 
-#include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/iterator.h>
 
 #include <cmath>
@@ -16,6 +15,7 @@
 #include <sstream>
 #include <string>
 #include <unordered_set>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -24,12 +24,9 @@ namespace internal {
 
 /* Where an opening is in a mesh: its rim, and the faces of its cap if it has one. */
 struct Opening_site {
-  typedef CGAL::Surface_mesh<Point_3> Mesh;
-  typedef typename Mesh::Halfedge_index Halfedge;
-  typedef typename Mesh::Face_index Face;
-
-  std::vector<Halfedge> rim; ///< in order, on the side of the cap: border halfedges, or halfedges of the cap's faces
-  std::vector<Face> cap;     ///< empty for a border loop
+  std::vector<Surface::Halfedge_index>
+      rim; ///< in order, on the side of the cap: border halfedges, or halfedges of the cap's faces
+  std::vector<Surface::Face_index> cap; ///< empty for a border loop
   Rim_shape shape;
 
   bool is_open() const { return cap.empty(); }
@@ -41,12 +38,11 @@ inline std::string coordinates(const Point_3& p) {
   return out.str();
 }
 
-inline std::string vertex_name(Surface::Vertex_index v, const CGAL::Surface_mesh<Point_3>& mesh) {
+inline std::string vertex_name(Surface::Vertex_index v, const Surface& mesh) {
   return "vertex " + std::to_string(std::size_t(v)) + " " + coordinates(mesh.point(v));
 }
 
-inline std::vector<Point_3> rim_points(const std::vector<Surface::Halfedge_index>& rim,
-                                       const CGAL::Surface_mesh<Point_3>& mesh) {
+inline std::vector<Point_3> rim_points(const std::vector<Surface::Halfedge_index>& rim, const Surface& mesh) {
   std::vector<Point_3> points;
   points.reserve(rim.size());
   for (auto h : rim)
@@ -54,13 +50,13 @@ inline std::vector<Point_3> rim_points(const std::vector<Surface::Halfedge_index
   return points;
 }
 
-inline Vector_3 area_vector(Surface::Halfedge_index h, const CGAL::Surface_mesh<Point_3>& mesh) {
+inline Vector_3 area_vector(Surface::Halfedge_index h, const Surface& mesh) {
   const Point_3 &a = mesh.point(mesh.source(h)), &b = mesh.point(mesh.target(h)),
                 &c = mesh.point(mesh.target(mesh.next(h)));
   return CGAL::cross_product(b - a, c - a) / 2;
 }
 
-inline void check_tubular_surface(const CGAL::Surface_mesh<Point_3>& mesh) {
+inline void check_tubular_surface(const Surface& mesh) {
   if (mesh.number_of_faces() == 0)
     throw Input_error("The surface has no triangles: give a triangulated tubular surface.");
   for (auto v : mesh.vertices()) {
@@ -77,35 +73,43 @@ inline void check_tubular_surface(const CGAL::Surface_mesh<Point_3>& mesh) {
   }
 }
 
-/* The border loops, in the order of their first halfedges. */
-inline std::vector<Opening_site> border_loops(const CGAL::Surface_mesh<Point_3>& mesh) {
-  typedef Surface::Vertex_index Vertex;
+/* The border loops of any manifold mesh, in the order of their first halfedges: they may touch, and bound no area. */
+inline std::vector<Opening_site> border_cycles(const Surface& mesh) {
   typedef Surface::Halfedge_index Halfedge;
   std::vector<Opening_site> loops;
   std::unordered_set<Halfedge> visited;
-  std::unordered_set<Vertex> on_border;
   for (Halfedge first : mesh.halfedges()) {
     if (!mesh.is_border(first) || visited.count(first))
       continue;
     Opening_site loop;
-    for (Halfedge h = first; visited.insert(h).second; h = mesh.next(h)) {
+    for (Halfedge h = first; visited.insert(h).second; h = mesh.next(h))
+      loop.rim.push_back(h);
+    loop.shape = measure_rim(rim_points(loop.rim, mesh));
+    loops.push_back(std::move(loop));
+  }
+  return loops;
+}
+
+/* The same, but loops that touch, or bound no area, are refused. */
+inline std::vector<Opening_site> border_loops(const Surface& mesh) {
+  std::vector<Opening_site> loops = border_cycles(mesh);
+  std::unordered_set<Surface::Vertex_index> on_border;
+  for (const Opening_site& loop : loops) {
+    for (auto h : loop.rim)
       if (!on_border.insert(mesh.target(h)).second)
         throw Input_error("The border of the surface touches itself at " + vertex_name(mesh.target(h), mesh) +
                           ": separate the two sides there, or remove the triangles around that vertex.");
-      loop.rim.push_back(h);
-    }
-    loop.shape = measure_rim(rim_points(loop.rim, mesh));
     if (!(loop.shape.radius > 0))
       throw Input_error("The border loop of " + std::to_string(loop.rim.size()) + " edges through " +
-                        vertex_name(mesh.target(first), mesh) + " bounds no area: stitch the surface there.");
-    loops.push_back(std::move(loop));
+                        vertex_name(mesh.target(loop.rim.front()), mesh) +
+                        " bounds no area: stitch the surface there.");
   }
   return loops;
 }
 
 /* One or two triangles missing in the middle of a smooth wall: a loop of three or four edges whose own normal is that
  * of the faces around. The end of a coarse tube may have as few edges, but its wall stands upright on the loop. */
-inline bool is_pinhole(const Opening_site& loop, const CGAL::Surface_mesh<Point_3>& mesh) {
+inline bool is_pinhole(const Opening_site& loop, const Surface& mesh) {
   if (!loop.is_open() || loop.rim.size() > 4)
     return false;
   double alignment = 0;
@@ -118,12 +122,13 @@ inline bool is_pinhole(const Opening_site& loop, const CGAL::Surface_mesh<Point_
   return alignment > 0.75 * double(loop.rim.size());
 }
 
-/* Whether the faces' normals point into the volume that the surface bounds when its border loops are closed. */
-inline bool is_inside_out(const CGAL::Surface_mesh<Point_3>& mesh, const std::vector<Opening_site>& loops) {
+/* The volume that a surface bounds when its border loops are closed by fans around their centres; negative if the
+ * faces' normals point into it. */
+inline double closed_volume(const Surface& mesh, const std::vector<Opening_site>& loops) {
   const Point_3 o = mesh.point(*mesh.vertices().begin());
   double volume = 0;
-  auto add = [&](const Point_3& a, const Point_3& b, const Point_3& c) {
-    volume += (a - o) * CGAL::cross_product(b - o, c - o);
+  const auto add = [&](const Point_3& a, const Point_3& b, const Point_3& c) {
+    volume += (a - o) * CGAL::cross_product(b - o, c - o) / 6;
   };
   for (auto f : mesh.faces()) {
     const auto h = mesh.halfedge(f);
@@ -131,8 +136,12 @@ inline bool is_inside_out(const CGAL::Surface_mesh<Point_3>& mesh, const std::ve
   }
   for (const Opening_site& loop : loops)
     for (auto h : loop.rim)
-      add(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), loop.shape.plane.origin());
-  return volume < 0;
+      add(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), loop.shape.center);
+  return volume;
+}
+
+inline bool is_inside_out(const Surface& mesh, const std::vector<Opening_site>& loops) {
+  return closed_volume(mesh, loops) < 0;
 }
 
 } // namespace internal

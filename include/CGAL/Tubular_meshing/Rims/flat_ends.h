@@ -41,20 +41,18 @@ inline std::vector<Flat_end_criteria> possible_flat_ends() {
 constexpr double max_flat_end_sag = 0.05; // of the radius
 
 class Flat_end_finder {
-  typedef CGAL::Surface_mesh<Point_3> Mesh;
-  typedef typename Mesh::Vertex_index Vertex;
-  typedef typename Mesh::Halfedge_index Halfedge;
-  typedef typename Mesh::Face_index Face;
-  typedef Vector_3 Vector;
+  typedef Surface::Vertex_index Vertex;
+  typedef Surface::Halfedge_index Halfedge;
+  typedef Surface::Face_index Face;
 
 public:
   /* `inside_out`: whether the faces' normals point into the lumen. */
-  Flat_end_finder(const Mesh& mesh, bool inside_out)
+  Flat_end_finder(const Surface& mesh, bool inside_out)
       : mesh_(mesh)
       , inwards_(inside_out ? 1 : -1)
-      , normals_(mesh.num_faces(), Vector(0, 0, 0)) {
+      , normals_(mesh.num_faces(), Vector_3(0, 0, 0)) {
     for (Face f : mesh.faces()) {
-      const Vector n = area_vector(mesh.halfedge(f), mesh);
+      const Vector_3 n = area_vector(mesh.halfedge(f), mesh);
       const double length = std::sqrt(n.squared_length());
       if (length > 0)
         normals_[std::size_t(f)] = n / length;
@@ -89,7 +87,7 @@ private:
     for (std::size_t i = 0; i < queue.size(); ++i)
       for (Halfedge h : CGAL::halfedges_around_face(mesh_.halfedge(queue[i]), mesh_)) {
         const Face g = mesh_.face(mesh_.opposite(h));
-        if (g == Mesh::null_face()) {
+        if (g == Surface::null_face()) {
           flat = false;
           continue;
         }
@@ -110,7 +108,7 @@ private:
     const Rim_plane plane = mean_plane(region.cap);
     const double tolerance = max_flat_end_sag * std::sqrt(area(region.cap) / CGAL_PI);
     std::unordered_set<Face> inside(region.cap.begin(), region.cap.end()), outside;
-    outside.insert(Mesh::null_face());
+    outside.insert(Surface::null_face());
     const std::size_t size = region.cap.size();
     for (std::size_t i = 0; i < size; ++i)
       for (Halfedge h : CGAL::halfedges_around_face(mesh_.halfedge(region.cap[i]), mesh_)) {
@@ -148,9 +146,9 @@ private:
   // Weighted by area: not all of the rim may be known yet.
   Rim_plane mean_plane(const std::vector<Face>& faces) const {
     const Point_3 o = mesh_.point(mesh_.target(mesh_.halfedge(faces[0])));
-    Vector normal(0, 0, 0), offset(0, 0, 0);
+    Vector_3 normal(0, 0, 0), offset(0, 0, 0);
     for (Face f : faces) {
-      const Vector a = area_vector(mesh_.halfedge(f), mesh_);
+      const Vector_3 a = area_vector(mesh_.halfedge(f), mesh_);
       normal = normal + a;
       for (Vertex v : CGAL::vertices_around_face(mesh_.halfedge(f), mesh_))
         offset = offset + (std::sqrt(a.squared_length()) / 3) * (mesh_.point(v) - o);
@@ -166,18 +164,18 @@ private:
     const std::unordered_set<Face> faces(region.cap.begin(), region.cap.end());
     std::unordered_map<Vertex, Halfedge> rim_from;
     std::unordered_set<Vertex> vertices;
-    Halfedge first = Mesh::null_halfedge();
+    Halfedge first = Surface::null_halfedge();
     for (Face f : region.cap)
       for (Halfedge h : CGAL::halfedges_around_face(mesh_.halfedge(f), mesh_)) {
         vertices.insert(mesh_.target(h));
         if (faces.count(mesh_.face(mesh_.opposite(h))))
           continue;
-        if (first == Mesh::null_halfedge())
+        if (first == Surface::null_halfedge())
           first = h;
         if (!rim_from.emplace(mesh_.source(h), h).second)
           return false;
       }
-    if (first == Mesh::null_halfedge())
+    if (first == Surface::null_halfedge())
       return false;
     Halfedge h = first;
     do {
@@ -223,9 +221,9 @@ private:
     return convex >= 0.9 * total && std::abs(cosine) <= criteria_.max_wall_cosine * total;
   }
 
-  const Mesh& mesh_;
-  const double inwards_;        // the direction into the lumen along a face's normal
-  std::vector<Vector> normals_; // by face, unit; zero for a degenerate face, which belongs to no region
+  const Surface& mesh_;
+  const double inwards_;          // the direction into the lumen along a face's normal
+  std::vector<Vector_3> normals_; // by face, unit; zero for a degenerate face, which belongs to no region
   std::vector<bool> visited_;
   Flat_end_criteria criteria_;
   double min_cosine_ = 0;

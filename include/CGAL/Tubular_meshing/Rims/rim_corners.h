@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_RIMS_RIM_CORNERS_H
 #define CGAL_TUBULAR_MESHING_RIMS_RIM_CORNERS_H
 
+#include <CGAL/Tubular_meshing/base/Function_view.h>
 #include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
@@ -23,7 +24,8 @@ inline bool is_rim_corner(const Vector_3d& before, const Vector_3d& at, const Ve
 
 /* The corners of a closed polyline (its first point does not come again), but for those closer than `spacing(index)` to
  * the one before. O(n). */
-template <class Spacing> std::vector<std::size_t> rim_corners(const std::vector<Point_3>& rim, const Spacing& spacing) {
+inline std::vector<std::size_t> rim_corners(const std::vector<Point_3>& rim,
+                                            Function_view<double(std::size_t)> spacing) {
   const std::size_t n = rim.size();
   std::vector<std::size_t> corners;
   const auto position = [&](std::size_t i) { return Vector_3d(rim[i % n]); };
@@ -39,8 +41,7 @@ template <class Spacing> std::vector<std::size_t> rim_corners(const std::vector<
 
 /* Splits a closed polyline (its first point comes again at the end) at its corners, closer than `spacing(point)` to
  * each other only once. Left in one piece where there are fewer than two. */
-template <class Spacing>
-std::vector<std::vector<Point_3>> split_at_corners(std::vector<Point_3> rim, const Spacing& spacing) {
+inline std::vector<std::vector<Point_3>> split_at_corners(std::vector<Point_3> rim, Length_function spacing) {
   const Point_3 first = rim.front();
   rim.pop_back();
   const std::vector<std::size_t> corners = rim_corners(rim, [&](std::size_t i) { return spacing(rim[i]); });

@@ -9,11 +9,14 @@
 
 #include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/iterator.h>
 #include <CGAL/number_utils.h>
 
 #include <cstddef>
+#include <iterator>
 #include <optional>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -137,21 +140,32 @@ private:
   Face_patch_map patch_;
 };
 
-/* The way back: `mesh` becomes a copy of the core's surface, and its faces get their labels. O(n). */
-template <class FaceGraph, class FacePatchMap, class NamedParameters>
-void copy_from_core(const Surface& surface, Face_patch_map patch, FaceGraph& mesh, FacePatchMap labels,
-                    const NamedParameters& np) {
+/* The way back: `mesh` becomes a copy of the core's surface; `copies` receives each face with its copy. O(n). */
+template <class FaceGraph, class NamedParameters, class Copies>
+void copy_faces_from_core(const Surface& surface, FaceGraph& mesh, const NamedParameters& np, Copies copies) {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   typedef typename GetVertexPointMap<FaceGraph, NamedParameters>::type Points;
-  typedef typename boost::graph_traits<FaceGraph>::face_descriptor Face;
   const Core_point_map<Points> points{
       choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point), get_property_map(vertex_point, mesh))};
+  clear(mesh);
+  copy_face_graph(surface, mesh, CGAL::parameters::face_to_face_output_iterator(copies),
+                  CGAL::parameters::vertex_point_map(points));
+}
+
+template <class FaceGraph, class NamedParameters>
+void copy_from_core(const Surface& surface, FaceGraph& mesh, const NamedParameters& np) {
+  copy_faces_from_core(surface, mesh, np, CGAL::Emptyset_iterator());
+}
+
+/* The same, and the faces get their labels. */
+template <class FaceGraph, class FacePatchMap, class NamedParameters>
+void copy_from_core(const Surface& surface, Face_patch_map patch, FaceGraph& mesh, FacePatchMap labels,
+                    const NamedParameters& np) {
+  typedef typename boost::graph_traits<FaceGraph>::face_descriptor Face;
   std::vector<std::pair<Surface::Face_index, Face>> copies;
   copies.reserve(surface.number_of_faces());
-  clear(mesh);
-  copy_face_graph(surface, mesh, CGAL::parameters::face_to_face_output_iterator(std::back_inserter(copies)),
-                  CGAL::parameters::vertex_point_map(points));
+  copy_faces_from_core(surface, mesh, np, std::back_inserter(copies));
   for (const auto& c : copies)
     put(labels, c.second, patch[c.first]);
 }

@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_GENERATORS_INTERNAL_TUBULAR_OCTREE_H
 #define CGAL_TUBULAR_MESHING_GENERATORS_INTERNAL_TUBULAR_OCTREE_H
 
+#include <CGAL/Tubular_meshing/Generators/Tubular_distance_function.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
@@ -34,7 +35,7 @@ public:
 
   static constexpr int deepest = 17;
 
-  template <class Function> Tubular_octree(const Function& function, double cell_size_over_radius) {
+  Tubular_octree(const Tubular_distance_function& function, double cell_size_over_radius) {
     const std::array<Vector_3d, 2> box = function.bounding_box();
     const Vector_3d size = box[1] - box[0];
     // A little off, and odd, so that a symmetric shape does not meet the lattice everywhere at once.
@@ -93,7 +94,7 @@ private:
   }
 
   // The leaves of the unbalanced tree are left in `cells`.
-  template <class Function> void refine(const Function& function, double ratio, std::vector<Cell>& cells) {
+  void refine(const Tubular_distance_function& function, double ratio, std::vector<Cell>& cells) {
     std::vector<Cell> leaves;
     while (!cells.empty()) {
       const Cell c = cells.back();

@@ -5,10 +5,10 @@
 #define CGAL_TUBULAR_MESHING_GENERATORS_INTERNAL_TUBULAR_REMESHER_H
 
 #include <CGAL/Tubular_meshing/base/Kernel.h>
+#include <CGAL/Tubular_meshing/Generators/Tubular_distance_function.h>
 #include <CGAL/Tubular_meshing/Generators/Tubular_skeleton.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
-#include <CGAL/Surface_mesh.h>
 #include <CGAL/number_type_config.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/iterator.h>
@@ -27,16 +27,16 @@ namespace internal {
  * Delaunay flips, and tangential relaxation, each vertex being projected back onto the surface (compare M. Botsch, L.
  * Kobbelt, A remeshing approach to multiresolution modeling, 2004). Border loops lie on the circles of the skeleton's
  * ends and stay there. A pass is linear in the number of triangles, and costs about three evaluations a vertex. */
-template <class Function> class Tubular_remesher {
+class Tubular_remesher {
 public:
-  typedef CGAL::Surface_mesh<Point_3> Mesh;
-  typedef typename Mesh::Vertex_index Vertex;
-  typedef typename Mesh::Halfedge_index Halfedge;
-  typedef typename Mesh::Edge_index Edge;
-  typedef typename Mesh::Face_index Face;
-  typedef typename Tubular_skeleton::End End;
+  typedef Surface::Vertex_index Vertex;
+  typedef Surface::Halfedge_index Halfedge;
+  typedef Surface::Edge_index Edge;
+  typedef Surface::Face_index Face;
+  typedef Tubular_skeleton::End End;
 
-  Tubular_remesher(const Function& function, const std::vector<End>& ends, double points_per_circumference, Mesh& mesh)
+  Tubular_remesher(const Tubular_distance_function& function, const std::vector<End>& ends,
+                   double points_per_circumference, Surface& mesh)
       : function_(function)
       , ends_(ends)
       , edge_over_radius_(2 * CGAL_PI / points_per_circumference)
@@ -90,7 +90,7 @@ private:
     double radius;
   };
 
-  Place place_at(const Vector_3d& p, const typename Function::Value& value) const {
+  Place place_at(const Vector_3d& p, const Tubular_distance_function::Value& value) const {
     return {p, normalized(Vector_3d(value.gradient[0], value.gradient[1], value.gradient[2])), value.radius};
   }
 
@@ -190,14 +190,14 @@ private:
       if (mesh_.is_border(h) || a == w || b == w)
         continue;
       const Vector_3d n = normalized(normal_[a] + normal_[b] + normal_[v]);
-      before = (std::min)(before, goodness(at(v), at(b), at(a), n));
-      after = (std::min)(after, goodness(p, at(b), at(a), n));
+      before = (std::min)(before, shape_on_surface(at(v), at(b), at(a), n));
+      after = (std::min)(after, shape_on_surface(p, at(b), at(a), n));
     }
     return after > 0.05 || after > before;
   }
 
   // Twice the area, seen along the normal, over the longest edge's square: 0.87 for an equilateral triangle.
-  static double goodness(const Vector_3d& a, const Vector_3d& b, const Vector_3d& c, const Vector_3d& normal) {
+  static double shape_on_surface(const Vector_3d& a, const Vector_3d& b, const Vector_3d& c, const Vector_3d& normal) {
     const double longest = (std::max)({squared_norm(b - a), squared_norm(c - b), squared_norm(a - c)});
     const Vector_3d area = cross(b - a, c - a);
     const double size = norm(area), cosine = size > 0 ? dot(area, normal) / size : 0;
@@ -242,7 +242,7 @@ private:
     const Vertex a = mesh_.source(h), b = mesh_.target(h), c = mesh_.target(mesh_.next(h)),
                  d = mesh_.target(mesh_.next(o));
     const Vector_3d pa = at(a), pb = at(b), pc = at(c), pd = at(d);
-    if (cotangent(pc, pa, pb) + cotangent(pd, pa, pb) > -1e-6 || mesh_.halfedge(c, d) != Mesh::null_halfedge() ||
+    if (cotangent(pc, pa, pb) + cotangent(pd, pa, pb) > -1e-6 || mesh_.halfedge(c, d) != Surface::null_halfedge() ||
         (end_[c] >= 0 && end_[d] >= 0))
       return false;
     const Vector_3d n = normal_[a] + normal_[b] + normal_[c] + normal_[d];
@@ -293,13 +293,13 @@ private:
     return onto_surface(p + step);
   }
 
-  const Function& function_;
+  const Tubular_distance_function& function_;
   const std::vector<End>& ends_;
   double edge_over_radius_;
-  Mesh& mesh_;
-  typename Mesh::template Property_map<Vertex, Vector_3d> normal_;
-  typename Mesh::template Property_map<Vertex, double> size_;
-  typename Mesh::template Property_map<Vertex, int> end_;
+  Surface& mesh_;
+  Surface::Property_map<Vertex, Vector_3d> normal_;
+  Surface::Property_map<Vertex, double> size_;
+  Surface::Property_map<Vertex, int> end_;
 };
 
 } // namespace internal

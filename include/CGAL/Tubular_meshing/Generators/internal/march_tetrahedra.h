@@ -5,9 +5,8 @@
 #define CGAL_TUBULAR_MESHING_GENERATORS_INTERNAL_MARCH_TETRAHEDRA_H
 
 #include <CGAL/Tubular_meshing/base/Kernel.h>
+#include <CGAL/Tubular_meshing/Generators/Tubular_distance_function.h>
 #include <CGAL/Tubular_meshing/Generators/internal/Tubular_octree.h>
-
-#include <CGAL/Surface_mesh.h>
 
 #include <algorithm>
 #include <array>
@@ -29,11 +28,9 @@ namespace internal {
  * next to smaller cells is taken as their four faces, and an edge that a smaller cell has divided as two pieces. Both
  * sides of a face thus see the same triangles, so that the result is watertight by construction, and manifold as each
  * tetrahedron is crossed by one or two triangles at most. */
-template <class Function> class Tetrahedra_marcher {
+class Tetrahedra_marcher {
 public:
-  typedef CGAL::Surface_mesh<Point_3> Mesh;
-
-  Tetrahedra_marcher(const Function& function, const Tubular_octree& octree, Mesh& mesh)
+  Tetrahedra_marcher(const Tubular_distance_function& function, const Tubular_octree& octree, Surface& mesh)
       : function_(function)
       , octree_(octree)
       , mesh_(mesh) {
@@ -44,7 +41,7 @@ public:
 private:
   typedef Tubular_octree::Cell Cell;
   typedef Tubular_octree::Lattice_point Lattice_point;
-  typedef typename Mesh::Vertex_index Vertex;
+  typedef Surface::Vertex_index Vertex;
   typedef std::array<std::size_t, 4> Tetrahedron; // of lattice points
 
   void march(const Cell& c) {
@@ -192,18 +189,17 @@ private:
     return inserted.first->second;
   }
 
-  const Function& function_;
+  const Tubular_distance_function& function_;
   const Tubular_octree& octree_;
-  Mesh& mesh_;
+  Surface& mesh_;
   std::unordered_map<std::uint64_t, std::uint32_t> lattice_;
   std::vector<Vector_3d> positions_;
   std::vector<double> values_;
   std::unordered_map<std::uint64_t, Vertex> crossings_;
 };
 
-template <class Function>
-void march_tetrahedra(const Function& function, const Tubular_octree& octree, CGAL::Surface_mesh<Point_3>& mesh) {
-  Tetrahedra_marcher<Function>(function, octree, mesh);
+inline void march_tetrahedra(const Tubular_distance_function& function, const Tubular_octree& octree, Surface& mesh) {
+  Tetrahedra_marcher(function, octree, mesh);
 }
 
 } // namespace internal

@@ -8,7 +8,6 @@
 #include <CGAL/Tubular_meshing/Generators/Tubular_skeleton.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
-#include <CGAL/Surface_mesh.h>
 #include <CGAL/number_type_config.h>
 #include <CGAL/boost/graph/iterator.h>
 
@@ -23,7 +22,7 @@ namespace internal {
 
 // A right-handed frame (u, v, n) of the plane of an end, and angles in it.
 struct End_frame {
-  typedef typename Tubular_skeleton::End End;
+  typedef Tubular_skeleton::End End;
 
   explicit End_frame(const End& end)
       : center(end.center)
@@ -46,11 +45,10 @@ struct End_frame {
 // Fills the rim of an end with rings of triangles around its centre, about as large as the rim's edges.
 class Cap_filler {
 public:
-  typedef CGAL::Surface_mesh<Point_3> Mesh;
-  typedef typename Mesh::Vertex_index Vertex;
-  typedef typename Mesh::Halfedge_index Halfedge;
+  typedef Surface::Vertex_index Vertex;
+  typedef Surface::Halfedge_index Halfedge;
 
-  Cap_filler(const typename Tubular_skeleton::End& end, Mesh& mesh)
+  Cap_filler(const Tubular_skeleton::End& end, Surface& mesh)
       : frame_(end)
       , mesh_(mesh) {}
 
@@ -114,7 +112,7 @@ private:
   }
 
   End_frame frame_;
-  Mesh& mesh_;
+  Surface& mesh_;
 };
 
 } // namespace internal

@@ -219,7 +219,7 @@ private:
       std::vector<Index> vertices;
       for (Index e : rim.edges)
         vertices.push_back(surface_.rim_edges[e].source);
-      std::vector<Cap_kernel::Point_2> polygon;
+      std::vector<Kernel::Point_2> polygon;
       const Plane_frame frame(points[vertices[0]], rim.normal);
       for (Index v : vertices) {
         const auto p = frame.in_plane(points[far + v]);

@@ -6,7 +6,7 @@
 
 #include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Rims/Opening_site.h>
-#include <CGAL/Tubular_meshing/Rims/Rim_flattener.h>
+#include <CGAL/Tubular_meshing/Openings/internal/Rim_flattener.h>
 #include <CGAL/Tubular_meshing/Rims/planar_cap.h>
 #include <CGAL/Tubular_meshing/Rims/trim_by_plane.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
@@ -32,12 +32,11 @@ namespace internal {
  * by a plane a bit further in. The first is tried where the rim sags little; a result counts only if no triangle has
  * folded and the neighbourhood does not intersect itself more than before. */
 class Opening_closer {
-  typedef CGAL::Surface_mesh<Point_3> Mesh;
-  typedef typename Mesh::Halfedge_index Halfedge;
-  typedef typename Mesh::Face_index Face;
+  typedef Surface::Halfedge_index Halfedge;
+  typedef Surface::Face_index Face;
 
 public:
-  explicit Opening_closer(Mesh& mesh)
+  explicit Opening_closer(Surface& mesh)
       : mesh_(mesh) {}
 
   /* Updates the site: its cap, its rim, and their shape. */
@@ -104,7 +103,7 @@ private:
       const double depth = deepest(site.rim, across) + margin * ragged.radius;
       const Halfedge border = trim_by_plane(mesh_, Point_3(across.origin() - depth * across.normal()), across.normal(),
                                             site.rim.front(), reach + depth);
-      if (border == Mesh::null_halfedge())
+      if (border == Surface::null_halfedge())
         continue;
       site.rim.assign(1, border);
       for (Halfedge h = mesh_.next(border); h != border; h = mesh_.next(h))
@@ -199,7 +198,7 @@ private:
       shape.reach = (std::max)(shape.reach, point_distance(p, shape.center));
     const double radius = 1.3 * shape.reach;
     std::unordered_set<Face> visited(site.cap.begin(), site.cap.end());
-    visited.insert(Mesh::null_face());
+    visited.insert(Surface::null_face());
     std::vector<Face> faces;
     for (Halfedge rim : site.rim)
       for (Halfedge h : CGAL::halfedges_around_target(rim, mesh_))
@@ -215,7 +214,7 @@ private:
     return faces;
   }
 
-  Mesh& mesh_;
+  Surface& mesh_;
 };
 
 } // namespace internal

@@ -36,7 +36,7 @@ public:
   struct Edge {
     std::size_t a, b; ///< a < b
     const Side *first, *last;
-    std::size_t count() const { return static_cast<std::size_t>(last - first); }
+    std::size_t count() const { return std::size_t(last - first); }
   };
 
   explicit Soup_edges(const Triangle_soup& soup)
@@ -54,8 +54,8 @@ public:
         sides_[end[ends.first]++] = Side{ends.second, 3 * f + k};
       }
     for (std::size_t v = 0; v + 1 < begin_.size(); ++v)
-      std::sort(sides_.begin() + static_cast<std::ptrdiff_t>(begin_[v]),
-                sides_.begin() + static_cast<std::ptrdiff_t>(begin_[v + 1]), [](const Side& s, const Side& t) {
+      std::sort(sides_.begin() + std::ptrdiff_t(begin_[v]), sides_.begin() + std::ptrdiff_t(begin_[v + 1]),
+                [](const Side& s, const Side& t) {
                   return std::make_pair(s.other_end, s.side) < std::make_pair(t.other_end, t.side);
                 });
   }

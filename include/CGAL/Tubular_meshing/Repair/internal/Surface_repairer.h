@@ -10,7 +10,7 @@
 #include <CGAL/Tubular_meshing/Repair/internal/Soup_edges.h>
 #include <CGAL/Tubular_meshing/Repair/internal/drop_islands.h>
 #include <CGAL/Tubular_meshing/Repair/internal/fill_wall.h>
-#include <CGAL/Tubular_meshing/Repair/internal/mend_crossings.h>
+#include <CGAL/Tubular_meshing/Repair/internal/repair_crossings.h>
 #include <CGAL/Tubular_meshing/Repair/internal/remove_fins.h>
 #include <CGAL/Tubular_meshing/Repair/internal/remove_needles.h>
 #include <CGAL/Tubular_meshing/Repair/internal/report_orientation.h>
@@ -26,7 +26,6 @@
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Polygon_mesh_processing/stitch_borders.h>
-#include <CGAL/Surface_mesh.h>
 
 #include <algorithm>
 #include <cmath>
@@ -41,25 +40,36 @@ namespace CGAL {
 namespace Tubular_meshing {
 namespace internal {
 
+/* The corners of each face, as indices of vertices. */
+inline std::vector<Index_triangle> triangles_of(const Surface& mesh) {
+  std::vector<Index_triangle> triangles;
+  triangles.reserve(mesh.number_of_faces());
+  for (auto f : mesh.faces()) {
+    const auto h = mesh.halfedge(f);
+    triangles.push_back(
+        {std::size_t(mesh.source(h)), std::size_t(mesh.target(h)), std::size_t(mesh.target(mesh.next(h)))});
+  }
+  return triangles;
+}
+
 /* The repairs, one after the other: first those of the triangles as a soup, then those of the mesh that they make. */
 class Surface_repairer {
-  typedef CGAL::Surface_mesh<Point_3> Mesh;
-  typedef typename Mesh::Vertex_index Vertex;
-  typedef typename Mesh::Halfedge_index Halfedge;
-  typedef typename Mesh::Face_index Face;
+  typedef Surface::Vertex_index Vertex;
+  typedef Surface::Halfedge_index Halfedge;
+  typedef Surface::Face_index Face;
 
 public:
-  Surface_repairer(Mesh& mesh, Repair_report& report)
+  Surface_repairer(Surface& mesh, Repair_report& report)
       : mesh_(mesh)
       , report_(report) {}
 
-  /* Makes the mesh without mending anything but what keeps the triangles from being one. */
+  /* Makes the mesh and repairs nothing but what keeps the triangles from being one. */
   void assemble(Triangle_soup& soup) {
     merge_and_drop(soup);
     make_mesh(soup);
   }
 
-  /* Makes the mesh and mends it; what cannot be mended in place, or anything if so asked, is wrapped. */
+  /* Makes the mesh and repairs it; what cannot be repaired in place, or anything if so asked, is wrapped. */
   void repair(Triangle_soup& soup, bool wrap_anyway) {
     merge_and_drop(soup);
     sew(soup);
@@ -71,8 +81,8 @@ public:
     Touching_loop_splitter(mesh_).split();
     close_pinholes();
     replace_needles();
-    const bool is_mended = mend_crossings() && is_sound();
-    if (!is_mended || wrap_anyway)
+    const bool is_repaired = repair_crossings() && is_sound();
+    if (!is_repaired || wrap_anyway)
       wrap();
     report_handles();
   }
@@ -81,12 +91,12 @@ public:
     const std::vector<Point_3> before(mesh_.points().begin(), mesh_.points().end());
     const bool was_bad = !find_bad_faces(mesh_).empty();
     Noise_smoother(mesh_).smooth();
-    if (!was_bad && !find_bad_faces(mesh_).empty() && !Crossing_mender(mesh_).mend(find_bad_faces(mesh_)))
+    if (!was_bad && !find_bad_faces(mesh_).empty() && !Crossing_repairer(mesh_).repair(find_bad_faces(mesh_)))
       throw Meshing_error("Smoothing makes the surface intersect itself at " +
                           coordinates(find_bad_faces(mesh_).crossing) + ": leave the smoothing out.");
     double farthest = 0;
     for (std::size_t i = 0; i < (std::min)(before.size(), std::size_t(mesh_.num_vertices())); ++i)
-      farthest = (std::max)(farthest, point_distance(before[i], mesh_.point(Vertex(typename Mesh::size_type(i)))));
+      farthest = (std::max)(farthest, point_distance(before[i], mesh_.point(Vertex(Surface::size_type(i)))));
     report_.add(Surface_defect::noise, mesh_.number_of_vertices(), farthest,
                 "The surface was smoothed, by up to " + short_number(farthest) + ".");
   }
@@ -102,9 +112,10 @@ private:
     if (soup.points.size() < points)
       report_.add(Surface_defect::duplicate_points, points - soup.points.size(), 0,
                   counted(points - soup.points.size(), "point was", "points were") + " merged with equal ones.");
-    const std::size_t collapsed = static_cast<std::size_t>(
-        std::count_if(soup.triangles.begin(), soup.triangles.end(),
-                      [](const Index_triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }));
+    const std::size_t collapsed =
+        std::size_t(std::count_if(soup.triangles.begin(), soup.triangles.end(), [](const Index_triangle& t) {
+          return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
+        }));
     drop_degenerate_and_duplicate(soup.triangles);
     const std::size_t duplicates = triangles - collapsed - soup.triangles.size();
     if (collapsed > 0)
@@ -150,7 +161,7 @@ private:
     points.reserve(soup.points.size());
     for (const Coordinates& p : soup.points)
       points.push_back(point(p));
-    if (!Polygon_mesh_processing::is_polygon_soup_a_polygon_mesh(soup.triangles)) { // a cheap test before a dear step
+    if (!Polygon_mesh_processing::is_polygon_soup_a_polygon_mesh(soup.triangles)) { // a cheap test before a costly step
       const std::vector<Index_triangle> before = soup.triangles;
       Polygon_mesh_processing::orient_polygon_soup(points, soup.triangles);
       report_orientation(points, before, soup.triangles, report_);
@@ -203,8 +214,8 @@ private:
       return;
     note_flat_ends();
     const Point_3 place = mesh_.point(mesh_.target(mesh_.halfedge(needles.front())));
-    const Mesh before = mesh_;
-    if (!Crossing_mender(mesh_).replace_all([&] { return remover.find(); }) || !keeps_ends()) {
+    const Surface before = mesh_;
+    if (!Crossing_repairer(mesh_).replace_all([&] { return remover.find(); }) || !keeps_ends()) {
       mesh_ = before;
       return;
     }
@@ -229,7 +240,7 @@ private:
       (kind == Loop_kind::pinhole ? pinholes : openings).push_back(std::move(loop));
     }
     tube_ends_.clear();
-    append_ends(openings, tube_ends_);
+    append_shapes(openings, tube_ends_);
     fill(pinholes);
   }
 
@@ -251,14 +262,14 @@ private:
   }
 
   // False if something is left; then the mesh is as it was.
-  bool mend_crossings() {
+  bool repair_crossings() {
     const Bad_faces bad = find_bad_faces(mesh_);
     if (bad.empty())
       return true;
     note_flat_ends();
-    const Mesh before = mesh_;
-    const bool mended = Crossing_mender(mesh_).mend(bad) && keeps_ends();
-    const std::string end = mended ? "; they were smoothed or replaced." : "; they could not be mended locally.";
+    const Surface before = mesh_;
+    const bool repaired = Crossing_repairer(mesh_).repair(bad) && keeps_ends();
+    const std::string end = repaired ? "; they were smoothed or replaced." : "; they could not be repaired locally.";
     if (bad.crossings > 0) {
       const std::string what = counted(bad.crossings, "pair of triangles crosses", "pairs of triangles cross") +
                                " each other, the first at " + coordinates(bad.crossing);
@@ -271,23 +282,23 @@ private:
       report_.add(Surface_defect::folds, bad.folds, 0, what + end, bad.fold);
       reason_ = reason_.empty() ? what : reason_;
     }
-    if (!mended)
+    if (!repaired)
       mesh_ = before;
-    return mended;
+    return repaired;
   }
 
   // A clean surface does not pay for them.
   void note_flat_ends() {
     if (!knows_flat_ends_)
-      append_ends(flat_ends(mesh_), tube_ends_);
+      append_shapes(flat_ends(mesh_), tube_ends_);
     knows_flat_ends_ = true;
   }
 
   // Whether the ends are where they were, and nothing else is open.
   bool keeps_ends() const {
-    std::vector<Tube_end> ends;
-    append_ends(border_cycles(mesh_), ends);
-    append_ends(flat_ends(mesh_), ends);
+    std::vector<Rim_shape> ends;
+    append_shapes(border_cycles(mesh_), ends);
+    append_shapes(flat_ends(mesh_), ends);
     return ends.size() == tube_ends_.size() && first_not_among(tube_ends_, ends) == nullptr &&
            first_not_among(ends, tube_ends_) == nullptr;
   }
@@ -318,8 +329,8 @@ private:
   void report_handles() {
     const long handles = number_of_handles();
     if (handles > 0)
-      report_.add(Surface_defect::handles, static_cast<std::size_t>(handles), 0,
-                  "The lumen has " + counted(static_cast<std::size_t>(handles), "loop", "loops") +
+      report_.add(Surface_defect::handles, std::size_t(handles), 0,
+                  "The lumen has " + counted(std::size_t(handles), "loop", "loops") +
                       ": vessels split and rejoin there, or touch and are fused.");
   }
 
@@ -327,7 +338,7 @@ private:
 
   void wrap() {
     note_flat_ends();
-    const std::vector<Tube_end> ends = tube_ends_;
+    const std::vector<Rim_shape> ends = tube_ends_;
     const long handles = number_of_handles();
     std::vector<Point_3> points(mesh_.points().begin(), mesh_.points().end());
     std::vector<Index_triangle> triangles = triangles_and_fans(points);
@@ -343,10 +354,10 @@ private:
     refuse_wrap(ends, handles);
   }
 
-  void refuse_wrap(const std::vector<Tube_end>& ends, long handles) const {
+  void refuse_wrap(const std::vector<Rim_shape>& ends, long handles) const {
     const std::string what = reason_.empty() ? "The surface cannot be wrapped" : reason_ + ", and wrapping it fails";
-    std::vector<Tube_end> found;
-    append_ends(border_cycles(mesh_), found);
+    std::vector<Rim_shape> found;
+    append_shapes(border_cycles(mesh_), found);
     for (const auto& lost : {first_not_among(ends, found), first_not_among(found, ends)})
       if (lost != nullptr)
         throw Input_error(what + " at the opening at " + coordinates(lost->center) +
@@ -376,12 +387,7 @@ private:
 
   // Appends the centres of the fans to the points.
   std::vector<Index_triangle> triangles_and_fans(std::vector<Point_3>& points) const {
-    std::vector<Index_triangle> triangles;
-    for (Face f : mesh_.faces()) {
-      const Halfedge h = mesh_.halfedge(f);
-      triangles.push_back(
-          {std::size_t(mesh_.source(h)), std::size_t(mesh_.target(h)), std::size_t(mesh_.target(mesh_.next(h)))});
-    }
+    std::vector<Index_triangle> triangles = triangles_of(mesh_);
     for (const auto& loop : border_cycles(mesh_)) {
       const std::size_t center = points.size();
       points.push_back(loop.shape.center);
@@ -391,9 +397,9 @@ private:
     return triangles;
   }
 
-  Mesh& mesh_;
+  Surface& mesh_;
   Repair_report& report_;
-  std::vector<Tube_end> tube_ends_; ///< as they were before what was amiss between them was mended
+  std::vector<Rim_shape> tube_ends_; ///< as they were before what was wrong between them was repaired
   bool knows_flat_ends_ = false;
   std::string reason_; ///< why the surface is wrapped
 };

@@ -8,7 +8,6 @@
 #include <CGAL/Tubular_meshing/Rims/Opening_site.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 
-#include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/iterator.h>
 
@@ -23,23 +22,6 @@ namespace CGAL {
 namespace Tubular_meshing {
 namespace internal {
 
-/* The border loops of any manifold mesh: unlike border_loops(), they may touch, and bound no area. */
-inline std::vector<Opening_site> border_cycles(const CGAL::Surface_mesh<Point_3>& mesh) {
-  typedef Surface::Halfedge_index Halfedge;
-  std::vector<Opening_site> loops;
-  std::unordered_set<Halfedge> visited;
-  for (Halfedge first : mesh.halfedges()) {
-    if (!mesh.is_border(first) || visited.count(first))
-      continue;
-    Opening_site loop;
-    for (Halfedge h = first; visited.insert(h).second; h = mesh.next(h))
-      loop.rim.push_back(h);
-    loop.shape = measure_rim(rim_points(loop.rim, mesh));
-    loops.push_back(std::move(loop));
-  }
-  return loops;
-}
-
 struct Dropped_islands {
   std::size_t count = 0, triangles = 0;
   double share = 0, extent = 0; ///< of the whole area; the diagonal of the largest one's box
@@ -49,12 +31,11 @@ struct Dropped_islands {
 /* Keeps the component of the largest area. Throws Input_error where one that would go has a rim that faces a rim of
  * what stays within a radius: that is a vessel with a gap, no island. O(n). */
 class Island_dropper {
-  typedef CGAL::Surface_mesh<Point_3> Mesh;
-  typedef typename Mesh::Halfedge_index Halfedge;
-  typedef typename Mesh::Face_index Face;
+  typedef Surface::Halfedge_index Halfedge;
+  typedef Surface::Face_index Face;
 
 public:
-  explicit Island_dropper(Mesh& mesh)
+  explicit Island_dropper(Surface& mesh)
       : mesh_(mesh)
       , component_(mesh.num_faces(), none) {}
 
@@ -66,7 +47,7 @@ public:
         total += flood(f);
     if (area_.size() < 2)
       return dropped;
-    const std::size_t kept = static_cast<std::size_t>(std::max_element(area_.begin(), area_.end()) - area_.begin());
+    const std::size_t kept = std::size_t(std::max_element(area_.begin(), area_.end()) - area_.begin());
     refuse_gap(kept);
     std::size_t largest = kept == 0 ? 1 : 0;
     for (std::size_t c = 0; c < area_.size(); ++c)
@@ -94,7 +75,7 @@ public:
   }
 
 private:
-  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+  static constexpr std::size_t none = std::size_t(-1);
 
   static double square(double x) { return x * x; }
 
@@ -110,7 +91,7 @@ private:
       area += std::sqrt(area_vector(first, mesh_).squared_length());
       for (Halfedge h : CGAL::halfedges_around_face(first, mesh_)) {
         const Face g = mesh_.face(mesh_.opposite(h));
-        if (g != Mesh::null_face() && component_[std::size_t(g)] == none) {
+        if (g != Surface::null_face() && component_[std::size_t(g)] == none) {
           component_[std::size_t(g)] = number;
           stack.push_back(g);
         }
@@ -143,12 +124,12 @@ private:
     }
   }
 
-  Mesh& mesh_;
+  Surface& mesh_;
   std::vector<std::size_t> component_;
   std::vector<double> area_;
 };
 
-inline Dropped_islands drop_islands(CGAL::Surface_mesh<Point_3>& mesh) {
+inline Dropped_islands drop_islands(Surface& mesh) {
   return Island_dropper(mesh).drop();
 }
 

@@ -9,7 +9,6 @@
 
 #include <CGAL/Origin.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
-#include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/iterator.h>
 
 #include <cstddef>
@@ -23,7 +22,7 @@ namespace Tubular_meshing {
 namespace internal {
 
 /* The mean of a vertex' neighbours, relative to the vertex: the umbrella vector. */
-inline Vector_3 umbrella(Surface::Vertex_index v, const CGAL::Surface_mesh<Point_3>& mesh) {
+inline Vector_3 umbrella(Surface::Vertex_index v, const Surface& mesh) {
   Vector_3 sum(0, 0, 0);
   double n = 0;
   for (auto w : CGAL::vertices_around_target(mesh.halfedge(v), mesh)) {
@@ -34,7 +33,7 @@ inline Vector_3 umbrella(Surface::Vertex_index v, const CGAL::Surface_mesh<Point
 }
 
 /* Pulls vertices to the means of their neighbours, one after the other: towards a membrane. */
-inline void relax(CGAL::Surface_mesh<Point_3>& mesh, const std::vector<Surface::Vertex_index>& vertices, int sweeps) {
+inline void relax(Surface& mesh, const std::vector<Surface::Vertex_index>& vertices, int sweeps) {
   for (int i = 0; i < sweeps; ++i)
     for (auto v : vertices)
       mesh.point(v) = mesh.point(v) + umbrella(v, mesh);
@@ -42,7 +41,7 @@ inline void relax(CGAL::Surface_mesh<Point_3>& mesh, const std::vector<Surface::
 
 /* Bends a patch so that it continues the surface around it: descent along the umbrella of the umbrella vectors (Kobbelt
  * et al., Interactive multi-resolution modeling on arbitrary meshes, 1998), in a fixed number of sweeps. */
-inline void bend(CGAL::Surface_mesh<Point_3>& mesh, const std::vector<Surface::Vertex_index>& vertices, int sweeps) {
+inline void bend(Surface& mesh, const std::vector<Surface::Vertex_index>& vertices, int sweeps) {
   typedef Surface::Vertex_index Vertex;
   std::unordered_map<Vertex, Vector_3> first;
   for (int i = 0; i < sweeps; ++i) {
@@ -66,10 +65,9 @@ inline void bend(CGAL::Surface_mesh<Point_3>& mesh, const std::vector<Surface::V
 
 /* Fills a hole of the wall by triangles of the size of those around it, as a membrane, or bent like the wall around.
  * False, with the mesh as it was, if there is no triangulation. */
-inline bool fill_wall(CGAL::Surface_mesh<Point_3>& mesh, Surface::Halfedge_index border, bool bent) {
-  typedef CGAL::Surface_mesh<Point_3> Mesh;
-  std::vector<typename Mesh::Face_index> faces;
-  std::vector<typename Mesh::Vertex_index> vertices;
+inline bool fill_wall(Surface& mesh, Surface::Halfedge_index border, bool bent) {
+  std::vector<Surface::Face_index> faces;
+  std::vector<Surface::Vertex_index> vertices;
   Polygon_mesh_processing::triangulate_and_refine_hole(mesh, border, std::back_inserter(faces),
                                                        std::back_inserter(vertices));
   if (faces.empty())

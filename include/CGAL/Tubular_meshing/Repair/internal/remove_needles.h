@@ -7,7 +7,6 @@
 #include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Rims/Opening_site.h>
 
-#include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/iterator.h>
 
@@ -25,16 +24,14 @@ namespace internal {
  * these moves the surface by about a thousandth of an edge; what would turn a neighbour over is not done. O(n) for each
  * of at most ten passes. */
 class Needle_remover {
-  typedef CGAL::Surface_mesh<Point_3> Mesh;
-  typedef typename Mesh::Vertex_index Vertex;
-  typedef typename Mesh::Halfedge_index Halfedge;
-  typedef typename Mesh::Face_index Face;
-  typedef Vector_3 Vector;
+  typedef Surface::Vertex_index Vertex;
+  typedef Surface::Halfedge_index Halfedge;
+  typedef Surface::Face_index Face;
 
 public:
   static constexpr double least_flatness = 1e-3;
 
-  explicit Needle_remover(Mesh& mesh)
+  explicit Needle_remover(Surface& mesh)
       : mesh_(mesh) {}
 
   std::vector<Face> find() const {
@@ -103,7 +100,7 @@ private:
   }
 
   // Whether the edge is on a border loop of three edges, which would come to nothing.
-  bool is_end_of_small_loop(typename Mesh::Edge_index e) const {
+  bool is_end_of_small_loop(Surface::Edge_index e) const {
     for (int i = 0; i < 2; ++i) {
       const Halfedge h = mesh_.halfedge(e, i);
       if (mesh_.is_border(h) && mesh_.next(mesh_.next(mesh_.next(h))) == h)
@@ -121,7 +118,7 @@ private:
       if (a == w || b == w || is_needle(mesh_.face(h)))
         continue;
       const Point_3 &pa = mesh_.point(a), &pb = mesh_.point(b), &old = mesh_.point(v);
-      const Vector before = CGAL::cross_product(pb - old, pa - old), after = CGAL::cross_product(pb - p, pa - p);
+      const Vector_3 before = CGAL::cross_product(pb - old, pa - old), after = CGAL::cross_product(pb - p, pa - p);
       if (before * after < 0.5 * std::sqrt(before.squared_length() * after.squared_length()) ||
           flatness(pa, pb, p) < least_flatness)
         return true;
@@ -138,12 +135,12 @@ private:
       return true;
     }
     const Vertex a = mesh_.target(mesh_.next(h)), b = mesh_.target(mesh_.next(o));
-    if (a == b || mesh_.halfedge(a, b) != Mesh::null_halfedge())
+    if (a == b || mesh_.halfedge(a, b) != Surface::null_halfedge())
       return false;
     const Point_3 &pa = mesh_.point(a), &pb = mesh_.point(b), &s = mesh_.point(mesh_.source(h)),
                   &t = mesh_.point(mesh_.target(h));
-    const Vector before = CGAL::cross_product(t - s, pa - s) + CGAL::cross_product(s - t, pb - t);
-    const Vector one = CGAL::cross_product(pb - s, pa - s), two = CGAL::cross_product(pa - t, pb - t);
+    const Vector_3 before = CGAL::cross_product(t - s, pa - s) + CGAL::cross_product(s - t, pb - t);
+    const Vector_3 one = CGAL::cross_product(pb - s, pa - s), two = CGAL::cross_product(pa - t, pb - t);
     if (before * one <= 0 || before * two <= 0 ||
         (std::min)(flatness(s, pb, pa), flatness(t, pa, pb)) < flatness(s, t, pa))
       return false;
@@ -151,7 +148,7 @@ private:
     return true;
   }
 
-  Mesh& mesh_;
+  Surface& mesh_;
 };
 
 } // namespace internal

@@ -11,11 +11,25 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <sstream>
+#include <string>
 #include <vector>
 
 namespace CGAL {
 namespace Tubular_meshing {
 namespace internal {
+
+// "1 triangle", "2 triangles"
+inline std::string counted(std::size_t n, const std::string& one, const std::string& many) {
+  return std::to_string(n) + " " + (n == 1 ? one : many);
+}
+
+inline std::string short_number(double x) {
+  std::ostringstream out;
+  out.precision(3);
+  out << x;
+  return out.str();
+}
 
 // Points may have been doubled meanwhile: corners are compared as points.
 inline bool is_reversed(const std::vector<Point_3>& points, const Index_triangle& before, const Index_triangle& after) {

@@ -5,11 +5,8 @@
 #define CGAL_TUBULAR_MESHING_REPAIR_INTERNAL_SMOOTH_NOISE_H
 
 #include <CGAL/Tubular_meshing/base/Kernel.h>
-#include <CGAL/Tubular_meshing/Rims/Opening_site.h>
 #include <CGAL/Tubular_meshing/Rims/flat_ends.h>
-#include <CGAL/Tubular_meshing/Repair/internal/drop_islands.h>
-
-#include <CGAL/Surface_mesh.h>
+#include <CGAL/Tubular_meshing/Rims/Opening_site.h>
 
 #include <cmath>
 #include <cstddef>
@@ -24,14 +21,12 @@ namespace internal {
  * loses is then made up for by moving the wall along its normals, all over by the same length. A vertex on a rim moves
  * along the rim only, as a vertex of that curve; flat caps stay as they are. O(n) a round. */
 class Noise_smoother {
-  typedef CGAL::Surface_mesh<Point_3> Mesh;
-  typedef typename Mesh::Vertex_index Vertex;
-  typedef typename Mesh::Halfedge_index Halfedge;
-  typedef Vector_3 Vector;
+  typedef Surface::Vertex_index Vertex;
+  typedef Surface::Halfedge_index Halfedge;
 
 public:
   /* The mesh has no garbage, and is turned outward. */
-  explicit Noise_smoother(Mesh& mesh)
+  explicit Noise_smoother(Surface& mesh)
       : mesh_(mesh)
       , fixed_(mesh.num_vertices(), false) {
     for (const auto& end : Flat_end_finder(mesh, false).find(certain_flat_end()))
@@ -42,7 +37,7 @@ public:
 
   void smooth(int rounds = 10) {
     const double lambda = 0.5, pass_band = 0.1, mu = 1 / (pass_band - 1 / lambda);
-    const double volume = closed_volume();
+    const double volume = closed_volume(mesh_, border_cycles(mesh_));
     for (int i = 0; i < rounds; ++i) {
       step(lambda);
       step(mu);
@@ -52,7 +47,7 @@ public:
 
 private:
   void step(double factor) {
-    moves_.assign(mesh_.num_vertices(), Vector(0, 0, 0));
+    moves_.assign(mesh_.num_vertices(), Vector_3(0, 0, 0));
     for (Vertex v : mesh_.vertices())
       if (!fixed_[std::size_t(v)])
         moves_[std::size_t(v)] = factor * mean_of_neighbours(v);
@@ -60,33 +55,16 @@ private:
       mesh_.point(v) = mesh_.point(v) + moves_[std::size_t(v)];
   }
 
-  // Of the surface with its border loops closed by fans.
-  double closed_volume() const {
-    double volume = 0;
-    const Point_3 o = mesh_.point(*mesh_.vertices().begin());
-    const auto add = [&](const Point_3& a, const Point_3& b, const Point_3& c) {
-      volume += (a - o) * CGAL::cross_product(b - o, c - o) / 6;
-    };
-    for (auto f : mesh_.faces()) {
-      const Halfedge h = mesh_.halfedge(f);
-      add(mesh_.point(mesh_.source(h)), mesh_.point(mesh_.target(h)), mesh_.point(mesh_.target(mesh_.next(h))));
-    }
-    for (const auto& loop : border_cycles(mesh_))
-      for (Halfedge h : loop.rim)
-        add(mesh_.point(mesh_.source(h)), mesh_.point(mesh_.target(h)), loop.shape.center);
-    return volume;
-  }
-
   void offset(double volume) {
-    std::vector<Vector> normals(mesh_.num_vertices(), Vector(0, 0, 0));
+    std::vector<Vector_3> normals(mesh_.num_vertices(), Vector_3(0, 0, 0));
     double area = 0;
     for (auto f : mesh_.faces()) {
-      const Vector n = area_vector(mesh_.halfedge(f), mesh_);
+      const Vector_3 n = area_vector(mesh_.halfedge(f), mesh_);
       area += std::sqrt(n.squared_length());
       for (Vertex v : CGAL::vertices_around_face(mesh_.halfedge(f), mesh_))
         normals[std::size_t(v)] = normals[std::size_t(v)] + n;
     }
-    const double distance = (volume - closed_volume()) / area;
+    const double distance = (volume - closed_volume(mesh_, border_cycles(mesh_))) / area;
     for (Vertex v : mesh_.vertices()) {
       const double length = std::sqrt(normals[std::size_t(v)].squared_length());
       if (!fixed_[std::size_t(v)] && length > 0)
@@ -94,8 +72,8 @@ private:
     }
   }
 
-  Vector mean_of_neighbours(Vertex v) const {
-    Vector sum(0, 0, 0);
+  Vector_3 mean_of_neighbours(Vertex v) const {
+    Vector_3 sum(0, 0, 0);
     double n = 0;
     const bool on_rim = mesh_.is_border(v);
     for (Halfedge h : CGAL::halfedges_around_target(mesh_.halfedge(v), mesh_)) {
@@ -107,9 +85,9 @@ private:
     return n > 0 ? sum / n : sum;
   }
 
-  Mesh& mesh_;
+  Surface& mesh_;
   std::vector<bool> fixed_;
-  std::vector<Vector> moves_;
+  std::vector<Vector_3> moves_;
 };
 
 } // namespace internal

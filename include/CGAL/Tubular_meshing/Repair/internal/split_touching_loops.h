@@ -5,9 +5,8 @@
 #define CGAL_TUBULAR_MESHING_REPAIR_INTERNAL_SPLIT_TOUCHING_LOOPS_H
 
 #include <CGAL/Tubular_meshing/base/Kernel.h>
-#include <CGAL/Tubular_meshing/Repair/internal/drop_islands.h>
+#include <CGAL/Tubular_meshing/Rims/Opening_site.h>
 
-#include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/iterator.h>
 
 #include <algorithm>
@@ -25,12 +24,11 @@ namespace internal {
  * one again, so that each loop can be judged, and filled, by itself. Vertices are looked up by their coordinates:
  * O(b log b) in the border's length. */
 class Touching_loop_splitter {
-  typedef CGAL::Surface_mesh<Point_3> Mesh;
-  typedef typename Mesh::Vertex_index Vertex;
-  typedef typename Mesh::Halfedge_index Halfedge;
+  typedef Surface::Vertex_index Vertex;
+  typedef Surface::Halfedge_index Halfedge;
 
 public:
-  explicit Touching_loop_splitter(Mesh& mesh)
+  explicit Touching_loop_splitter(Surface& mesh)
       : mesh_(mesh) {}
 
   /* How many loops were split off. */
@@ -96,7 +94,7 @@ private:
     mesh_.remove_vertex(gone);
   }
 
-  Mesh& mesh_;
+  Surface& mesh_;
   std::vector<Halfedge> moved_;
 };
 

@@ -7,7 +7,6 @@
 #include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Rims/Opening_site.h>
 
-#include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/iterator.h>
 
 #include <algorithm>
@@ -32,13 +31,11 @@ struct Wall_behind {
 /* Integrates over the part of the wall that is connected to the loop and within reach, triangles bisected where they
  * are large against the reach. O(k) for k faces there. */
 class Wall_surveyor {
-  typedef CGAL::Surface_mesh<Point_3> Mesh;
-  typedef typename Mesh::Face_index Face;
-  typedef Vector_3 Vector;
+  typedef Surface::Face_index Face;
   typedef std::array<Point_3, 3> Corners;
 
 public:
-  explicit Wall_surveyor(const Mesh& mesh)
+  explicit Wall_surveyor(const Surface& mesh)
       : mesh_(mesh) {}
 
   Wall_behind survey(const Opening_site& loop) {
@@ -46,7 +43,7 @@ public:
     const double radius = loop.shape.perimeter / (2 * CGAL_PI); // a slit's area says nothing of its length
     reach_ = 2 * radius;
     area_ = depth_ = 0;
-    area_vector_ = Vector(0, 0, 0);
+    area_vector_ = Vector_3(0, 0, 0);
     normal_ = loop.shape.plane.normal();
     for (Face f : faces_within_reach(loop))
       add(f);
@@ -62,7 +59,7 @@ private:
   // Those at the loop, and those that are connected to them by edges within reach.
   std::vector<Face> faces_within_reach(const Opening_site& loop) const {
     std::vector<Face> faces;
-    std::unordered_set<Face> seen = {Mesh::null_face()};
+    std::unordered_set<Face> seen = {Surface::null_face()};
     for (auto h : loop.rim)
       if (seen.insert(mesh_.face(mesh_.opposite(h))).second)
         faces.push_back(mesh_.face(mesh_.opposite(h)));
@@ -77,9 +74,9 @@ private:
     return faces;
   }
 
-  double distance_to_edge(typename Mesh::Halfedge_index h) const {
+  double distance_to_edge(Surface::Halfedge_index h) const {
     const Point_3 &p = mesh_.point(mesh_.source(h)), &q = mesh_.point(mesh_.target(h));
-    const Vector d = q - p, w = center_ - p;
+    const Vector_3 d = q - p, w = center_ - p;
     const double t = (std::max)(0., (std::min)(1., (w * d) / d.squared_length()));
     return std::sqrt((w - t * d).squared_length());
   }
@@ -103,7 +100,7 @@ private:
         parts.push_back({{a, m, c}, depth + 1});
         parts.push_back({{m, b, c}, depth + 1});
       } else if (distance < reach_) {
-        const Vector n = CGAL::cross_product(t[1] - t[0], t[2] - t[0]) / 2;
+        const Vector_3 n = CGAL::cross_product(t[1] - t[0], t[2] - t[0]) / 2;
         const double area = std::sqrt(n.squared_length());
         area_ += area;
         area_vector_ = area_vector_ + n;
@@ -120,9 +117,9 @@ private:
     return longest;
   }
 
-  const Mesh& mesh_;
+  const Surface& mesh_;
   Point_3 center_;
-  Vector normal_, area_vector_;
+  Vector_3 normal_, area_vector_;
   double reach_ = 0, area_ = 0, depth_ = 0;
 };
 

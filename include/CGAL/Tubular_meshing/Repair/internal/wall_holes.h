@@ -11,7 +11,6 @@
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
 #include <CGAL/AABB_tree.h>
-#include <CGAL/Surface_mesh.h>
 
 #include <algorithm>
 #include <cmath>
@@ -29,7 +28,7 @@ namespace internal {
  * rim and what leans out on one side leans in on the other; near 1 round a hole of the wall, since the loop continues
  * the faces. Does not depend on the orientation of the mesh. On real vessels and airways the rims of openings stay
  * below 0.22, holes of the wall above 0.8. */
-inline double alignment_with_wall(const Opening_site& loop, const CGAL::Surface_mesh<Point_3>& mesh) {
+inline double alignment_with_wall(const Opening_site& loop, const Surface& mesh) {
   double sum = 0, perimeter = 0;
   for (auto h : loop.rim) {
     const Vector_3 n = area_vector(mesh.opposite(h), mesh);
@@ -62,13 +61,11 @@ enum class Loop_kind { opening, pinhole, torn_wall };
  * The mesh has to be turned outward, and loops that touch to be split. The tree of the faces is built at the first loop
  * that lies in the wall: a clean surface does not pay for it. */
 class Loop_classifier {
-  typedef CGAL::Surface_mesh<Point_3> Mesh;
-  typedef typename Kernel_traits<Point_3>::Kernel Kernel;
-  typedef CGAL::AABB_face_graph_triangle_primitive<Mesh> Primitive;
+  typedef CGAL::AABB_face_graph_triangle_primitive<Surface> Primitive;
   typedef CGAL::AABB_tree<Aabb_traits<Kernel, Primitive>> Tree;
 
 public:
-  explicit Loop_classifier(const Mesh& mesh)
+  explicit Loop_classifier(const Surface& mesh)
       : mesh_(mesh)
       , surveyor_(mesh) {}
 
@@ -104,7 +101,7 @@ public:
       add_way(loop, -loop.shape.plane.normal(), i, perimeter_radius, ways);
     if (ways.size() < 4)
       return (std::numeric_limits<double>::infinity)();
-    std::nth_element(ways.begin(), ways.begin() + static_cast<std::ptrdiff_t>(ways.size() / 2), ways.end());
+    std::nth_element(ways.begin(), ways.begin() + std::ptrdiff_t(ways.size() / 2), ways.end());
     return 2 * loop.shape.radius / ways[ways.size() / 2];
   }
 
@@ -151,7 +148,7 @@ private:
     direction = direction / std::sqrt(direction.squared_length());
     // from a bit behind the loop, past its own ragged edge
     const Point_3 from = loop.shape.center + 0.1 * radius * direction;
-    const auto hit = tree_->first_intersected_primitive(typename Kernel::Ray_3(from, direction));
+    const auto hit = tree_->first_intersected_primitive(Kernel::Ray_3(from, direction));
     if (!hit)
       return;
     const auto h = mesh_.halfedge(*hit);
@@ -161,7 +158,7 @@ private:
       ways.push_back((n * (mesh_.point(mesh_.target(h)) - loop.shape.center)) / across);
   }
 
-  const Mesh& mesh_;
+  const Surface& mesh_;
   Wall_surveyor surveyor_;
   std::unique_ptr<Tree> tree_;
 };

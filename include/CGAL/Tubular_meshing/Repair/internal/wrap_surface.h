@@ -7,14 +7,12 @@
 #include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/base/Nearest_tree.h>
 #include <CGAL/Tubular_meshing/Rims/Opening_site.h>
-#include <CGAL/Tubular_meshing/Repair/internal/Soup_edges.h>
-#include <CGAL/Tubular_meshing/Repair/internal/tube_ends.h>
+#include <CGAL/Tubular_meshing/Repair/internal/alpha_wrap.h>
+#include <CGAL/Tubular_meshing/Rims/Rim_shape.h>
 #include <CGAL/Tubular_meshing/Rims/trim_by_plane.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/alpha_wrap_3.h>
 
 #include <algorithm>
 #include <array>
@@ -28,18 +26,16 @@ namespace CGAL {
 namespace Tubular_meshing {
 namespace internal {
 
-/* Replaces a surface that cannot be mended by an alpha wrap around it (Portaneri et al., Alpha wrapping with an offset,
- * 2022; CGAL's Alpha_wrap_3): the ends are closed by fans, the whole is wrapped with balls of a third of the smallest
- * end's radius, the wrap is drawn onto the surface again, by the offset it keeps, and cut open at the ends. */
+/* Replaces a surface that cannot be repaired in place by an alpha wrap around it (Portaneri et al., Alpha wrapping with
+ * an offset, 2022; CGAL's Alpha_wrap_3): the ends are closed by fans, the whole is wrapped with balls of a third of the
+ * smallest end's radius, the wrap is drawn onto the surface again, by the offset it keeps, and cut open at the ends. */
 class Surface_wrapper {
-  typedef CGAL::Surface_mesh<Point_3> Mesh;
-  typedef typename Mesh::Vertex_index Vertex;
-  typedef typename Mesh::Face_index Face;
-  typedef Vector_3 Vector;
+  typedef Surface::Vertex_index Vertex;
+  typedef Surface::Face_index Face;
 
 public:
   /* Takes the soup, with the fans in the ends; `reason` begins the sentence of an error. */
-  Surface_wrapper(std::vector<Point_3> points, std::vector<Index_triangle> triangles, std::vector<Tube_end> ends,
+  Surface_wrapper(std::vector<Point_3> points, std::vector<Index_triangle> triangles, std::vector<Rim_shape> ends,
                   const std::string& reason)
       : points_(std::move(points))
       , triangles_(std::move(triangles))
@@ -49,12 +45,12 @@ public:
   double alpha() const { return alpha_; }
 
   /* Replaces `mesh`. Throws Input_error if the wrap would be too large, or an end is not found on it. */
-  void wrap(Mesh& mesh, double smallest_radius) {
+  void wrap(Surface& mesh, double smallest_radius) {
     alpha_ = smallest_radius / 3;
     offset_ = alpha_ / 15;
     check_size();
     mesh.clear();
-    CGAL::alpha_wrap_3(points_, triangles_, alpha_, offset_, mesh);
+    alpha_wrap(points_, triangles_, alpha_, offset_, mesh);
     draw_onto_surface(mesh);
     open_ends(mesh);
     mesh.collect_garbage();
@@ -68,15 +64,15 @@ private:
       area += std::sqrt(
                   CGAL::cross_product(points_[t[1]] - points_[t[0]], points_[t[2]] - points_[t[0]]).squared_length()) /
               2;
-    const double most = 4e5; // half a minute's work
-    if (!(8 * area / (alpha_ * alpha_) < most))
+    const double most_triangles = 4e5; // half a minute's work
+    if (!(8 * area / (alpha_ * alpha_) < most_triangles))
       throw Input_error(reason_ +
                         ", and the surface is too large to be wrapped at the size of its smallest "
                         "opening, of radius " +
                         std::to_string(3 * alpha_) + ": repair it in another program, or cut it into parts.");
   }
 
-  void draw_onto_surface(Mesh& mesh) const {
+  void draw_onto_surface(Surface& mesh) const {
     typedef Double_kernel::Triangle_3 Triangle;
     std::vector<Triangle> shapes;
     for (const Index_triangle& t : triangles_) {
@@ -118,7 +114,7 @@ private:
       mesh.point(v) = before[std::size_t(v)];
   }
 
-  void open_ends(Mesh& mesh) const {
+  void open_ends(Surface& mesh) const {
     const std::vector<Face> faces(mesh.faces().begin(), mesh.faces().end());
     std::vector<Double_kernel::Triangle_3> shapes;
     for (Face f : faces) {
@@ -135,16 +131,16 @@ private:
   }
 
   // Cuts a little further in than where the end was, all that is connected to the face at its centre.
-  bool open(Mesh& mesh, const Tube_end& end, Face face) const {
+  bool open(Surface& mesh, const Rim_shape& end, Face face) const {
     if (mesh.is_removed(face))
       return false;
     for (double margin : {0.02, 0.1, 0.25, 0.5, 1.}) {
       const double depth = end.sag + margin * end.radius;
-      const Point_3 origin = end.center - depth * end.normal;
+      const Point_3 origin = end.center - depth * end.plane.normal();
       for (Vertex v : CGAL::vertices_around_face(mesh.halfedge(face), mesh))
-        if ((mesh.point(v) - origin) * end.normal > 0 &&
-            trim_by_plane(mesh, origin, end.normal, std::vector<Vertex>{v}, 2 * (end.reach + depth)) !=
-                Mesh::null_halfedge())
+        if ((mesh.point(v) - origin) * end.plane.normal() > 0 &&
+            trim_by_plane(mesh, origin, end.plane.normal(), std::vector<Vertex>{v}, 2 * (end.reach + depth)) !=
+                Surface::null_halfedge())
           return true;
     }
     return false;
@@ -152,7 +148,7 @@ private:
 
   std::vector<Point_3> points_;
   std::vector<Index_triangle> triangles_;
-  std::vector<Tube_end> ends_;
+  std::vector<Rim_shape> ends_;
   std::string reason_;
   double alpha_ = 0, offset_ = 0;
 };

@@ -7,10 +7,8 @@
 #include <CGAL/Tubular_meshing/Openings/internal/extension/Extension_profile.h>
 #include <CGAL/Tubular_meshing/Rims/planar_cap.h>
 
-#include <CGAL/Constrained_Delaunay_triangulation_2.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <map>
@@ -27,8 +25,7 @@ namespace internal {
  * conformal, so that Delaunay triangles of the annulus are good ones on the tube. Points between rim and ring are those
  * of hexagonal lattices, halved where the rim is finer, and smoothed. */
 class Extension_band {
-  typedef CGAL::Exact_predicates_inexact_constructions_kernel Plane_kernel;
-  typedef Plane_kernel::Point_2 Point_2;
+  typedef Kernel::Point_2 Point_2;
 
 public:
   /* Vertices are numbered: those of the rim, those of the ring, the others. */
@@ -40,7 +37,7 @@ public:
     double height = profile.highest();
     for (std::size_t i = 0; i < profile.size(); ++i) {
       const Point_2 a = on_annulus(profile.rim(i)), b = on_annulus(profile.rim(i + 1));
-      const double distance = std::sqrt(CGAL::squared_distance(Plane_kernel::Segment_2(a, b), Point_2(0, 0)));
+      const double distance = std::sqrt(CGAL::squared_distance(Kernel::Segment_2(a, b), Point_2(0, 0)));
       height = (std::max)(height, 0.1 - std::log((std::max)(distance, 1e-9)));
     }
     return height;
@@ -184,47 +181,22 @@ private:
     }
   }
 
+  // What is reached from outside without crossing the rim is no part; neither is what the ring encloses.
   void triangulate() {
-    typedef CGAL::Triangulation_vertex_base_with_info_2<std::size_t, Plane_kernel> Vertex_base;
-    typedef CGAL::Constrained_triangulation_face_base_2<Plane_kernel> Constrained_face_base;
-    typedef CGAL::Triangulation_face_base_with_info_2<int, Plane_kernel, Constrained_face_base> Face_base;
-    typedef CGAL::Triangulation_data_structure_2<Vertex_base, Face_base> Data_structure;
-    typedef CGAL::Constrained_Delaunay_triangulation_2<Plane_kernel, Data_structure,
-                                                       CGAL::No_constraint_intersection_tag>
-        Triangulation;
-    Triangulation triangulation;
-    std::vector<typename Triangulation::Vertex_handle> vertices;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      vertices.push_back(triangulation.insert(on_annulus(points[i])));
-      vertices.back()->info() = i;
-    }
+    std::vector<Point_2> places;
+    for (const Unrolled_point& p : points)
+      places.push_back(on_annulus(p));
+    std::vector<std::array<std::size_t, 2>> sides;
     for (std::size_t i = 0; i < rim_size_; ++i)
-      triangulation.insert_constraint(vertices[i], vertices[(i + 1) % rim_size_]);
+      sides.push_back({i, (i + 1) % rim_size_});
     const std::size_t corners = fixed_ - rim_size_;
     for (std::size_t i = 0; i < corners; ++i)
-      triangulation.insert_constraint(vertices[rim_size_ + i], vertices[rim_size_ + (i + 1) % corners]);
-
-    // what is reached from outside without crossing the rim is no part; neither is what the ring encloses
-    for (auto f : triangulation.all_face_handles())
-      f->info() = 0;
-    std::vector<typename Triangulation::Face_handle> outside = {triangulation.infinite_face()};
-    outside[0]->info() = 1;
-    while (!outside.empty()) {
-      const auto f = outside.back();
-      outside.pop_back();
-      for (int i = 0; i < 3; ++i)
-        if (!f->is_constrained(i) && f->neighbor(i)->info() == 0) {
-          f->neighbor(i)->info() = 1;
-          outside.push_back(f->neighbor(i));
-        }
-    }
+      sides.push_back({rim_size_ + i, rim_size_ + (i + 1) % corners});
     auto is_of_ring = [&](std::size_t i) { return i >= rim_size_ && i < fixed_; };
     triangles.clear();
-    for (auto f : triangulation.finite_face_handles()) {
-      const Index_triangle t = {f->vertex(0)->info(), f->vertex(1)->info(), f->vertex(2)->info()};
-      if (f->info() == 0 && !(is_of_ring(t[0]) && is_of_ring(t[1]) && is_of_ring(t[2])))
+    for (const Index_triangle& t : triangulate_inside(places, sides))
+      if (!(is_of_ring(t[0]) && is_of_ring(t[1]) && is_of_ring(t[2])))
         triangles.push_back(t);
-    }
   }
 
   // Edges from the rim to the rim that are no edges of it may be in the wall already: each gets a point in its middle.

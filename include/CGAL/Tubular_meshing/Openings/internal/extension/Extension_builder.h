@@ -9,8 +9,6 @@
 #include <CGAL/Tubular_meshing/Openings/internal/extension/Extension_band.h>
 #include <CGAL/Tubular_meshing/Openings/internal/extension/Extension_profile.h>
 
-#include <CGAL/Surface_mesh.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -23,16 +21,15 @@ namespace internal {
 
 /* Adds the triangles of one extension to a mesh: the band at the rim, and regular rings from there to the end. */
 class Extension_builder {
-  typedef CGAL::Surface_mesh<Point_3> Mesh;
-  typedef typename Mesh::Vertex_index Vertex;
-  typedef typename Mesh::Halfedge_index Halfedge;
-  typedef typename Mesh::Face_index Face;
+  typedef Surface::Vertex_index Vertex;
+  typedef Surface::Halfedge_index Halfedge;
+  typedef Surface::Face_index Face;
 
 public:
   std::vector<Face> faces;
   std::vector<Halfedge> rim; ///< of the far end, in order
 
-  explicit Extension_builder(Mesh& mesh)
+  explicit Extension_builder(Surface& mesh)
       : mesh_(mesh) {}
 
   /* The rim's halfedges are border halfedges, in order. False if a triangle does not fit the mesh. */
@@ -59,7 +56,7 @@ private:
   bool add(Vertex a, Vertex b, Vertex c) {
     const Face f = mesh_.add_face(a, b, c);
     faces.push_back(f);
-    return f != Mesh::null_face();
+    return f != Surface::null_face();
   }
 
   // Each ring stands half a step turned on the one before. `ring` is the first, and then the last.
@@ -89,12 +86,12 @@ private:
     rim.clear();
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const Halfedge h = mesh_.halfedge(ring[i], ring[(i + 1) % ring.size()]);
-      if (h != Mesh::null_halfedge() && mesh_.is_border(h))
+      if (h != Surface::null_halfedge() && mesh_.is_border(h))
         rim.push_back(h);
     }
   }
 
-  Mesh& mesh_;
+  Surface& mesh_;
 };
 
 } // namespace internal

@@ -7,13 +7,13 @@
 #include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Rims/Rim_shape.h>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_2_algorithms.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -30,8 +30,6 @@ struct Unrolled_point {
  * height. Angles are lengths along the rim's projection across the axis, so that they increase around any rim, be it
  * noisy or not convex; at the circle they are polar angles. Heights are counted from the centre of the projection. */
 class Extension_profile {
-  typedef Vector_3 Vector;
-  typedef CGAL::Exact_predicates_inexact_constructions_kernel Plane_kernel;
 
 public:
   static constexpr double transition = 2;  // in radii: the height over the rim in which the profile becomes a circle
@@ -39,7 +37,7 @@ public:
 
   Extension_profile() {}
   /* `rim` turns left about `direction`, the unit vector of the axis. */
-  Extension_profile(const std::vector<Point_3>& rim, const Vector& direction) {
+  Extension_profile(const std::vector<Point_3>& rim, const Vector_3& direction) {
     Rim_shape across;
     rim_weights(rim, across.perimeter);
     const Point_3& farthest = *std::max_element(rim.begin(), rim.end(), [&](const Point_3& p, const Point_3& q) {
@@ -54,7 +52,7 @@ public:
       radius_ = 0;
       return;
     }
-    const Vector shift = heights_mean(rim, across) * direction;
+    const Vector_3 shift = heights_mean(rim, across) * direction;
     axis_ = Rim_plane(across.center + shift, direction, farthest - rim[0]);
     unroll(rim);
     choose_corners();
@@ -105,17 +103,17 @@ public:
   Point_3 axis_point(double height) const { return axis_.origin() + radius_ * height * axis_.normal(); }
 
 private:
-  static double squared_distance_to_axis(const Point_3& p, const Point_3& origin, const Vector& direction) {
+  static double squared_distance_to_axis(const Point_3& p, const Point_3& origin, const Vector_3& direction) {
     return CGAL::cross_product(p - origin, direction).squared_length();
   }
 
   static bool is_simple_across(const std::vector<Point_3>& rim, const Rim_plane& plane) {
-    std::vector<Plane_kernel::Point_2> polygon;
+    std::vector<Kernel::Point_2> polygon;
     for (const Point_3& p : rim) {
       const auto q = plane.in_plane(p);
       polygon.emplace_back(q[0], q[1]);
     }
-    return CGAL::is_simple_2(polygon.begin(), polygon.end(), Plane_kernel());
+    return CGAL::is_simple_2(polygon.begin(), polygon.end(), Kernel());
   }
 
   // Over the plane, weighted by the lengths of edges: of the rim's own centre.

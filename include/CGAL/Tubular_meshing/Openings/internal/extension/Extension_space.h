@@ -7,10 +7,11 @@
 #include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Openings/internal/extension/Extension_profile.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
+#include <CGAL/Tubular_meshing/base/cgal_compatibility.h>
 
+#include <CGAL/AABB_face_graph_triangle_primitive.h>
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Bbox_3.h>
-#include <CGAL/Kernel_traits.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/box_intersection_d.h>
 
@@ -25,6 +26,8 @@ namespace CGAL {
 namespace Tubular_meshing {
 namespace internal {
 
+typedef CGAL::AABB_tree<Aabb_traits<Kernel, CGAL::AABB_face_graph_triangle_primitive<Surface>>> Wall_tree;
+
 /* How far an extension may reach, as a height of its profile, and what stands there. */
 struct Extension_limit {
   static constexpr std::size_t none = std::size_t(-1), wall = std::size_t(-2);
@@ -37,7 +40,7 @@ constexpr double extension_step = 0.5;       // in radii
 
 /* A piece of the tube that has to be free for an extension: a prism around it, from one height to another. */
 class Extension_prism {
-  typedef typename Kernel_traits<Point_3>::Kernel::Triangle_3 Triangle;
+  typedef Kernel::Triangle_3 Triangle;
 
 public:
   Extension_prism(const Extension_profile& profile, double from, double to)
@@ -46,11 +49,11 @@ public:
       , to_(to) {}
 
   /* Whether a mesh has a vertex in it, or crosses its sides or its top. `tree` holds the faces of the mesh. */
-  template <class Mesh, class Tree> bool meets(const Mesh& mesh, const Tree& tree) const {
+  bool meets(const Surface& mesh, const Wall_tree& tree) const {
     CGAL::Bbox_3 box;
     for (int i = 0; i < sides; ++i)
       box += corner(i, from_).bbox() + corner(i, to_).bbox();
-    std::vector<typename Tree::Primitive_id> near;
+    std::vector<Surface::Face_index> near;
     tree.all_intersected_primitives(box, std::back_inserter(near));
     if (near.empty())
       return false;
@@ -89,8 +92,7 @@ private:
 };
 
 /* The height up to which a tube slightly wider than the extension does not meet the wall, in steps. */
-template <class Mesh, class Tree>
-Extension_limit free_of_wall(const Extension_profile& profile, const Mesh& mesh, const Tree& wall) {
+inline Extension_limit free_of_wall(const Extension_profile& profile, const Surface& mesh, const Wall_tree& wall) {
   double from = profile.highest() + 0.1;
   while (from < profile.end()) {
     const double to = (std::min)(from + extension_step, profile.end());

@@ -7,8 +7,6 @@
 #include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Rims/Opening_site.h>
 
-#include <CGAL/Surface_mesh.h>
-
 #include <Eigen/Dense>
 
 #include <algorithm>
@@ -26,7 +24,7 @@ namespace internal {
 
 /* The vertices within `reach` of the rim along edges of the wall, with their distances. O(k log k) in their number. */
 inline std::unordered_map<Surface::Vertex_index, double> depths_behind_rim(const Opening_site& site, double reach,
-                                                                           const CGAL::Surface_mesh<Point_3>& mesh) {
+                                                                           const Surface& mesh) {
   typedef Surface::Vertex_index Vertex;
   typedef std::pair<double, Vertex> Entry;
   std::unordered_map<Vertex, double> depth;
@@ -57,8 +55,7 @@ inline std::unordered_map<Surface::Vertex_index, double> depths_behind_rim(const
  * (the least eigenvector of their normals' spread; the nearer the rim, the more a face weighs). An oblique cut does not
  * tilt it, as it does the normal of the rim. Where the wall has no direction, as at a hole in a dome, or is too short
  * to tell, it is the rim's normal. `outwards` is that normal. */
-inline Vector_3 wall_direction(const Opening_site& site, const Vector_3& outwards,
-                               const CGAL::Surface_mesh<Point_3>& mesh) {
+inline Vector_3 wall_direction(const Opening_site& site, const Vector_3& outwards, const Surface& mesh) {
   const double clear = 0.25, vague = 0.75; // ratios of the two smaller eigenvalues
   const double reach = site.shape.radius;
   const auto depth = depths_behind_rim(site, reach, mesh);

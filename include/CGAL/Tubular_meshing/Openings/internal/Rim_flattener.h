@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tubular_meshing authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_TUBULAR_MESHING_RIMS_RIM_FLATTENER_H
-#define CGAL_TUBULAR_MESHING_RIMS_RIM_FLATTENER_H
+#ifndef CGAL_TUBULAR_MESHING_OPENINGS_INTERNAL_RIM_FLATTENER_H
+#define CGAL_TUBULAR_MESHING_OPENINGS_INTERNAL_RIM_FLATTENER_H
 
 #include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Rims/Opening_site.h>
@@ -30,14 +30,12 @@ namespace internal {
  * the same, face by face.
  */
 class Rim_flattener {
-  typedef CGAL::Surface_mesh<Point_3> Mesh;
-  typedef typename Mesh::Vertex_index Vertex;
-  typedef typename Mesh::Halfedge_index Halfedge;
-  typedef typename Mesh::Face_index Face;
-  typedef Vector_3 Vector;
+  typedef Surface::Vertex_index Vertex;
+  typedef Surface::Halfedge_index Halfedge;
+  typedef Surface::Face_index Face;
 
 public:
-  Rim_flattener(Mesh& mesh, const Rim_plane& plane, const Opening_site& site)
+  Rim_flattener(Surface& mesh, const Rim_plane& plane, const Opening_site& site)
       : mesh_(mesh)
       , plane_(plane)
       , cap_(site.cap.begin(), site.cap.end()) {
@@ -54,7 +52,7 @@ public:
 
   /* False if faces would fold or degenerate; then nothing is moved. */
   bool flatten() {
-    std::vector<Vector> before;
+    std::vector<Vector_3> before;
     for (Face f : faces_)
       before.push_back(area_vector(mesh_.halfedge(f), mesh_));
     std::vector<double> longest_before;
@@ -139,7 +137,7 @@ private:
     std::unordered_set<Face> visited;
     for (const auto& m : moves_)
       for (Face f : CGAL::faces_around_target(mesh_.halfedge(m.first), mesh_))
-        if (f != Mesh::null_face() && visited.insert(f).second)
+        if (f != Surface::null_face() && visited.insert(f).second)
           faces_.push_back(f);
   }
 
@@ -151,15 +149,15 @@ private:
   }
 
   // Turns by less than 60 degrees, and keeps a fifth of its height over its longest edge.
-  bool stays_good(Face f, const Vector& before, double longest_before) const {
-    const Vector after = area_vector(mesh_.halfedge(f), mesh_);
+  bool stays_good(Face f, const Vector_3& before, double longest_before) const {
+    const Vector_3 after = area_vector(mesh_.halfedge(f), mesh_);
     const double area_before = std::sqrt(before.squared_length()), area_after = std::sqrt(after.squared_length());
-    const Vector& direction = cap_.count(f) ? plane_.normal() * area_before : before;
+    const Vector_3& direction = cap_.count(f) ? plane_.normal() * area_before : before;
     return area_after > 0 && direction * after > 0.5 * area_before * area_after &&
            area_after * longest_before > 0.2 * area_before * longest_squared_edge(f);
   }
 
-  Mesh& mesh_;
+  Surface& mesh_;
   const Rim_plane& plane_;
   std::vector<Vertex> rim_;
   const std::unordered_set<Face> cap_;
@@ -172,4 +170,4 @@ private:
 } // namespace Tubular_meshing
 } // namespace CGAL
 
-#endif // CGAL_TUBULAR_MESHING_RIMS_RIM_FLATTENER_H
+#endif // CGAL_TUBULAR_MESHING_OPENINGS_INTERNAL_RIM_FLATTENER_H

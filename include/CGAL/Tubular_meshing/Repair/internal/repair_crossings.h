@@ -1,15 +1,15 @@
 // Copyright (c) 2026 The Tubular_meshing authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_TUBULAR_MESHING_REPAIR_INTERNAL_MEND_CROSSINGS_H
-#define CGAL_TUBULAR_MESHING_REPAIR_INTERNAL_MEND_CROSSINGS_H
+#ifndef CGAL_TUBULAR_MESHING_REPAIR_INTERNAL_REPAIR_CROSSINGS_H
+#define CGAL_TUBULAR_MESHING_REPAIR_INTERNAL_REPAIR_CROSSINGS_H
 
+#include <CGAL/Tubular_meshing/base/Function_view.h>
 #include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Rims/Opening_site.h>
 #include <CGAL/Tubular_meshing/Repair/internal/fill_wall.h>
 
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
-#include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/iterator.h>
 
@@ -38,7 +38,7 @@ struct Bad_faces {
   bool empty() const { return faces.empty(); }
 };
 
-inline bool is_folded(Surface::Edge_index e, const CGAL::Surface_mesh<Point_3>& mesh) {
+inline bool is_folded(Surface::Edge_index e, const Surface& mesh) {
   if (mesh.is_border(e))
     return false;
   const Vector_3 m = area_vector(mesh.halfedge(e, 0), mesh), n = area_vector(mesh.halfedge(e, 1), mesh);
@@ -49,8 +49,7 @@ inline bool is_folded(Surface::Edge_index e, const CGAL::Surface_mesh<Point_3>& 
 
 /* The pairs of faces that cross each other, in order. O(n log n), and more than all else that is done to a clean
  * surface. On one thread: CGAL's parallel version took twice the time on two cores. */
-inline std::vector<std::pair<Surface::Face_index, Surface::Face_index>>
-find_crossings(const CGAL::Surface_mesh<Point_3>& mesh) {
+inline std::vector<std::pair<Surface::Face_index, Surface::Face_index>> find_crossings(const Surface& mesh) {
   typedef Surface::Face_index Face;
   std::vector<std::pair<Face, Face>> pairs;
   Polygon_mesh_processing::self_intersections(mesh, std::back_inserter(pairs));
@@ -61,7 +60,7 @@ find_crossings(const CGAL::Surface_mesh<Point_3>& mesh) {
   return pairs;
 }
 
-inline Bad_faces find_bad_faces(const CGAL::Surface_mesh<Point_3>& mesh) {
+inline Bad_faces find_bad_faces(const Surface& mesh) {
   Bad_faces bad;
   const auto pairs = find_crossings(mesh);
   bad.crossings = pairs.size();
@@ -83,30 +82,29 @@ inline Bad_faces find_bad_faces(const CGAL::Surface_mesh<Point_3>& mesh) {
   return bad;
 }
 
-/* Mends crossing and folded faces in place: first by smoothing them and the faces around, bent like the wall or flat,
+/* Repairs crossing and folded faces in place: first by smoothing them and the faces around, bent like the wall or flat,
  * which is taken back where it does not help, then by replacing them with a patch that is bent like the wall around it,
  * then ever larger patches, without bending: walls that pierce each other retreat from each other. Where bad faces
  * reach a rim, they are removed, and the notch is filled up to a chord. O(n log n) for each of at most ten rounds. */
-class Crossing_mender {
-  typedef CGAL::Surface_mesh<Point_3> Mesh;
-  typedef typename Mesh::Vertex_index Vertex;
-  typedef typename Mesh::Halfedge_index Halfedge;
-  typedef typename Mesh::Face_index Face;
+class Crossing_repairer {
+  typedef Surface::Vertex_index Vertex;
+  typedef Surface::Halfedge_index Halfedge;
+  typedef Surface::Face_index Face;
   typedef std::unordered_set<Face> Faces;
 
 public:
-  explicit Crossing_mender(Mesh& mesh)
+  explicit Crossing_repairer(Surface& mesh)
       : mesh_(mesh) {}
 
   /* Whether nothing bad is left. */
-  bool mend(Bad_faces bad) {
+  bool repair(Bad_faces bad) {
     for (int round = 0; round < 4 && !bad.empty(); ++round)
       bad = smooth(bad, (round + 1) / 2, round < 2);
     return bad.empty() || replace_all([&] { return find_bad_faces(mesh_).faces; });
   }
 
   /* Replaces what `find` returns, with ever more faces around, until it returns none. Whether it does. */
-  template <class Find> bool replace_all(const Find& find) {
+  bool replace_all(Function_view<std::vector<Face>()> find) {
     std::vector<Face> faces = find();
     for (int round = 0; round < 6 && !faces.empty(); ++round) {
       for (const Faces& patch : patches_around(faces, 1 + round / 2))
@@ -180,7 +178,7 @@ private:
 
   void add_faces_around(Vertex v, Faces& all, std::vector<Face>& added) const {
     for (Face f : CGAL::faces_around_target(mesh_.halfedge(v), mesh_))
-      if (f != Mesh::null_face() && all.insert(f).second)
+      if (f != Surface::null_face() && all.insert(f).second)
         added.push_back(f);
   }
 
@@ -248,7 +246,7 @@ private:
       notch.push_back(mesh_.target(h));
       polyline.push_back(mesh_.point(notch.back()));
     }
-    if (notch.size() < 3 || mesh_.halfedge(notch.front(), notch.back()) != Mesh::null_halfedge())
+    if (notch.size() < 3 || mesh_.halfedge(notch.front(), notch.back()) != Surface::null_halfedge())
       return;
     std::vector<CGAL::Triple<int, int, int>> triangles;
     Polygon_mesh_processing::triangulate_hole_polyline(polyline, std::back_inserter(triangles));
@@ -259,7 +257,8 @@ private:
     }
     for (const auto& t : ordered)
       for (int k = 0; k < 3; ++k)
-        if (t[(k + 1) % 3] - t[k] != 1 && mesh_.halfedge(notch[t[k]], notch[t[(k + 1) % 3]]) != Mesh::null_halfedge())
+        if (t[(k + 1) % 3] - t[k] != 1 &&
+            mesh_.halfedge(notch[t[k]], notch[t[(k + 1) % 3]]) != Surface::null_halfedge())
           return; // an edge that the wall has already
     for (const auto& t : ordered)
       mesh_.add_face(notch[t[0]], notch[t[1]], notch[t[2]]);
@@ -300,13 +299,13 @@ private:
     return true;
   }
 
-  bool stays(Face f, const Faces& patch) const { return f != Mesh::null_face() && patch.count(f) == 0; }
+  bool stays(Face f, const Faces& patch) const { return f != Surface::null_face() && patch.count(f) == 0; }
 
-  Mesh& mesh_;
+  Surface& mesh_;
 };
 
 } // namespace internal
 } // namespace Tubular_meshing
 } // namespace CGAL
 
-#endif // CGAL_TUBULAR_MESHING_REPAIR_INTERNAL_MEND_CROSSINGS_H
+#endif // CGAL_TUBULAR_MESHING_REPAIR_INTERNAL_REPAIR_CROSSINGS_H

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tubular_meshing authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_TUBULAR_MESHING_OPENINGS_ORDER_OPENINGS_H
-#define CGAL_TUBULAR_MESHING_OPENINGS_ORDER_OPENINGS_H
+#ifndef CGAL_TUBULAR_MESHING_OPENINGS_INTERNAL_ORDER_OPENINGS_H
+#define CGAL_TUBULAR_MESHING_OPENINGS_INTERNAL_ORDER_OPENINGS_H
 
 #include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/base/Opening.h>
@@ -106,4 +106,4 @@ inline void order_openings(std::vector<Opening>& openings, std::size_t inlet) {
 } // namespace Tubular_meshing
 } // namespace CGAL
 
-#endif // CGAL_TUBULAR_MESHING_OPENINGS_ORDER_OPENINGS_H
+#endif // CGAL_TUBULAR_MESHING_OPENINGS_INTERNAL_ORDER_OPENINGS_H

@@ -1,0 +1,80 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_OPENINGS_SEEDS_IMPL_H
+#define CGAL_TUBULAR_MESHING_OPENINGS_SEEDS_IMPL_H
+
+#include <CGAL/Tubular_meshing/Openings/internal/order_openings.h>
+#include <CGAL/Tubular_meshing/Openings/seeds.h>
+#include <CGAL/Tubular_meshing/Rims/Opening_site.h>
+#include <CGAL/Tubular_meshing/base/exceptions.h>
+#include <CGAL/Tubular_meshing/base/labels.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Tubular_meshing {
+namespace internal {
+
+CGAL_TUBULAR_MESHING_INLINE std::vector<Opening>
+find_openings_or_seeds(const Surface& surface, const std::vector<Point_3>& seeds, Find_openings_options options) {
+  if (seeds.empty())
+    return find_openings(surface, options);
+  for (const Point_3& p : seeds)
+    if (!std::isfinite(p.x()) || !std::isfinite(p.y()) || !std::isfinite(p.z()))
+      throw Parameter_error("The seed " + coordinates(p) + " has to have finite coordinates.");
+  options.inlet = seeds.front();
+  return find_any_openings(surface, options);
+}
+
+// Within an opening's rim, also where that is an ellipse, or the point was picked a little outside.
+inline bool lies_at(const Point_3& seed, const Opening& opening) {
+  const double reach = 1.5 * opening.radius;
+  return (seed - opening.center).squared_length() <= reach * reach;
+}
+
+CGAL_TUBULAR_MESHING_INLINE std::vector<std::pair<Point_3, int>> ends_of_lines(const std::vector<Opening>& openings,
+                                                                               const std::vector<Point_3>& seeds) {
+  std::vector<std::pair<Point_3, int>> ends;
+  for (const Opening& o : openings)
+    ends.emplace_back(o.center, o.patch);
+  for (std::size_t i = 0; i < seeds.size(); ++i)
+    if (openings.empty() || !lies_at(seeds[i], openings[nearest_opening(openings, seeds[i])])) {
+      ends.emplace_back(seeds[i], int(labels::wall));
+      if (i == 0)
+        std::rotate(ends.begin(), ends.end() - 1, ends.end());
+    }
+  if (ends.size() < 2)
+    throw Input_error("The vessels have one end only, at " + coordinates(ends.front().first) +
+                      ", so that nothing can flow through them: open the surface where they end, or give the points "
+                      "(seeds) at which they do.");
+  return ends;
+}
+
+CGAL_TUBULAR_MESHING_INLINE std::vector<std::size_t> nodes_at(const Centerline_graph& graph,
+                                                              const std::vector<Opening>& openings) {
+  std::vector<std::size_t> ends, found;
+  for (std::size_t n = 0; n < graph.nodes().size(); ++n)
+    if (graph.nodes()[n].is_end())
+      ends.push_back(n);
+  for (const Opening& o : openings) {
+    const auto away = [&](std::size_t n) {
+      return (graph.points()[graph.nodes()[n].point] - o.center).squared_length();
+    };
+    const auto nearest =
+        std::min_element(ends.begin(), ends.end(), [&](std::size_t m, std::size_t n) { return away(m) < away(n); });
+    const bool is_there = nearest != ends.end() && away(*nearest) <= o.radius * o.radius;
+    found.push_back(is_there ? *nearest : Opening::no_branch);
+  }
+  return found;
+}
+
+} // namespace internal
+} // namespace Tubular_meshing
+} // namespace CGAL
+
+#endif // CGAL_TUBULAR_MESHING_OPENINGS_SEEDS_IMPL_H
