@@ -337,7 +337,7 @@ TEST(Parameterization, Junctions_keep_their_holes) {
     const Map map = tubular::parameterize_patch(junction(branches, 48, 15 * branches + 15, 2. * branches + 2));
     ASSERT_EQ(map.number_of_loops(), std::size_t(branches) + 2);
     expect_bijective(map);
-    EXPECT_LE(map.method(), Method::conformal_mended);
+    EXPECT_LE(map.method(), Method::conformal_repaired);
     std::vector<double> ratio;
     for (int t = 0; t < int(map.number_of_triangles()); ++t)
       ratio.push_back(map.stretch_ratio(t));
@@ -432,7 +432,7 @@ TEST(Parameterization, Flipped_triangles_are_mended_or_another_method_is_taken) 
 TEST(Parameterization, Each_method_gives_a_bijection) {
   std::mt19937 random(6);
   for (const Patch& patch : {tube(cylinder(5), 20, 16), half_sphere(20, 8), junction(3, 30, 40, 6)})
-    for (Method first : {Method::conformal, Method::conformal_mended, Method::harmonic, Method::mean_value,
+    for (Method first : {Method::conformal, Method::conformal_repaired, Method::harmonic, Method::mean_value,
                          Method::uniform, Method::shortened}) {
       const Map map = tubular::parameterize_patch(patch, first);
       EXPECT_EQ(map.method(), first);

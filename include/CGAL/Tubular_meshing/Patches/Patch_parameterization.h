@@ -4,31 +4,25 @@
 #ifndef CGAL_TUBULAR_MESHING_PATCHES_PATCH_PARAMETERIZATION_H
 #define CGAL_TUBULAR_MESHING_PATCHES_PATCH_PARAMETERIZATION_H
 
+#include <CGAL/Tubular_meshing/base/Function_view.h>
 #include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Patches/Indexed_patch.h>
 #include <CGAL/Tubular_meshing/Patches/Parameterization_method.h>
 #include <CGAL/Tubular_meshing/Plane/Plane_metric.h>
-#include <CGAL/Tubular_meshing/Patches/internal/parameterization/Edge_halver.h>
 #include <CGAL/Tubular_meshing/Plane/Plane_triangle_tree.h>
-#include <CGAL/Tubular_meshing/Plane/Triangle_adjacency.h>
-#include <CGAL/Tubular_meshing/base/exceptions.h>
-#include <CGAL/Tubular_meshing/base/Vector_3d.h>
-
-#include <CGAL/Kernel_traits.h>
 
 #include <Eigen/Core>
-#include <Eigen/Geometry>
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
-#include <limits>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Tubular_meshing {
+
+namespace internal {
+struct Divided_patch;
+}
 
 /*! \ingroup PkgTubularMeshingRef
  * A point of a parameterized patch: on one of its triangles. */
@@ -51,9 +45,7 @@ struct Patch_location {
  */
 class Patch_parameterization {
 public:
-  typedef Tubular_meshing::Point_3 Point_3;
-  typedef typename CGAL::Kernel_traits<Point_3>::Kernel Kernel;
-  typedef typename Kernel::Point_2 Point_2;
+  typedef Kernel::Point_2 Point_2;
   typedef Eigen::Matrix<double, 3, 2> Derivatives; ///< columns x,u and x,v
 
   /// An empty one, to be assigned to.
@@ -61,18 +53,7 @@ public:
 
   /// Of a patch whose points have the given places in the plane. O(n log n).
   Patch_parameterization(internal::Divided_patch divided, std::vector<Eigen::Vector2d> uv,
-                         Parameterization_method method, std::size_t number_of_flips)
-      : patch_(std::move(divided.patch))
-      , input_triangles_(std::move(divided.origin))
-      , loop_positions_(std::move(divided.positions))
-      , uv_(std::move(uv))
-      , method_(method)
-      , number_of_flips_(number_of_flips)
-      , opposite_(internal::opposite_halfedges(patch_.triangles))
-      , tree_(uv_, patch_.triangles)
-      , log_of_shape_(log_vertex_metrics([](const Point_3&) { return Eigen::Matrix3d::Identity(); })) {
-    measure_loops();
-  }
+                         Parameterization_method method, std::size_t number_of_flips);
 
   /// \name The map
   /// @{
@@ -95,101 +76,37 @@ public:
 
   /// Where a point of the plane is; for one outside of the domain, as on the circle's arcs, the nearest point of it.
   /// O(log n); with a triangle near it as a hint, the time of a walk to it.
-  Patch_location locate(const Point_2& uv, int hint = -1) const {
-    const Eigen::Vector2d p(CGAL::to_double(uv.x()), CGAL::to_double(uv.y()));
-    Patch_location location;
-    if (hint >= 0 && walk(p, hint, location))
-      return location;
-    internal::Nearest_in_triangle nearest;
-    location.triangle = tree_.nearest(uv_, patch_.triangles, p, nearest);
-    location.barycentric = nearest.barycentric;
-    location.squared_distance = nearest.squared_distance;
-    return location;
-  }
+  Patch_location locate(const Point_2& uv, int hint = -1) const;
 
   /// The place of a location in the plane.
-  Point_2 uv(const Patch_location& at) const {
-    Eigen::Vector2d sum(0, 0);
-    for (std::size_t i = 0; i < 3; ++i)
-      sum += at.barycentric[i] * uv_[std::size_t(corner(at.triangle, i))];
-    return point_2(sum);
-  }
+  Point_2 uv(const Patch_location& at) const;
 
   /// x(u): the point of the surface itself.
-  Point_3 point(const Patch_location& at) const {
-    internal::Vector_3d sum;
-    for (std::size_t i = 0; i < 3; ++i)
-      sum += at.barycentric[i] * internal::Vector_3d(patch_.points[std::size_t(corner(at.triangle, i))]);
-    return Point_3(sum.x, sum.y, sum.z);
-  }
+  Point_3 point(const Patch_location& at) const;
   Point_3 point(const Point_2& uv) const { return point(locate(uv)); }
 
   /// x,u and x,v, constant on a triangle.
-  Derivatives derivatives(int triangle) const {
-    const std::array<Eigen::Vector2d, 3> c = corners(triangle);
-    Eigen::Matrix2d e;
-    e << c[1] - c[0], c[2] - c[0];
-    Derivatives x;
-    x << eigen_point(triangle, 1) - eigen_point(triangle, 0), eigen_point(triangle, 2) - eigen_point(triangle, 0);
-    Eigen::Matrix2d adjugate;
-    adjugate << e(1, 1), -e(0, 1), -e(1, 0), e(0, 0);
-    return (1 / internal::plane_cross_product(e.col(0), e.col(1))) * (x * adjugate);
-  }
+  Derivatives derivatives(int triangle) const;
 
   /// The ratio of the largest to the smallest stretch of a triangle: 1 where the map is conformal.
-  double stretch_ratio(int triangle) const {
-    double ratio = 1;
-    internal::with_eigenvalues(
-        induced_metric(triangle, Eigen::Matrix3d::Identity()), [&](double& larger, double& smaller) {
-          ratio = smaller > 0 ? std::sqrt(larger / smaller) : (std::numeric_limits<double>::infinity)();
-        });
-    return ratio;
-  }
+  double stretch_ratio(int triangle) const;
 
   /// @}
   /// \name The induced metric, equation (11)
   /// @{
 
   /// x,uᵀ M x,u on a triangle, for a 3 x 3 matrix M.
-  Plane_metric induced_metric(int triangle, const Eigen::Matrix3d& metric) const {
-    const Derivatives x = derivatives(triangle);
-    const Eigen::Matrix2d m = x.transpose() * metric * x;
-    return {m(0, 0), (m(0, 1) + m(1, 0)) / 2, m(1, 1)};
-  }
+  Plane_metric induced_metric(int triangle, const Eigen::Matrix3d& metric) const;
 
   /// The same for M = I / size², continuous: interpolated between vertices, which have the means of their triangles.
-  Plane_metric induced_metric(const Patch_location& at, double size) const {
-    return 1 / (size * size) * interpolate(log_of_shape_, at);
-  }
+  Plane_metric induced_metric(const Patch_location& at, double size) const;
 
   /// A field of metrics, `metric(Point_3)` a 3 x 3 matrix, induced on the plane: one logarithm a vertex, of the means
   /// of its triangles' induced metrics, weighted by their areas on the surface. For interpolate().
-  template <class MetricField> std::vector<Plane_metric> log_vertex_metrics(const MetricField& metric) const {
-    std::vector<Plane_metric> sum(uv_.size());
-    std::vector<double> weight(uv_.size(), 0.);
-    for (int t = 0; t < int(patch_.triangles.size()); ++t) {
-      const double area = (std::max)(area_of(t), (std::numeric_limits<double>::min)());
-      const Derivatives x = derivatives(t);
-      for (std::size_t i = 0; i < 3; ++i) {
-        const std::size_t v = std::size_t(corner(t, i));
-        const Eigen::Matrix2d m = x.transpose() * Eigen::Matrix3d(metric(patch_.points[v])) * x;
-        sum[v] = sum[v] + area * internal::logarithm({m(0, 0), (m(0, 1) + m(1, 0)) / 2, m(1, 1)});
-        weight[v] += area;
-      }
-    }
-    for (std::size_t v = 0; v < sum.size(); ++v)
-      if (weight[v] > 0)
-        sum[v] = 1 / weight[v] * sum[v];
-    return sum;
-  }
+  std::vector<Plane_metric> log_vertex_metrics(internal::Function_view<Eigen::Matrix3d(const Point_3&)> metric) const;
 
   /// The metric between vertices, from log_vertex_metrics(): continuous.
-  Plane_metric interpolate(const std::vector<Plane_metric>& log_metrics, const Patch_location& at) const {
-    Plane_metric sum;
-    for (std::size_t i = 0; i < 3; ++i)
-      sum = sum + at.barycentric[i] * log_metrics[std::size_t(corner(at.triangle, i))];
-    return internal::exponential(sum);
-  }
+  Plane_metric interpolate(const std::vector<Plane_metric>& log_metrics, const Patch_location& at) const;
 
   /// @}
   /// \name Loops
@@ -208,10 +125,7 @@ public:
 
   /// The point of a loop at an arc length from its first vertex, on the surface; lengths count modulo loop_length().
   /// O(log n).
-  Patch_location on_loop(std::size_t loop, double arc_length) const {
-    const double total = arc_length_[loop].back();
-    return on_loop_part(loop, arc_length_[loop], total > 0 ? arc_length - total * std::floor(arc_length / total) : 0);
-  }
+  Patch_location on_loop(std::size_t loop, double arc_length) const;
 
   /// @}
 
@@ -221,70 +135,11 @@ private:
   std::array<Eigen::Vector2d, 3> corners(int triangle) const {
     return internal::Plane_triangle_tree::corners(uv_, patch_.triangles[std::size_t(triangle)]);
   }
-  Eigen::Vector3d eigen_point(int triangle, std::size_t i) const {
-    const Point_3& p = patch_.points[std::size_t(corner(triangle, i))];
-    return Eigen::Vector3d(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
-  }
-  double area_of(int triangle) const {
-    const Eigen::Vector3d a = eigen_point(triangle, 0);
-    return (eigen_point(triangle, 1) - a).cross(eigen_point(triangle, 2) - a).norm() / 2;
-  }
-
-  // On the edge of a loop over whose ends' values x is.
-  Patch_location on_loop_part(std::size_t loop, const std::vector<double>& values, double x) const {
-    std::size_t i = std::size_t(std::upper_bound(values.begin(), values.end(), x) - values.begin());
-    i = (std::min)((std::max)(i, std::size_t(1)), values.size() - 1) - 1;
-    const double length = values[i + 1] - values[i];
-    const double t = length > 0 ? (std::min)((std::max)((x - values[i]) / length, 0.), 1.) : 0;
-    const int h = loop_halfedge_[loop][i];
-    Patch_location at;
-    at.triangle = internal::triangle_of(h);
-    at.barycentric = {{0, 0, 0}};
-    at.barycentric[std::size_t(h % 3)] = 1 - t;
-    at.barycentric[std::size_t(internal::next_halfedge(h) % 3)] = t;
-    return at;
-  }
-
-  // From triangle to triangle, each time over the side that p is farthest beyond. False if it leaves the patch or is
-  // long: then the tree is faster.
-  bool walk(const Eigen::Vector2d& p, int triangle, Patch_location& location) const {
-    const int most_steps = 32;
-    for (int step = 0; step < most_steps; ++step) {
-      const std::array<double, 3> area = internal::side_areas(corners(triangle), p);
-      const std::size_t i = std::size_t(std::min_element(area.begin(), area.end()) - area.begin());
-      const double sum = area[0] + area[1] + area[2];
-      if (area[i] >= 0 && sum > 0) {
-        location.triangle = triangle;
-        location.barycentric = {{area[0] / sum, area[1] / sum, area[2] / sum}};
-        return true;
-      }
-      const int beyond = opposite_[std::size_t(internal::next_halfedge(3 * triangle + int(i)))];
-      if (beyond < 0)
-        return false;
-      triangle = internal::triangle_of(beyond);
-    }
-    return false;
-  }
-
-  void measure_loops() {
-    std::vector<int> border(uv_.size(), -1);
-    for (int h = 0; h < int(opposite_.size()); ++h)
-      if (opposite_[std::size_t(h)] < 0)
-        border[std::size_t(internal::source_of(patch_.triangles, h))] = h;
-    for (const std::vector<int>& loop : patch_.loops) {
-      arc_length_.emplace_back(1, 0.);
-      loop_halfedge_.emplace_back();
-      for (std::size_t i = 0; i < loop.size(); ++i) {
-        const internal::Vector_3d a(patch_.points[std::size_t(loop[i])]);
-        const internal::Vector_3d b(patch_.points[std::size_t(loop[(i + 1) % loop.size()])]);
-        arc_length_.back().push_back(arc_length_.back().back() + internal::norm(b - a));
-        loop_halfedge_.back().push_back(border[std::size_t(loop[i])]);
-      }
-    }
-    for (std::size_t i = 0; i < patch_.loops.size(); ++i)
-      if (uv_[std::size_t(patch_.loops[i][0])].norm() > uv_[std::size_t(patch_.loops[outer_loop_][0])].norm())
-        outer_loop_ = i;
-  }
+  Eigen::Vector3d eigen_point(int triangle, std::size_t i) const;
+  double area_of(int triangle) const;
+  Patch_location on_loop_part(std::size_t loop, const std::vector<double>& values, double x) const;
+  bool walk(const Eigen::Vector2d& p, int triangle, Patch_location& location) const;
+  void measure_loops();
 
   Indexed_patch patch_;
   std::vector<int> input_triangles_;
@@ -302,5 +157,9 @@ private:
 
 } // namespace Tubular_meshing
 } // namespace CGAL
+
+#ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
+#include <CGAL/Tubular_meshing/Patches/Patch_parameterization_impl.h>
+#endif
 
 #endif // CGAL_TUBULAR_MESHING_PATCHES_PATCH_PARAMETERIZATION_H

@@ -6,8 +6,6 @@
 
 #include <CGAL/Tubular_meshing/base/Kernel.h>
 
-#include <CGAL/Surface_mesh.h>
-
 #include <cstddef>
 #include <limits>
 #include <string>
@@ -25,12 +23,10 @@ namespace Tubular_meshing {
  * branch that is nearer to the branch's source. On the left of a rim is the wall, on its right the cap.
  */
 struct Cut_curve {
-  typedef CGAL::Surface_mesh<Point_3> Surface;
-
   static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
 
-  std::vector<typename Surface::Halfedge_index> halfedges; ///< in order, closed, their faces on the left
-  std::vector<typename Surface::Vertex_index> vertices;    ///< `vertices[i]` is the source of `halfedges[i]`
+  std::vector<Surface::Halfedge_index> halfedges; ///< in order, closed, their faces on the left
+  std::vector<Surface::Vertex_index> vertices;    ///< `vertices[i]` is the source of `halfedges[i]`
   std::size_t left_patch = none;
   std::size_t right_patch = none; ///< `none` for a rim
   std::size_t branch = none;      ///< of the centerline graph; `none` for the rim of an opening without a branch
@@ -62,12 +58,10 @@ struct Patch_loop {
  * A part of the wall between cuts, small enough in length to be mapped onto the plane.
  */
 struct Surface_patch {
-  typedef CGAL::Surface_mesh<Point_3> Surface;
-
   Patch_kind kind = Patch_kind::closed;
-  std::vector<typename Surface::Face_index> faces; ///< in ascending order
-  std::vector<Patch_loop> loops;                   ///< by ascending index of their curves
-  std::vector<std::size_t> branches;               ///< of the centerline graph, which have a part in the patch
+  std::vector<Surface::Face_index> faces; ///< in ascending order
+  std::vector<Patch_loop> loops;          ///< by ascending index of their curves
+  std::vector<std::size_t> branches;      ///< of the centerline graph, which have a part in the patch
   double length = 0;        ///< of a tube: of its centerline. Of a junction: of the longest way downstream from one
                             ///< end to another, or the distance between two ends, if one is greater
   double mean_diameter = 0; ///< the mean of the least and the greatest diameter, 2 r(x_c), on its centerlines
@@ -113,10 +107,8 @@ struct Cut_problem {
  * between them. Its descriptors are those of the surface, which must not change while they are used.
  */
 struct Surface_cut {
-  typedef CGAL::Surface_mesh<Point_3> Surface;
-  typedef typename Surface::template Property_map<typename Surface::Face_index, int> Face_map;
-
-  Face_map patch_of_face; ///< the face's index in `patches`, −1 on caps: property map `f:surface_patch` of the surface
+  Face_patch_map
+      patch_of_face; ///< the face's index in `patches`, −1 on caps: property map `f:surface_patch` of the surface
   std::vector<Surface_patch> patches;
   std::vector<Cut_curve> curves; ///< cuts, along the centerlines, then rims
   std::vector<Cut_problem> problems;

@@ -7,135 +7,24 @@
 #include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Centerlines/Centerline_graph.h>
 #include <CGAL/Tubular_meshing/Patches/Surface_patch.h>
-#include <CGAL/Tubular_meshing/Patches/internal/cut/Blind_vessel_finder.h>
-#include <CGAL/Tubular_meshing/Patches/internal/cut/Cut_surface.h>
-#include <CGAL/Tubular_meshing/Patches/internal/cut/Disk_cutter.h>
-#include <CGAL/Tubular_meshing/Patches/internal/cut/Junction_cutter.h>
-#include <CGAL/Tubular_meshing/Patches/internal/cut/Patch_labeller.h>
-#include <CGAL/Tubular_meshing/Patches/internal/cut/Piece_divider.h>
-#include <CGAL/Tubular_meshing/Patches/internal/cut/Tube_divider.h>
-#include <CGAL/Tubular_meshing/base/exceptions.h>
-#include <CGAL/Tubular_meshing/base/labels.h>
 #include <CGAL/Tubular_meshing/base/parameters.h>
-
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/boost/graph/helpers.h>
-
-#include <cmath>
-#include <cstddef>
-#include <string>
-#include <vector>
 
 namespace CGAL {
 namespace Tubular_meshing {
-namespace internal {
+/*! \ingroup PkgTubularMeshingRef
+ * The named parameters of cut_by_centerlines(). */
+struct Cut_options {
+  double aspect_ratio = 4; ///< the largest one of a patch, length over mean diameter; 1 or more
 
-inline void check_cut_input(const CGAL::Surface_mesh<Point_3>& surface, const Face_patch_map& patch,
-                            const Centerline_graph& graph, double aspect_ratio) {
-  if (!(aspect_ratio >= 1) || !std::isfinite(aspect_ratio))
-    throw Parameter_error("The aspect ratio of patches is " + std::to_string(aspect_ratio) +
-                          "; it must be 1 or more, as shorter tubes have no room for their own mesh.");
-  if (graph.empty())
-    throw Input_error("There are no centerlines to cut the surface by.");
-  for (std::size_t i = 0; i < graph.points().size(); ++i)
-    if (!(graph.radii()[i] > 0))
-      throw Input_error("The centerlines have no radius at point " + std::to_string(i) +
-                        "; measure the radii with Wall_distance.");
-  if (surface.is_empty() || !CGAL::is_triangle_mesh(surface) || !CGAL::is_closed(surface))
-    throw Input_error("Only closed surfaces of triangles are cut; close the openings of this one first "
-                      "(close_openings()), and triangulate its faces.");
-  for (auto f : surface.faces())
-    if (int(get(patch, f)) == labels::wall)
-      return;
-  throw Input_error("None of the surface's faces is labelled as wall; there is nothing to cut.");
-}
-
-/* The steps of cut_by_centerlines(), on input that has been checked. */
-class Centerline_cut {
-public:
-  typedef std::size_t size_type;
-
-  Centerline_cut(CGAL::Surface_mesh<Point_3>& surface, const Centerline_graph& graph, Face_patch_map patch,
-                 double aspect_ratio)
-      : surface_(surface, patch)
-      , graph_(graph)
-      , cutter_(surface_, graph)
-      , junctions_(cutter_)
-      , tubes_(cutter_, aspect_ratio)
-      , pieces_(cutter_, tubes_, aspect_ratio)
-      , aspect_ratio_(aspect_ratio) {}
-
-  Surface_cut run() {
-    const std::vector<size_type> branches = Graph_partition<Cutter>(cutter_).branches_from_root();
-    for (size_type b : branches)
-      junctions_.cut_off(b);
-    for (size_type b : branches)
-      tubes_.divide(b);
-    pieces_.open_cycles();
-    pieces_.divide_long_pieces();
-
-    Surface_cut result;
-    Labeller labeller(surface_, cutter_, result);
-    labeller.label();
-    for (size_type b : junctions_.merged())
-      if (cutter_.cuts_of(b).empty())
-        result.merged_branches.push_back(b);
-    result.moved_cuts = junctions_.number_of_moved() + tubes_.number_of_moved() + pieces_.number_of_cuts();
-    report_patches(labeller, result);
-    report_blind_vessels(result);
-    return result;
-  }
-
-private:
-  typedef Disk_cutter Cutter;
-  typedef Patch_labeller Labeller;
-  typedef Cut_problem Problem;
-
-  Point_3 middle(size_type branch) const {
-    const Vector_3d p = cutter_.axis(branch).point(graph_.branches()[branch].length / 2);
-    return Point_3(p.x, p.y, p.z);
-  }
-
-  void report_patches(const Labeller& labeller, Surface_cut& result) const {
-    const double rounding = 1e-9;
-    for (size_type i = 0; i < result.patches.size(); ++i) {
-      const Surface_patch& p = result.patches[i];
-      const bool is_known = !p.branches.empty();
-      const size_type b = is_known ? p.branches.front() : 0;
-      const auto report = [&](typename Problem::Kind kind) {
-        result.problems.push_back(Problem{kind, middle(b), b, i});
-      };
-      if (!is_known || !p.is_sphere_with_holes() || is_on_both_sides(p, i) || labeller.has_half_a_piece(i))
-        report(Problem::wrong_topology);
-      else if (labeller.has_several_pieces(i))
-        report(Problem::no_centerline);
-      else if (p.aspect_ratio() > aspect_ratio_ * (1 + rounding))
-        report(Problem::too_long);
-    }
-  }
-
-  void report_blind_vessels(Surface_cut& result) const {
-    for (const auto& vessel : Blind_vessel_finder(surface_, graph_).find())
-      result.problems.push_back(Problem{Problem::no_centerline, surface_.mesh().point(vessel.tip), vessel.branch,
-                                        size_type(result.patch_of_face[vessel.face])});
-  }
-
-  static bool is_on_both_sides(const Surface_patch& patch, size_type number) {
-    for (const Patch_loop& l : patch.loops)
-      if (l.neighbour == number)
-        return true;
-    return false;
-  }
-
-  Cut_surface surface_;
-  const Centerline_graph& graph_;
-  Cutter cutter_;
-  Junction_cutter<Cutter> junctions_;
-  Tube_divider<Cutter> tubes_;
-  Piece_divider<Cutter> pieces_;
-  const double aspect_ratio_;
+  Cut_options() = default;
+  template <class NamedParameters>
+  explicit Cut_options(const NamedParameters& np)
+      : aspect_ratio(internal::choose(np, internal_np::aspect_ratio, 4.)) {}
 };
 
+namespace internal {
+Surface_cut cut_by_centerlines(Surface& surface, const Centerline_graph& graph, Face_patch_map patch,
+                               const Cut_options& options);
 } // namespace internal
 
 /*! \ingroup PkgTubularMeshingRef
@@ -166,15 +55,20 @@ private:
  * dozen for each cut: no cut looks at the whole surface.
  *
  * \param surface a closed triangle mesh, turned outwards: that of a Tubular_model. Its faces are divided; garbage, if
- *   it has some, is collected before, which changes descriptors. Gets the property map `f:surface_patch`
+ *   it has some, is collected before, which changes descriptors. Gets the property map `f:surface_patch`.
+ *   The result refers to it: a mesh of another type is to be copied into a Surface first, by `CGAL::copy_face_graph()`
  * \param graph its centerlines, with their radii, the ends at the openings: those of a Tubular_model
  * \param patch a property map from face to int: `labels::wall`, or the label of the face's opening. New faces get the
  *   label of the face that they are part of
  * \param np an optional sequence of named parameters among the ones listed below
  *
  * \cgalNamedParamsBegin
- *   \cgalParamNBegin{aspect_ratio} \cgalParamDescription{the largest aspect ratio of a patch, length over mean
- * diameter, 1 or more} \cgalParamDefault{4} \cgalParamNEnd \cgalNamedParamsEnd
+ *   \cgalParamNBegin{aspect_ratio}
+ *     \cgalParamDescription{the largest aspect ratio of a patch, length over mean diameter, 1 or more}
+ *     \cgalParamType{`double`}
+ *     \cgalParamDefault{4}
+ *   \cgalParamNEnd
+ * \cgalNamedParamsEnd
  *
  * \returns patches, their curves, and what could not be done
  *
@@ -182,16 +76,16 @@ private:
  * \throws Parameter_error if the aspect ratio is less than 1
  */
 template <class NamedParameters = CGAL::parameters::Default_named_parameters>
-Surface_cut cut_by_centerlines(CGAL::Surface_mesh<Point_3>& surface, const Centerline_graph& graph,
-                               Face_patch_map patch, const NamedParameters& np = CGAL::parameters::default_values()) {
-  const double aspect_ratio = internal::choose(np, internal_np::aspect_ratio, 4.);
-  if (surface.has_garbage())
-    surface.collect_garbage();
-  internal::check_cut_input(surface, patch, graph, aspect_ratio);
-  return internal::Centerline_cut(surface, graph, patch, aspect_ratio).run();
+Surface_cut cut_by_centerlines(Surface& surface, const Centerline_graph& graph, Face_patch_map patch,
+                               const NamedParameters& np = CGAL::parameters::default_values()) {
+  return internal::cut_by_centerlines(surface, graph, patch, Cut_options(np));
 }
 
 } // namespace Tubular_meshing
 } // namespace CGAL
+
+#ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
+#include <CGAL/Tubular_meshing/Patches/cut_by_centerlines_impl.h>
+#endif
 
 #endif // CGAL_TUBULAR_MESHING_PATCHES_CUT_BY_CENTERLINES_H

@@ -5,37 +5,43 @@
 #define CGAL_TUBULAR_MESHING_PATCHES_FOLLOW_BLIND_VESSELS_H
 
 #include <CGAL/Tubular_meshing/base/Kernel.h>
-#include <CGAL/Tubular_meshing/Centerlines/compute_centerlines.h>
-#include <CGAL/Tubular_meshing/Patches/internal/cut/Blind_vessel_finder.h>
-#include <CGAL/Tubular_meshing/Patches/internal/cut/Cut_surface.h>
+#include <CGAL/Tubular_meshing/Centerlines/Centerline_graph.h>
 
-#include <CGAL/Surface_mesh.h>
+#include <vector>
 
 namespace CGAL {
 namespace Tubular_meshing {
 namespace internal {
 
+/* The tips of vessels that end without an opening and have no centerline, each in the order of its vessel's first face.
+ * The surface is as it was afterwards. O(n log n). */
+std::vector<Surface::Vertex_index> tips_of_blind_vessels(Surface& surface, Face_patch_map patch,
+                                                         const Centerline_graph& graph);
+
 /* Adds lines into vessels that end without an opening, to centerlines that lead to the openings: without one, such a
- * vessel would be meshed at the size of the vessel that it leaves, and not be cut. O(n log n) a generation. */
-template <class NamedParameters>
-void follow_blind_vessels(CGAL::Surface_mesh<Point_3>& surface, Face_patch_map patch,
-                          Centerline_computation& computation, Centerline_graph& graph, const NamedParameters& np) {
+ * vessel would be meshed at the size of the vessel that it leaves, and not be cut. O(n log n) a generation.
+ *
+ * `computation` is a Centerline_computation. */
+template <class Computation, class Parameters>
+void follow_blind_vessels(Surface& surface, Face_patch_map patch, Computation& computation, Centerline_graph& graph,
+                          const Parameters& parameters) {
   const int most_generations = 6; // blind vessels may leave blind vessels
   for (int generation = 0; generation < most_generations; ++generation) {
     bool is_longer = false;
-    {
-      const Cut_surface uncut(surface, patch);
-      for (const auto& vessel : Blind_vessel_finder(uncut, graph).find())
-        is_longer = computation.add_end(vessel.tip) || is_longer;
-    }
+    for (Surface::Vertex_index tip : tips_of_blind_vessels(surface, patch, graph))
+      is_longer = computation.add_end(tip) || is_longer;
     if (!is_longer)
       return;
-    computation.make_graph(graph, np);
+    computation.make_graph(graph, parameters);
   }
 }
 
 } // namespace internal
 } // namespace Tubular_meshing
 } // namespace CGAL
+
+#ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
+#include <CGAL/Tubular_meshing/Patches/follow_blind_vessels_impl.h>
+#endif
 
 #endif // CGAL_TUBULAR_MESHING_PATCHES_FOLLOW_BLIND_VESSELS_H

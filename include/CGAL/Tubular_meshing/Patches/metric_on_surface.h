@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_PATCHES_METRIC_ON_SURFACE_H
 #define CGAL_TUBULAR_MESHING_PATCHES_METRIC_ON_SURFACE_H
 
+#include <CGAL/Tubular_meshing/base/Function_view.h>
 #include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Fields/Metric_tensor_3.h>
 #include <CGAL/Tubular_meshing/Plane/Metric_tensor_2.h>
@@ -49,6 +50,13 @@ Metric_tensor_2 metric_shadow(const Metric_tensor_3& m, const Vector_3& a, const
 
 ///@}
 /*! @} */
+
+namespace internal {
+
+// A metric of space, as a caller gives it.
+typedef Function_view<Metric_tensor_3(const Point_3&)> Metric_function;
+
+} // namespace internal
 
 } // namespace Tubular_meshing
 } // namespace CGAL

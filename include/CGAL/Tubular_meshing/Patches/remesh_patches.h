@@ -4,41 +4,52 @@
 #ifndef CGAL_TUBULAR_MESHING_PATCHES_REMESH_PATCHES_H
 #define CGAL_TUBULAR_MESHING_PATCHES_REMESH_PATCHES_H
 
+#include <CGAL/Tubular_meshing/base/Function_view.h>
 #include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Fields/Metric_tensor_3.h>
 #include <CGAL/Tubular_meshing/Patches/Surface_patch.h>
 #include <CGAL/Tubular_meshing/Patches/Patch_parameterization.h>
 #include <CGAL/Tubular_meshing/Patches/Remeshed_surface.h>
-#include <CGAL/Tubular_meshing/Patches/internal/remeshing/Isotropic_sizes.h>
-#include <CGAL/Tubular_meshing/Patches/internal/remeshing/Metric_sizes.h>
-#include <CGAL/Tubular_meshing/Patches/internal/remeshing/Piece_mesher.h>
-#include <CGAL/Tubular_meshing/Patches/pieces/Surface_remesher.h>
-#include <CGAL/Tubular_meshing/base/exceptions.h>
+#include <CGAL/Tubular_meshing/Patches/metric_on_surface.h>
 #include <CGAL/Tubular_meshing/base/parameters.h>
 
-#include <CGAL/Surface_mesh.h>
-
-#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Tubular_meshing {
+/*! \ingroup PkgTubularMeshingRef
+ * The named parameters of remesh_patches(). */
+struct Remeshing_options {
+  bool even_curves = false;  ///< whether each curve gets an even number of points
+  int number_of_threads = 0; ///< 0: as many as there are cores
+
+  Remeshing_options() = default;
+  template <class NamedParameters>
+  explicit Remeshing_options(const NamedParameters& np)
+      : even_curves(internal::choose(np, internal_np::even_curves, false))
+      , number_of_threads(internal::choose(np, internal_np::number_of_threads, 0)) {}
+};
+
 namespace internal {
+
+Remeshed_surface remesh_patches_by_size(const Surface& surface, const Surface_cut& cut,
+                                        const std::vector<Patch_parameterization>& maps, Length_function size,
+                                        const Remeshing_options& options);
+Remeshed_surface remesh_patches_by_metric(const Surface& surface, const Surface_cut& cut,
+                                          const std::vector<Patch_parameterization>& maps, Metric_function metric,
+                                          const Remeshing_options& options);
 
 template <class Field>
 using Is_metric_field =
     std::is_same<std::decay_t<decltype(std::declval<const Field&>()(std::declval<const Point_3&>()))>, Metric_tensor_3>;
 
-template <class Field>
-using Sizes_of = std::conditional_t<Is_metric_field<Field>::value, Metric_sizes<Field>, Isotropic_sizes<Field>>;
-
 } // namespace internal
 
 /*! \ingroup PkgTubularMeshingRef
  *
- * meshes a cut surface anew with triangles of a given size, or of unit size in a given metric, patch by patch in the
+ * meshes a cut surface again with triangles of a given size, or of unit size in a given metric, patch by patch in the
  * parametric plane (section 3.1 of the paper).
  *
  * The curves between patches are divided first, each once, by the size along them; then every patch is meshed by
@@ -66,10 +77,17 @@ using Sizes_of = std::conditional_t<Is_metric_field<Field>::value, Metric_sizes<
  * \param np an optional sequence of named parameters among the ones listed below
  *
  * \cgalNamedParamsBegin
- *   \cgalParamNBegin{even_curves} \cgalParamDescription{whether each curve gets an even number of points, as meshes
- *     of quads need} \cgalParamDefault{`false`} \cgalParamNEnd
- *   \cgalParamNBegin{number_of_threads} \cgalParamDescription{threads that mesh patches at the same time; 0: as many as
- *     there are cores. The result does not depend on it} \cgalParamDefault{0} \cgalParamNEnd
+ *   \cgalParamNBegin{even_curves}
+ *     \cgalParamDescription{whether each curve gets an even number of points, as meshes of quads need}
+ *     \cgalParamType{`bool`}
+ *     \cgalParamDefault{`false`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{number_of_threads}
+ *     \cgalParamDescription{threads that mesh patches at the same time; 0: as many as there are cores. The result does
+ *       not depend on it}
+ *     \cgalParamType{`int`}
+ *     \cgalParamDefault{0}
+ *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
  * O(n log n) in the number of new triangles, and that of old ones on curves.
@@ -79,25 +97,20 @@ using Sizes_of = std::conditional_t<Is_metric_field<Field>::value, Metric_sizes<
  * \throws Meshing_error if the new triangles meet each other even where they are eight times finer
  */
 template <class Size, class NamedParameters = CGAL::parameters::Default_named_parameters>
-Remeshed_surface remesh_patches(const CGAL::Surface_mesh<Point_3>& surface, const Surface_cut& cut,
+Remeshed_surface remesh_patches(const Surface& surface, const Surface_cut& cut,
                                 const std::vector<Patch_parameterization>& maps, const Size& size,
                                 const NamedParameters& np = CGAL::parameters::default_values()) {
-  if (maps.size() != cut.patches.size())
-    throw Input_error("There are " + std::to_string(maps.size()) + " parameterizations of " +
-                      std::to_string(cut.patches.size()) + " patches; pass what parameterize_patches() returns.");
-  typedef internal::Sizes_of<Size> Sizes;
-  typedef internal::Piece_mesher<Sizes> Mesher;
-  const Sizes sizes(surface, cut, maps, size);
-  Mesher mesher(surface, cut, maps, sizes, internal::choose(np, internal_np::even_curves, false),
-                internal::choose(np, internal_np::number_of_threads, 0));
-  Remeshed_surface result = internal::Surface_remesher<Mesher>(surface, cut, maps, mesher).run();
   if constexpr (internal::Is_metric_field<Size>::value)
-    for (auto v : result.surface.vertices())
-      result.metrics.push_back(size(result.surface.point(v)));
-  return result;
+    return internal::remesh_patches_by_metric(surface, cut, maps, size, Remeshing_options(np));
+  else
+    return internal::remesh_patches_by_size(surface, cut, maps, size, Remeshing_options(np));
 }
 
 } // namespace Tubular_meshing
 } // namespace CGAL
+
+#ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
+#include <CGAL/Tubular_meshing/Patches/remesh_patches_impl.h>
+#endif
 
 #endif // CGAL_TUBULAR_MESHING_PATCHES_REMESH_PATCHES_H

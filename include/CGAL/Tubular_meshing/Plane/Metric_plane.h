@@ -7,23 +7,20 @@
 #include <CGAL/Tubular_meshing/base/element_measures.h>
 #include <CGAL/Tubular_meshing/Plane/Metric_tensor_2.h>
 #include <CGAL/Tubular_meshing/Plane/Plane_store.h>
-#include <CGAL/Tubular_meshing/Plane/triangulate_polygons.h>
+#include <CGAL/Tubular_meshing/Plane/Plane_triangulation.h>
+#include <CGAL/Tubular_meshing/base/Function_view.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
 #include <algorithm>
 #include <cmath>
 #include <sstream>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Tubular_meshing {
 namespace internal {
-
-// Said in place of an embedding: triangles are judged in the metric.
-struct No_embedding {};
 
 struct Plane_vector {
   double x, y;
@@ -47,14 +44,15 @@ struct Plane_node {
   double scale = 1;      // the size aimed at, in the field's; `metric` is the field's over its square
 };
 
-/* A triangulation of the plane with the metric at its vertices, and the measures that the mesher decides by. */
-template <class Metric_field, class Embedding> class Metric_plane {
+/* A triangulation of the plane with the metric at its vertices, and the measures that the mesher decides by. Triangles
+ * are judged under the embedding, or in the metric if that is null. */
+class Metric_plane {
 public:
   typedef Plane_store::Index Index;
   typedef Plane_node Node;
-  static constexpr bool is_embedded = !std::is_same<Embedding, No_embedding>::value;
 
-  Metric_plane(Plane_store store, const Plane_polygons& polygons, const Metric_field& field, const Embedding& embedding)
+  Metric_plane(Plane_store store, const Plane_polygons& polygons, Plane_field field,
+               const Plane_embedding* embedding = nullptr)
       : store(std::move(store))
       , field_(field)
       , embedding_(embedding) {
@@ -67,6 +65,8 @@ public:
   Plane_store store;
   std::vector<Node> nodes;
 
+  bool is_embedded() const { return embedding_ != nullptr; }
+
   Node node_at(const Plane_point& p, double scale = 1) const {
     const Metric_tensor_2 m = metric_at(p);
     Node node;
@@ -74,8 +74,8 @@ public:
     node.scale = scale;
     node.metric = 1 / (scale * scale) * m;
     node.shape = m.normalized();
-    if constexpr (is_embedded)
-      node.image = Vector_3d(embedding_(p));
+    if (is_embedded())
+      node.image = (*embedding_)(p);
     return node;
   }
 
@@ -113,8 +113,8 @@ public:
 
   // (12), of the true triangle in space if there is an embedding, else in the mean metric. Positive orientation is the
   // caller's business.
-  static double quality(const Node& a, const Node& b, const Node& c) {
-    if constexpr (is_embedded)
+  double quality(const Node& a, const Node& b, const Node& c) const {
+    if (is_embedded())
       return triangle_gamma(a.image, b.image, c.image);
     const Metric_tensor_2 m = a.shape + b.shape + c.shape;
     const Plane_vector u = b.point - a.point, v = c.point - a.point, w = c.point - b.point;
@@ -161,7 +161,7 @@ public:
   }
 
   // Would a new vertex x see the edge of h, on the boundary, under a good angle? A wide one makes a flat triangle that
-  // no flip can mend.
+  // no flip can repair.
   bool sees_at_good_angle(const Node& x, Index h) const {
     const Plane_vector u = origin(h).point - x.point, v = target(h).point - x.point;
     const Metric_tensor_2& m = x.metric;
@@ -190,8 +190,24 @@ public:
     return is_positive(a, d, c) && is_positive(d, b, c);
   }
 
-  // Is the edge of h, which is flippable, not Delaunay in the metric?
+  // Is the edge of h, which is flippable, Delaunay in the metric?
   bool is_locally_delaunay(Index h) const { return !is_in_circle(origin(h), target(h), apex(h), apex(store.twin(h))); }
+
+  // What is alive; the points of the boundary come first, in their order.
+  Plane_triangulation<Plane_point> triangulation() const {
+    Plane_triangulation<Plane_point> result;
+    std::vector<std::size_t> number(nodes.size());
+    for (Index v = 0; v < nodes.size(); ++v)
+      if (store.is_on_boundary(v) || store.is_vertex_alive(v)) {
+        number[v] = result.points.size();
+        result.points.push_back(nodes[v].point);
+      }
+    for (Index t = 0; t < store.number_of_triangles(); ++t)
+      if (store.is_alive(t))
+        result.triangles.push_back(
+            {number[store.origin(3 * t)], number[store.origin(3 * t + 1)], number[store.origin(3 * t + 2)]});
+    return result;
+  }
 
 private:
   // Where the boundary, which is kept, is finer than the metric asks for, the mesh starts at its size.
@@ -229,8 +245,8 @@ private:
     return a > 0 && b > 0 ? (a - b) / std::log(a / b) : 0;
   }
 
-  const Metric_field& field_;
-  const Embedding& embedding_;
+  const Plane_field field_;
+  const Plane_embedding* const embedding_;
 };
 
 } // namespace internal

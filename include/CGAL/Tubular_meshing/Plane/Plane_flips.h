@@ -15,11 +15,11 @@ namespace Tubular_meshing {
 namespace internal {
 
 /* Edge flips over the whole triangulation, or around what has changed. */
-template <class Plane> class Plane_flips {
+class Plane_flips {
 public:
   typedef Plane_store::Index Index;
 
-  explicit Plane_flips(Plane& plane)
+  explicit Plane_flips(Metric_plane& plane)
       : plane_(plane)
       , store_(plane.store) {}
 
@@ -45,7 +45,7 @@ public:
   }
 
 private:
-  static constexpr double worth_it = 1e-4; // smaller gains invite endless exchanges between near ties
+  static constexpr double least_gain = 1e-4; // smaller gains invite endless exchanges between near ties
 
   void push_all() {
     for (Index h = 0; h < 3 * store_.number_of_triangles(); ++h)
@@ -69,11 +69,11 @@ private:
   bool raises_quality(Index h) const {
     const Index g = store_.twin(h);
     const Plane_node &a = plane_.origin(h), &b = plane_.target(h), &c = plane_.apex(h), &d = plane_.apex(g);
-    const double required = (std::min)(Plane::quality(a, b, c), Plane::quality(b, a, d)) + worth_it;
-    return Plane::quality(a, d, c) >= required && Plane::quality(d, b, c) >= required;
+    const double required = (std::min)(plane_.quality(a, b, c), plane_.quality(b, a, d)) + least_gain;
+    return plane_.quality(a, d, c) >= required && plane_.quality(d, b, c) >= required;
   }
 
-  Plane& plane_;
+  Metric_plane& plane_;
   Plane_store& store_;
   std::vector<Index> stack_;
 };

@@ -16,12 +16,12 @@ namespace internal {
  * there, and need not be star-shaped; so the point splits the triangle it lies in, and edges opposite to it are flipped
  * while the metric's Delaunay criterion says so and the exact predicates allow it. The triangulation is valid after
  * each flip whatever the metric does, and as each flip gives the point one more neighbour, flipping ends. */
-template <class Plane> class Point_insertion {
+class Point_insertion {
 public:
   typedef Plane_store::Index Index;
   typedef Plane_node Node;
 
-  explicit Point_insertion(Plane& plane)
+  explicit Point_insertion(Metric_plane& plane)
       : plane_(plane)
       , store_(plane.store) {}
 
@@ -107,7 +107,7 @@ public:
       stack_.pop_back();
       if (g == Plane_store::none) {
         all = boundary(h);
-      } else if (Plane::is_in_circle(plane_.origin(g), plane_.target(g), plane_.apex(g), x)) {
+      } else if (Metric_plane::is_in_circle(plane_.origin(g), plane_.target(g), plane_.apex(g), x)) {
         all = vertex(store_.apex(g));
         stack_.push_back(Plane_store::next(g));
         stack_.push_back(Plane_store::prev(g));
@@ -120,7 +120,7 @@ public:
 private:
   static constexpr std::size_t most_steps = 200; // in a wild metric regions may overlap themselves
 
-  Plane& plane_;
+  Metric_plane& plane_;
   Plane_store& store_;
   std::vector<Index> stack_;
 };

@@ -15,7 +15,7 @@
 #include <CGAL/Tubular_meshing/Quads/internal/surface/make_quad_report.h>
 #include <CGAL/Tubular_meshing/Patches/Patch_parameterization.h>
 #include <CGAL/Tubular_meshing/Patches/Remeshed_surface.h>
-#include <CGAL/Tubular_meshing/Patches/pieces/Surface_remesher.h>
+#include <CGAL/Tubular_meshing/Patches/pieces/mesh_by_pieces.h>
 #include <CGAL/Tubular_meshing/Patches/parameterize_patch.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 #include <CGAL/Tubular_meshing/base/labels.h>
@@ -23,7 +23,6 @@
 
 #include <CGAL/Surface_mesh.h>
 
-#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -71,13 +70,10 @@ template <class SizingField, class NamedParameters = CGAL::parameters::Default_n
 Remeshed_surface quadrangulate_patches(const CGAL::Surface_mesh<Point_3>& surface, const Surface_cut& cut,
                                        const std::vector<Patch_parameterization>& maps, const SizingField& size,
                                        const NamedParameters& np = CGAL::parameters::default_values()) {
-  if (maps.size() != cut.patches.size())
-    throw Input_error("There are " + std::to_string(maps.size()) + " parameterizations of " +
-                      std::to_string(cut.patches.size()) + " patches; pass what parameterize_patches() returns.");
-  typedef internal::Quad_piece_mesher<SizingField> Mesher;
-  Mesher mesher(surface, cut, maps, size, internal::choose(np, internal_np::quad_caps, false),
-                internal::choose(np, internal_np::number_of_threads, 0));
-  Remeshed_surface result = internal::Surface_remesher<Mesher>(surface, cut, maps, mesher).run();
+  internal::Quad_piece_mesher mesher(surface, cut, maps, internal::Length_function(size),
+                                     internal::choose(np, internal_np::quad_caps, false),
+                                     internal::choose(np, internal_np::number_of_threads, 0));
+  Remeshed_surface result = internal::mesh_by_pieces(cut, maps, mesher);
   result.quads = internal::make_quad_report(result, mesher.kinds());
   return result;
 }

@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_PATCHES_PIECES_CURVE_DIVIDER_H
 #define CGAL_TUBULAR_MESHING_PATCHES_PIECES_CURVE_DIVIDER_H
 
+#include <CGAL/Tubular_meshing/base/Function_view.h>
 #include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
 #include <CGAL/Tubular_meshing/Rims/rim_corners.h>
@@ -29,9 +30,11 @@ class Curve_divider {
 public:
   typedef std::vector<Curve_position> Points;
 
+  typedef Function_view<double(const Curve_position&)> Size;
+
   /* size(position) is the wanted length there, along the polyline; corners, as is_rim_corner() sees them, are kept if
    * `keep_corners`. */
-  template <class Size> Curve_divider(const std::vector<Point_3>& polyline, const Size& size, bool keep_corners) {
+  Curve_divider(const std::vector<Point_3>& polyline, Size size, bool keep_corners) {
     set_stations(polyline, size);
     limit_growth(polyline);
     measure(polyline);
@@ -90,7 +93,7 @@ private:
   }
 
   // Stations at the vertices, and between them where the size is small compared to an edge.
-  template <class Size> void set_stations(const std::vector<Point_3>& polyline, const Size& size) {
+  void set_stations(const std::vector<Point_3>& polyline, Size size) {
     const double steps_per_size = 2, most_steps = 1e5;
     double h = size(at(polyline, 0, 0));
     for (std::size_t i = 0; i < polyline.size(); ++i) {
@@ -135,7 +138,7 @@ private:
     return on_edge(polyline, stations_[i].edge, stations_[i].t);
   }
 
-  template <class Size> void find_corners(const std::vector<Point_3>& polyline, const Size& size) {
+  void find_corners(const std::vector<Point_3>& polyline, Size size) {
     const auto spacing = [&](std::size_t i) { return 0.5 * size(at(polyline, i, 0)); };
     std::size_t s = 0;
     for (std::size_t i : rim_corners(polyline, spacing)) {

@@ -8,8 +8,6 @@
 #include <CGAL/Tubular_meshing/Patches/Surface_patch.h>
 #include <CGAL/Tubular_meshing/base/Nearest_tree.h>
 
-#include <CGAL/Surface_mesh.h>
-
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -19,8 +17,8 @@ namespace Tubular_meshing {
 namespace internal {
 
 /* The triangles of the marked patches of a cut surface, and of their neighbours, to move vertices on. */
-inline Nearest_tree<Double_kernel::Triangle_3>
-old_triangles(const CGAL::Surface_mesh<Point_3>& surface, const Surface_cut& cut, const std::vector<char>& is_marked) {
+inline Nearest_tree<Double_kernel::Triangle_3> old_triangles(const Surface& surface, const Surface_cut& cut,
+                                                             const std::vector<char>& is_marked) {
   std::vector<char> is_near = is_marked;
   for (std::size_t k = 0; k < cut.patches.size(); ++k)
     if (is_marked[k])

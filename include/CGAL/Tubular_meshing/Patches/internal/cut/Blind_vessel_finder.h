@@ -25,10 +25,10 @@ namespace internal {
 class Blind_vessel_finder {
 public:
   typedef Cut_surface Surface;
-  typedef typename Surface::Mesh Mesh;
-  typedef typename Mesh::Face_index Face;
-  typedef typename Mesh::Halfedge_index Halfedge;
-  typedef typename Mesh::Vertex_index Vertex;
+  typedef Surface::Mesh Mesh;
+  typedef Mesh::Face_index Face;
+  typedef Mesh::Halfedge_index Halfedge;
+  typedef Mesh::Vertex_index Vertex;
 
   struct Blind_vessel {
     Vertex tip;
@@ -66,7 +66,7 @@ private:
     is_far_.assign(mesh_.number_of_vertices(), 0);
     for_each_range(distance_.size(), 0, [&](std::size_t first, std::size_t last) {
       for (std::size_t i = first; i < last; ++i) {
-        const Vertex v{typename Mesh::size_type(i)};
+        const Vertex v{Mesh::size_type(i)};
         const auto d = field_.descriptors(mesh_.point(v));
         distance_[i] = d.distance;
         is_far_[i] = d.distance > far_radii * d.radius;

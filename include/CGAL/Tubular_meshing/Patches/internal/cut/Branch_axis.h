@@ -107,7 +107,7 @@ private:
   double radius_at(std::size_t i) const { return graph_.radii()[branch_.points[i]]; }
 
   const Graph& graph_;
-  const typename Graph::Branch& branch_;
+  const Graph::Branch& branch_;
 };
 
 } // namespace internal

@@ -23,23 +23,23 @@ namespace Tubular_meshing {
 namespace internal {
 
 /* A point of a curve that is going to be cut: a vertex, or a point on an edge; and the face that the curve enters. */
-template <class Mesh> struct Curve_point {
-  typename Mesh::Vertex_index vertex;     // null for a point on an edge
-  typename Mesh::Halfedge_index halfedge; // the edge it is on
-  double t;                               // along the halfedge
-  typename Mesh::Face_index next_face;
+struct Curve_point {
+  Surface::Vertex_index vertex;     // null for a point on an edge
+  Surface::Halfedge_index halfedge; // the edge it is on
+  double t;                         // along the halfedge
+  Surface::Face_index next_face;
 };
 
 /* A closed labelled surface while it is being cut: knows its rims and the curves cut so far, and which faces have come
  * from one of the original ones. */
 class Cut_surface {
 public:
-  typedef CGAL::Surface_mesh<Point_3> Mesh;
-  typedef typename Mesh::Vertex_index Vertex;
-  typedef typename Mesh::Halfedge_index Halfedge;
-  typedef typename Mesh::Edge_index Edge;
-  typedef typename Mesh::Face_index Face;
-  typedef std::vector<Curve_point<Mesh>> Curve;
+  typedef Surface Mesh;
+  typedef Mesh::Vertex_index Vertex;
+  typedef Mesh::Halfedge_index Halfedge;
+  typedef Mesh::Edge_index Edge;
+  typedef Mesh::Face_index Face;
+  typedef std::vector<Curve_point> Curve;
 
   Cut_surface(Mesh& mesh, Face_patch_map patch)
       : mesh_(mesh)
@@ -60,7 +60,7 @@ public:
 
   Mesh& mesh() const { return mesh_; }
   Vector_3d point(Vertex v) const { return Vector_3d(mesh_.point(v)); }
-  int label(Face f) const { return int(get(patch_, f)); }
+  int label(Face f) const { return patch_[f]; }
   bool is_wall(Face f) const { return label(f) == labels::wall; }
   /// Whether the edge is part of a rim or of a curve cut before.
   bool is_on_curve(Halfedge h) const { return on_curve_[mesh_.edge(h)]; }
@@ -70,14 +70,14 @@ public:
   // The faces that an original face, by number, consists of now.
   std::vector<Face> parts(std::size_t original) const {
     const auto found = parts_.find(original);
-    return found == parts_.end() ? std::vector<Face>(1, Face(typename Mesh::size_type(original))) : found->second;
+    return found == parts_.end() ? std::vector<Face>(1, Face(Mesh::size_type(original))) : found->second;
   }
 
   /* Splits the faces along a closed curve that enters each of them once, and keeps from passing near the curves there
    * are. Returns the curve's halfedges, in its direction. O(curve). */
   std::vector<Halfedge> cut(const Curve& curve) {
     std::vector<Vertex> vertices;
-    for (const Curve_point<Mesh>& p : curve)
+    for (const Curve_point& p : curve)
       vertices.push_back(p.vertex == Mesh::null_vertex() ? split_edge(p.halfedge, p.t) : p.vertex);
     for (std::size_t i = 0; i < curve.size(); ++i)
       connect(vertices[i], vertices[(i + 1) % vertices.size()], curve[i].next_face);
@@ -129,7 +129,7 @@ private:
   }
 
   void inherit(Face child, Face parent) {
-    put(patch_, child, get(patch_, parent));
+    patch_[child] = patch_[parent];
     const std::size_t original = std::size_t(parent) < number_of_original_faces_
                                      ? std::size_t(parent)
                                      : origin_[std::size_t(parent) - number_of_original_faces_];
@@ -165,8 +165,8 @@ private:
   Mesh& mesh_;
   Face_patch_map patch_;
   const std::size_t number_of_original_faces_;
-  typename Mesh::template Property_map<Edge, bool> on_curve_;
-  typename Mesh::template Property_map<Vertex, bool> taken_;
+  Mesh::Property_map<Edge, bool> on_curve_;
+  Mesh::Property_map<Vertex, bool> taken_;
   std::unordered_map<std::size_t, std::vector<Face>> parts_;
   std::vector<std::size_t> origin_; // of the new faces
 };

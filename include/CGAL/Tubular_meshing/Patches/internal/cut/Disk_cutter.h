@@ -33,24 +33,22 @@ struct Disk {
 };
 
 /* A cut that has been made. */
-template <class Mesh> struct Branch_cut {
+struct Branch_cut {
   std::size_t branch;
   double abscissa;
-  std::vector<typename Mesh::Halfedge_index> halfedges; // with the side of the branch's source on their left
+  std::vector<Surface::Halfedge_index> halfedges; // with the side of the branch's source on their left
 };
 
 /* Tries disks across the branches, cuts the surface along them, and keeps account of the cuts. */
 class Disk_cutter {
 public:
-  typedef Cut_surface Surface;
-  typedef typename Surface::Mesh Mesh;
   typedef Centerline_graph Graph;
   typedef Branch_axis Axis;
   typedef std::size_t size_type;
 
   static constexpr int number_of_tilts = 17;
 
-  Disk_cutter(Surface& surface, const Graph& graph)
+  Disk_cutter(Cut_surface& surface, const Graph& graph)
       : surface_(surface)
       , graph_(graph)
       , finder_(surface, graph)
@@ -59,7 +57,7 @@ public:
 
   const Graph& graph() const { return graph_; }
   Axis axis(size_type branch) const { return Axis(graph_, branch); }
-  const std::vector<Branch_cut<Mesh>>& cuts() const { return cuts_; }
+  const std::vector<Branch_cut>& cuts() const { return cuts_; }
 
   // The numbers of a branch's cuts, by abscissa.
   const std::vector<size_type>& cuts_of(size_type branch) const { return cuts_of_branch_[branch]; }
@@ -90,7 +88,7 @@ public:
   bool cut(size_type branch, const Disk& disk) {
     if (!disk.is_cuttable() || !find_curve(branch, disk))
       return false;
-    cuts_.push_back(Branch_cut<Mesh>{branch, disk.abscissa, surface_.cut(curve_)});
+    cuts_.push_back(Branch_cut{branch, disk.abscissa, surface_.cut(curve_)});
     std::vector<size_type>& cuts = cuts_of_branch_[branch];
     cuts.insert(std::upper_bound(cuts.begin(), cuts.end(), disk.abscissa,
                                  [this](double s, size_type c) { return s < cuts_[c].abscissa; }),
@@ -122,14 +120,14 @@ private:
     return std::cos(angle) * t + std::sin(angle) * (std::cos(turn) * u + std::sin(turn) * v);
   }
 
-  Surface& surface_;
+  Cut_surface& surface_;
   const Graph& graph_;
   Section_finder finder_;
   Section_snapper snapper_;
-  std::vector<Branch_cut<Mesh>> cuts_;
+  std::vector<Branch_cut> cuts_;
   std::vector<std::vector<size_type>> cuts_of_branch_;
-  Plane_section<Mesh> section_; // of the last disk tried, and its curve: kept for their memory
-  typename Surface::Curve curve_;
+  Plane_section section_; // of the last disk tried, and its curve: kept for their memory
+  Cut_surface::Curve curve_;
 };
 
 } // namespace internal

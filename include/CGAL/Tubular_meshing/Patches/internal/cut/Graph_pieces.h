@@ -4,7 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_PATCHES_INTERNAL_CUT_GRAPH_PIECES_H
 #define CGAL_TUBULAR_MESHING_PATCHES_INTERNAL_CUT_GRAPH_PIECES_H
 
-#include <CGAL/Tubular_meshing/Patches/internal/cut/Branch_axis.h>
+#include <CGAL/Tubular_meshing/Patches/internal/cut/Disk_cutter.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
 #include <algorithm>
@@ -41,11 +41,11 @@ struct Graph_piece {
  * downstream from one of its ends to another, or the greatest distance between two ends, if that is greater. The way
  * from one daughter vessel back to the other does not count: it says nothing of two that run side by side.
  * O(piece) for trees, and O(ends²) of the piece. */
-template <class Cutter> class Piece_finder {
+class Piece_finder {
 public:
   typedef std::size_t size_type;
 
-  explicit Piece_finder(const Cutter& cutter)
+  explicit Piece_finder(const Disk_cutter& cutter)
       : cutter_(cutter)
       , graph_(cutter.graph()) {}
 
@@ -179,8 +179,8 @@ private:
         }
   }
 
-  const Cutter& cutter_;
-  const typename Cutter::Graph& graph_;
+  const Disk_cutter& cutter_;
+  const Centerline_graph& graph_;
   Graph_piece piece_;
   std::vector<Point> points_;
   std::unordered_map<size_type, size_type> number_; // of a node's point
@@ -189,15 +189,15 @@ private:
 };
 
 /* The pieces into which cuts part the whole graph, numbered along it from its root. */
-template <class Cutter> class Graph_partition {
+class Graph_partition {
 public:
   typedef std::size_t size_type;
 
   // O(graph)
-  explicit Graph_partition(const Cutter& cutter)
+  explicit Graph_partition(const Disk_cutter& cutter)
       : cutter_(cutter)
       , piece_of_part_(cutter.graph().branches().size()) {
-    Piece_finder<Cutter> finder(cutter);
+    Piece_finder finder(cutter);
     std::vector<size_type> piece_at_node(cutter.graph().nodes().size(), none);
     const auto at_node = [&](size_type node) {
       if (piece_at_node[node] == none) {
@@ -258,7 +258,7 @@ private:
       }
   }
 
-  const Cutter& cutter_;
+  const Disk_cutter& cutter_;
   std::vector<std::vector<size_type>> piece_of_part_;
   std::vector<Graph_piece> pieces_;
 };

@@ -20,12 +20,12 @@ namespace internal {
  * The paper's disk at the bifurcation itself would run over into the other branches. A branch's own tube begins about
  * where its centerline leaves the ball inscribed at the bifurcation; there the search begins, and takes the first disk
  * whose perimeter is hardly greater than those of the disks behind it: before, the disk widens into the junction. */
-template <class Cutter> class Junction_cutter {
+class Junction_cutter {
 public:
   typedef std::size_t size_type;
-  typedef typename Cutter::Axis Axis;
+  typedef Disk_cutter::Axis Axis;
 
-  explicit Junction_cutter(Cutter& cutter)
+  explicit Junction_cutter(Disk_cutter& cutter)
       : cutter_(cutter)
       , graph_(cutter.graph()) {}
 
@@ -143,8 +143,8 @@ private:
     return cut_tilted(branch, from, to);
   }
 
-  Cutter& cutter_;
-  const typename Cutter::Graph& graph_;
+  Disk_cutter& cutter_;
+  const Centerline_graph& graph_;
   std::vector<size_type> merged_;
   size_type moved_ = 0;
 };

@@ -28,10 +28,10 @@ class Patch_labeller {
 public:
   typedef Cut_surface Surface;
   typedef Disk_cutter Cutter;
-  typedef typename Surface::Mesh Mesh;
-  typedef typename Mesh::Face_index Face;
-  typedef typename Mesh::Halfedge_index Halfedge;
-  typedef typename Mesh::Vertex_index Vertex;
+  typedef Surface::Mesh Mesh;
+  typedef Mesh::Face_index Face;
+  typedef Mesh::Halfedge_index Halfedge;
+  typedef Mesh::Vertex_index Vertex;
   typedef std::size_t size_type;
 
   Patch_labeller(const Surface& surface, const Cutter& cutter, Surface_cut& result)
@@ -41,7 +41,7 @@ public:
       , partition_(cutter)
       , result_(result) {}
 
-  const Graph_partition<Cutter>& partition() const { return partition_; }
+  const Graph_partition& partition() const { return partition_; }
 
   void label() {
     result_.patch_of_face = mesh_.add_property_map<Face, int>("f:surface_patch", -1).first;
@@ -92,7 +92,7 @@ private:
   void collect_cuts() {
     for (size_type i : partition_.branches_from_root())
       for (size_type c : cutter_.cuts_of(i)) {
-        const Branch_cut<Mesh>& cut = cutter_.cuts()[c];
+        const Branch_cut& cut = cutter_.cuts()[c];
         Curve curve;
         curve.branch = i;
         curve.abscissa = cut.abscissa;
@@ -258,7 +258,7 @@ private:
   const Surface& surface_;
   Mesh& mesh_;
   const Cutter& cutter_;
-  const Graph_partition<Cutter> partition_;
+  const Graph_partition partition_;
   Surface_cut& result_;
   std::vector<size_type> piece_of_patch_, patch_of_piece_;
   std::vector<bool> has_several_pieces_;

@@ -22,12 +22,12 @@ namespace internal {
 
 /* What Algorithm 2 leaves undone where branches stayed uncut: cycles of centerlines inside one piece are cut open, and
  * pieces around bifurcations that are too long are divided. */
-template <class Cutter> class Piece_divider {
+class Piece_divider {
 public:
   typedef std::size_t size_type;
-  typedef typename Cutter::Axis Axis;
+  typedef Disk_cutter::Axis Axis;
 
-  Piece_divider(Cutter& cutter, Tube_divider<Cutter>& tubes, double aspect_ratio)
+  Piece_divider(Disk_cutter& cutter, Tube_divider& tubes, double aspect_ratio)
       : cutter_(cutter)
       , graph_(cutter.graph())
       , tubes_(tubes)
@@ -59,7 +59,7 @@ public:
 
   // Divides the pieces around nodes until their aspect ratios are right.
   void divide_long_pieces() {
-    Piece_finder<Cutter> finder(cutter_);
+    Piece_finder finder(cutter_);
     std::vector<bool> done(graph_.nodes().size(), false);
     std::vector<size_type> stack(graph_.nodes().size());
     std::iota(stack.rbegin(), stack.rend(), 0);
@@ -182,9 +182,9 @@ private:
     return i > 0 && has_target && touches(b.target, i - 1) && !(has_source && touches(b.source, i - 1));
   }
 
-  Cutter& cutter_;
-  const typename Cutter::Graph& graph_;
-  Tube_divider<Cutter>& tubes_;
+  Disk_cutter& cutter_;
+  const Centerline_graph& graph_;
+  Tube_divider& tubes_;
   const double aspect_ratio_;
   size_type cuts_ = 0;
 };

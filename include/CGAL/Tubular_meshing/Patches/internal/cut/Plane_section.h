@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_PATCHES_INTERNAL_CUT_PLANE_SECTION_H
 #define CGAL_TUBULAR_MESHING_PATCHES_INTERNAL_CUT_PLANE_SECTION_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
 #include <CGAL/Bbox_3.h>
@@ -45,11 +46,11 @@ private:
 };
 
 /* The curve in which a plane meets a surface: a closed polygon in the plane, whose corners are on edges. */
-template <class Mesh> class Plane_section {
+class Plane_section {
 public:
   struct Crossing {
-    typename Mesh::Halfedge_index halfedge; // of the face that the curve leaves there; from above the plane to below
-    double t;                               // along the halfedge
+    Surface::Halfedge_index halfedge; // of the face that the curve leaves there; from above the plane to below
+    double t;                         // along the halfedge
     double source_height, target_height;
   };
 

@@ -31,11 +31,11 @@ namespace internal {
 class Section_finder {
 public:
   typedef Cut_surface Surface;
-  typedef typename Surface::Mesh Mesh;
-  typedef typename Mesh::Face_index Face;
-  typedef typename Mesh::Halfedge_index Halfedge;
-  typedef typename Mesh::Vertex_index Vertex;
-  typedef Plane_section<Mesh> Section;
+  typedef Surface::Mesh Mesh;
+  typedef Mesh::Face_index Face;
+  typedef Mesh::Halfedge_index Halfedge;
+  typedef Mesh::Vertex_index Vertex;
+  typedef Plane_section Section;
 
   Section_finder(const Surface& surface, const Centerline_graph& graph)
       : surface_(surface)
@@ -121,7 +121,7 @@ private:
       const Vector_3d x = above + t * (below - above);
       if (squared_norm(x - plane.origin()) > reach * reach)
         return false;
-      section.add(typename Section::Crossing{h, t, p, q}, x, plane);
+      section.add(Section::Crossing{h, t, p, q}, x, plane);
       h = mesh.opposite(h);
       const Vector_3d third = surface_.point(mesh.target(mesh.next(h)));
       if (plane.height(third) >= 0) {

@@ -29,11 +29,11 @@ namespace internal {
 class Section_snapper {
 public:
   typedef Cut_surface Surface;
-  typedef typename Surface::Mesh Mesh;
-  typedef typename Mesh::Vertex_index Vertex;
-  typedef typename Mesh::Halfedge_index Halfedge;
-  typedef typename Surface::Curve Curve;
-  typedef Plane_section<Mesh> Section;
+  typedef Surface::Mesh Mesh;
+  typedef Mesh::Vertex_index Vertex;
+  typedef Mesh::Halfedge_index Halfedge;
+  typedef Surface::Curve Curve;
+  typedef Plane_section Section;
 
   explicit Section_snapper(const Surface& surface)
       : surface_(surface)
@@ -128,13 +128,13 @@ private:
       const auto& c = (*crossings_)[i];
       if (snapped[i] != Mesh::null_vertex() && snapped[i] == snapped[(i + 1) % n])
         continue; // the last crossing about a vertex tells the face that the curve enters
-      curve.push_back(Curve_point<Mesh>{snapped[i], c.halfedge, c.t, mesh_.face(mesh_.opposite(c.halfedge))});
+      curve.push_back(Curve_point{snapped[i], c.halfedge, c.t, mesh_.face(mesh_.opposite(c.halfedge))});
     }
   }
 
   const Surface& surface_;
   const Mesh& mesh_;
-  const std::vector<typename Section::Crossing>* crossings_ = nullptr;
+  const std::vector<Section::Crossing>* crossings_ = nullptr;
   std::unordered_map<Vertex, std::size_t> about_;
 };
 

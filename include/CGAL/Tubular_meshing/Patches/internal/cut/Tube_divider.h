@@ -20,12 +20,12 @@ namespace internal {
 /* Divides tubes that are too long for their width (the second half of Algorithm 2): into as many parts, equally long in
  * local diameters, as it takes. A disk that cannot be cut at its place, or that runs into a sac there, moves along the
  * branch. */
-template <class Cutter> class Tube_divider {
+class Tube_divider {
 public:
   typedef std::size_t size_type;
-  typedef typename Cutter::Axis Axis;
+  typedef Disk_cutter::Axis Axis;
 
-  Tube_divider(Cutter& cutter, double aspect_ratio)
+  Tube_divider(Disk_cutter& cutter, double aspect_ratio)
       : cutter_(cutter)
       , aspect_ratio_(aspect_ratio) {}
 
@@ -98,7 +98,7 @@ private:
     return best;
   }
 
-  Cutter& cutter_;
+  Disk_cutter& cutter_;
   const double aspect_ratio_;
   size_type moved_ = 0;
 };

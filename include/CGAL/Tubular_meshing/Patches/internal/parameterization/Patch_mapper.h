@@ -12,6 +12,8 @@
 #include <CGAL/Tubular_meshing/Patches/internal/parameterization/edge_weights.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 
+#include <CGAL/number_type_config.h>
+
 #include <Eigen/Core>
 
 #include <algorithm>
@@ -42,7 +44,7 @@ public:
     std::vector<char> is_wide;
     if (!is_mapped_)
       return is_wide;
-    const double pi = 3.14159265358979323846, most_growth = std::log(2.), smallest = std::log(1e-8);
+    const double most_growth = std::log(2.), smallest = std::log(1e-8);
     const std::vector<double> scale = logarithms_of_scales();
     const double least = *std::max_element(scale.begin(), scale.end()) + smallest;
     const auto growth = [&](int h) {
@@ -51,7 +53,7 @@ public:
       return (std::min)(a, b) < least ? 0 : std::abs(a - b);
     };
     for (int h = 0; h < int(3 * patch_.own_triangles); ++h)
-      if ((patch_.loops.size() > 1 && length_on_ring(h) > pi / 4) || growth(h) > most_growth) {
+      if ((patch_.loops.size() > 1 && length_on_ring(h) > CGAL_PI / 4) || growth(h) > most_growth) {
         is_wide.resize(3 * patch_.own_triangles, 0);
         is_wide[std::size_t(h)] = 1;
       }
@@ -65,8 +67,8 @@ public:
     flips_ = is_mapped_ ? flipped.size() : patch_.own_triangles;
     if (is_mapped_ && first <= Method::conformal && flips_ == 0 && are_loops_simple(patch_, uv_))
       return Method::conformal;
-    if (is_mapped_ && first <= Method::conformal_mended && is_outer_loop_in_order() && mend(flipped))
-      return Method::conformal_mended;
+    if (is_mapped_ && first <= Method::conformal_repaired && is_outer_loop_in_order() && repair(flipped))
+      return Method::conformal_repaired;
     put_on_circle(true);
     if (first <= Method::harmonic && map_inside(Edge_weights::clamped_cotangent))
       return Method::harmonic;
@@ -78,11 +80,10 @@ public:
     for (double shortening : {4., 16., 64., 256.})
       if (map_inside(Edge_weights::shortened, shortening))
         return Method::shortened;
-    throw Meshing_error("A patch of " + std::to_string(patch_.own_triangles) + " triangles near (" +
-                        std::to_string(patch_.points[0].x) + ", " + std::to_string(patch_.points[0].y) + ", " +
-                        std::to_string(patch_.points[0].z) +
-                        ") could not be mapped onto the plane; it may be too long: cut it further, by a smaller "
-                        "aspect ratio.");
+    throw Meshing_error("A patch of " + std::to_string(patch_.own_triangles) + " triangles near " +
+                        place_of(patch_.points[0]) +
+                        " could not be mapped onto the plane; it may be too long: cut it further, by a smaller aspect "
+                        "ratio.");
   }
 
   const Plane_points& uv() const { return uv_; }
@@ -145,26 +146,26 @@ private:
 
   // By a millionth of their mean at least, and once around.
   bool do_angles_ascend() const {
-    const double pi = 3.14159265358979323846, least = 1e-6 * 2 * pi / double(angles_.size() + 1);
+    const double least = 1e-6 * 2 * CGAL_PI / double(angles_.size() + 1);
     double sum = 0;
     for (std::size_t i = 0; i < angles_.size(); ++i) {
       const double step = angles_[(i + 1) % angles_.size()] - angles_[i];
-      const double in_turn = step - 2 * pi * std::floor(step / (2 * pi));
+      const double in_turn = step - 2 * CGAL_PI * std::floor(step / (2 * CGAL_PI));
       if (!(in_turn > least))
         return false;
       sum += in_turn;
     }
-    return !angles_.empty() && sum < 3 * pi;
+    return !angles_.empty() && sum < 3 * CGAL_PI;
   }
 
   std::vector<double> angles_by_length() const {
     const std::vector<int>& loop = patch_.outer_loop();
-    const double pi = 3.14159265358979323846, total = patch_.length(loop);
+    const double total = patch_.length(loop);
     const double least = 1e-6 * (total > 0 ? total : 1) / double(loop.size());
     std::vector<double> angle(1, 0.);
     for (std::size_t i = 0; i < loop.size(); ++i)
       angle.push_back(angle.back() + (std::max)(patch_.length(loop[i], loop[(i + 1) % loop.size()]), least));
-    const double turn = 2 * pi / angle.back();
+    const double turn = 2 * CGAL_PI / angle.back();
     angle.pop_back();
     for (double& a : angle)
       a *= turn;
@@ -189,7 +190,7 @@ private:
   }
 
   // Keeps the conformal map but near the triangles that are flipped: there vertices go into means of their neighbours.
-  bool mend(std::vector<int> flipped) {
+  bool repair(std::vector<int> flipped) {
     const Plane_points first = uv_;
     std::vector<char> is_fixed(uv_.size(), 1);
     for (int pass = 0; pass < 6; ++pass) {
@@ -220,7 +221,7 @@ private:
     }
   }
 
-  // Mending leaves the outer loop as it is, which must therefore be good.
+  // Repairing leaves the outer loop as it is, which must therefore be good.
   bool is_outer_loop_in_order() const { return patch_.loops.size() == 1 || do_angles_ascend(); }
 
   const Filled_patch& patch_;

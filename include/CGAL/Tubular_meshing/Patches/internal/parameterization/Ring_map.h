@@ -8,6 +8,8 @@
 #include <CGAL/Tubular_meshing/Patches/internal/parameterization/Laplace_system.h>
 #include <CGAL/Tubular_meshing/Patches/internal/parameterization/edge_weights.h>
 
+#include <CGAL/number_type_config.h>
+
 #include <Eigen/Core>
 
 #include <cmath>
@@ -140,10 +142,7 @@ private:
     return true;
   }
 
-  double jump(int h) const {
-    const double pi = 3.14159265358979323846;
-    return 2 * pi * (turns_[std::size_t(next_halfedge(h))] - turns_[std::size_t(h)]);
-  }
+  double jump(int h) const { return 2 * CGAL_PI * (turns_[std::size_t(next_halfedge(h))] - turns_[std::size_t(h)]); }
 
   bool solve_angle(double& energy) {
     const Eigen::Index n = Eigen::Index(patch_.points.size());

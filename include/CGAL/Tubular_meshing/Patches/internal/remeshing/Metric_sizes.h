@@ -7,49 +7,40 @@
 #include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Fields/Metric_tensor_3.h>
 #include <CGAL/Tubular_meshing/Patches/Surface_patch.h>
-#include <CGAL/Tubular_meshing/Plane/Metric_tensor_2.h>
-#include <CGAL/Tubular_meshing/Patches/Patch_parameterization.h>
-#include <CGAL/Tubular_meshing/Plane/Plane_metric.h>
-#include <CGAL/Tubular_meshing/Plane/Metric_plane.h>
-#include <CGAL/Tubular_meshing/Patches/pieces/Curve_divider.h>
+#include <CGAL/Tubular_meshing/Patches/internal/remeshing/Surface_sizes.h>
 #include <CGAL/Tubular_meshing/Patches/internal/remeshing/Tangent_planes.h>
-#include <CGAL/Tubular_meshing/Patches/internal/remeshing/triangle_shapes.h>
 #include <CGAL/Tubular_meshing/Patches/metric_on_surface.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
-#include <CGAL/Surface_mesh.h>
-
 #include <cmath>
 #include <cstddef>
-#include <sstream>
 #include <vector>
 
 namespace CGAL {
 namespace Tubular_meshing {
 namespace internal {
 
-/* What Piece_mesher asks of the sizes that are wanted, see Isotropic_sizes, where these depend on the direction:
- * `metric(point)` is a Metric_tensor_3.
+/* Sizes that depend on the direction, those of a metric.
  *
  * On patches it is the shadow of the metric on the tangent plane that counts, see metric_shadow(). The metric is asked
- * for at each place anew, only the tangent planes are those of the old triangles: it may vary within them. */
-template <class MetricField> class Metric_sizes {
+ * for at each place again, only the tangent planes are those of the old triangles: it may vary within them. */
+class Metric_sizes final : public Surface_sizes {
 public:
-  typedef CGAL::Surface_mesh<Point_3> Surface;
   typedef Patch_parameterization Map;
   typedef std::size_t size_type;
 
   // O(n) in the old triangles.
-  Metric_sizes(const Surface& surface, const Surface_cut& cut, const std::vector<Map>& maps, const MetricField& metric)
+  Metric_sizes(const Surface& surface, const Surface_cut& cut, const std::vector<Map>& maps, Metric_function metric)
       : maps_(maps)
       , metric_(metric)
+      , shape_(metric)
       , axes_(maps.begin(), maps.end()) {
     for (const auto& curve : cut.curves)
       set_directions(surface, cut, curve);
   }
 
-  double along_curve(size_type curve, const Curve_position& at) const {
+  double along_curve(size_type curve, const Curve_position& at) const override {
     const Ribbon& ribbon = ribbons_[curve];
     const size_type next = (at.edge + 1) % ribbon.normals.size();
     const Vector_3d& direction = at.t > 0 ? ribbon.edges[at.edge] : ribbon.directions[at.edge];
@@ -62,7 +53,7 @@ public:
   }
 
   /* (11) with the derivative R U, of which Tangent_planes has the rotation, and the metric of space in that plane. */
-  Plane_metric on_patch(size_type patch, const Patch_location& at, double fineness) const {
+  Plane_metric on_patch(size_type patch, const Patch_location& at, double fineness) const override {
     const Map& map = maps_[patch];
     const Plane_axes axes = axes_[patch].at(at);
     const Metric_tensor_2 m = metric_shadow(checked_metric(map.point(at)), axes.first, axes.second);
@@ -73,13 +64,13 @@ public:
     return {m.squared_length(u.xx, u.xy), m.dot(u.xx, u.xy, u.xy, u.yy), m.squared_length(u.xy, u.yy)};
   }
 
-  Metric_tensor_2 in_plane(const Point_3& p, const Vector_3d& first, const Vector_3d& second, double fineness) const {
+  Metric_tensor_2 in_plane(const Point_3& p, const Vector_3d& first, const Vector_3d& second,
+                           double fineness) const override {
     return 1 / (fineness * fineness) * metric_section(checked_metric(p), first, second);
   }
 
-  // Triangles are good in the metric, and look stretched.
-  template <class Chart> static No_embedding embedding(const Chart&) { return {}; }
-  Shape_in_metric<MetricField> shape() const { return Shape_in_metric<MetricField>(metric_); }
+  bool are_isotropic() const override { return false; }
+  const Triangle_shape& shape() const override { return shape_; }
 
 private:
   // A curve with the surface beside it: of its vertices directions and normals, of its edges directions, unit vectors.
@@ -101,7 +92,7 @@ private:
   }
 
   // At the source of a halfedge: the mean of the faces around, by area, but for those of caps.
-  static Vector_3d wall_normal(const Surface& surface, const Surface_cut& cut, typename Surface::Halfedge_index out) {
+  static Vector_3d wall_normal(const Surface& surface, const Surface_cut& cut, Surface::Halfedge_index out) {
     Vector_3d sum;
     for (auto h : surface.halfedges_around_target(surface.opposite(out)))
       if (!surface.is_border(h) && cut.patch_of_face[surface.face(h)] >= 0) {
@@ -112,21 +103,18 @@ private:
     return normalized(sum);
   }
 
-  // Not an Input_error, which a piece takes for loops that touch.
   Metric_tensor_3 checked_metric(const Point_3& p) const {
     const Metric_tensor_3 m = metric_(p);
-    if (!m.is_valid()) {
-      std::ostringstream sentence;
-      sentence << "The metric at (" << p.x() << ", " << p.y() << ", " << p.z()
-               << ") is not finite and positive definite; give positive, finite sizes in all directions, everywhere on "
-                  "the surface.";
-      throw Parameter_error(sentence.str());
-    }
+    if (!m.is_valid())
+      throw Parameter_error("The metric at " + place_of(p) +
+                            " is not finite and positive definite; give positive, finite sizes in all directions, "
+                            "everywhere on the surface.");
     return m;
   }
 
   const std::vector<Map>& maps_;
-  const MetricField& metric_;
+  const Metric_function metric_;
+  const Shape_in_metric shape_;
   const std::vector<Tangent_planes> axes_; // of the patches
   std::vector<Ribbon> ribbons_;            // of the curves
 };

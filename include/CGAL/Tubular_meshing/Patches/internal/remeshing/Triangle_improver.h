@@ -4,11 +4,12 @@
 #ifndef CGAL_TUBULAR_MESHING_PATCHES_INTERNAL_REMESHING_TRIANGLE_IMPROVER_H
 #define CGAL_TUBULAR_MESHING_PATCHES_INTERNAL_REMESHING_TRIANGLE_IMPROVER_H
 
+#include <CGAL/Tubular_meshing/base/Function_view.h>
 #include <CGAL/Tubular_meshing/base/Kernel.h>
+#include <CGAL/Tubular_meshing/Patches/internal/remeshing/triangle_shapes.h>
 #include <CGAL/Tubular_meshing/base/Nearest_tree.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
-#include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 
 #include <algorithm>
@@ -23,39 +24,37 @@ namespace internal {
 
 /* Improves the few triangles that the plane left bad: where curves have kinks or nearly touch, patch by patch nothing
  * better is possible, but across the curves there is. Vertices move, on the surface, off their curves too, and edges
- * inside of patches are flipped; each step raises the worst quality of the triangles that it changes. `Shape` measures
- * it, see triangle_shapes.h. */
-template <class Shape> class Triangle_improver {
+ * inside of patches are flipped; each step raises the worst quality of the triangles that it changes. */
+class Triangle_improver {
 public:
-  typedef CGAL::Surface_mesh<Point_3> Surface;
-  typedef typename Surface::Vertex_index Vertex;
-  typedef typename Surface::Halfedge_index Halfedge;
-  typedef typename Surface::Face_index Face;
+  typedef Surface::Vertex_index Vertex;
+  typedef Surface::Halfedge_index Halfedge;
+  typedef Surface::Face_index Face;
   typedef Nearest_tree<Double_kernel::Triangle_3> Tree;
 
-  static constexpr double good_enough = 0.6; // gamma_T
+  static constexpr double good_quality = 0.6; // gamma_T
 
-  Triangle_improver(Surface& surface, const Shape& shape)
+  Triangle_improver(Surface& surface, const Triangle_shape& shape)
       : surface_(surface)
       , shape_(shape) {}
 
   std::vector<Face> bad_triangles() const {
     std::vector<Face> bad;
     for (Face f : surface_.faces())
-      if (quality(f) < good_enough)
+      if (quality(f) < good_quality)
         bad.push_back(f);
     return bad;
   }
 
   /* `old_surface` has the triangles that are to be kept to, around the bad ones at least; may_move(vertex) and
    * may_flip(halfedge) tell what is left as it is. */
-  template <class May_move, class May_flip>
-  void improve(std::vector<Face> bad, const Tree& old_surface, const May_move& may_move, const May_flip& may_flip) {
+  void improve(std::vector<Face> bad, const Tree& old_surface, Function_view<bool(Vertex)> may_move,
+               Function_view<bool(Halfedge)> may_flip) {
     const int most_rounds = 8;
     for (int round = 0; round < most_rounds && !bad.empty(); ++round) {
       bool changed = false;
       for (Face f : bad) {
-        if (quality(f) >= good_enough)
+        if (quality(f) >= good_quality)
           continue;
         const std::array<Halfedge, 3> sides = sides_of(f);
         for (Halfedge h : sides) // a flip may take the others away from f
@@ -69,7 +68,7 @@ public:
   }
 
 private:
-  static constexpr double worth_it = 1e-3;
+  static constexpr double least_gain = 1e-3;
   static constexpr double most_turn = 0.7; // cosine of the angle that a triangle may be turned by in one step
 
   Vector_3d at(Vertex v) const { return Vector_3d(surface_.point(v)); }
@@ -98,7 +97,7 @@ private:
     const double before = (std::min)(shape_.quality(a, b, c), shape_.quality(b, a, d));
     const double after = (std::min)(shape_.quality(a, d, c), shape_.quality(d, b, c));
     const Vector_3d n = normalized(normal(a, b, c) + normal(b, a, d));
-    if (after < before + worth_it || dot(n, normal(a, d, c)) < most_turn || dot(n, normal(d, b, c)) < most_turn)
+    if (after < before + least_gain || dot(n, normal(a, d, c)) < most_turn || dot(n, normal(d, b, c)) < most_turn)
       return false;
     CGAL::Euler::flip_edge(h, surface_);
     return true;
@@ -123,7 +122,7 @@ private:
       star_.push_back({a, b, normal(p, a, b)});
     }
     const double before = worst(p);
-    double best = before + worth_it;
+    double best = before + least_gain;
     Vector_3d best_place;
     for (const Vector_3d& target : targets(p))
       for (double s : {1., 0.5, 0.25, 0.1}) {
@@ -135,7 +134,7 @@ private:
           best_place = x;
         }
       }
-    if (best == before + worth_it)
+    if (best == before + least_gain)
       return false;
     surface_.point(v) = Point_3(best_place.x, best_place.y, best_place.z);
     return true;
@@ -149,14 +148,14 @@ private:
       const Vector_3d apex = shape_.apex(r.a, r.b, r.normal);
       result[0] += 1 / n * r.a;
       result[1] += 1 / n * apex;
-      if (shape_.quality(p, r.a, r.b) < good_enough)
+      if (shape_.quality(p, r.a, r.b) < good_quality)
         result.push_back(apex);
     }
     return result;
   }
 
   Surface& surface_;
-  const Shape& shape_;
+  const Triangle_shape& shape_;
   std::vector<Ray> star_;
 };
 

@@ -7,7 +7,6 @@
 #include <CGAL/Tubular_meshing/base/Kernel.h>
 
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
-#include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/tags.h>
 
@@ -24,9 +23,8 @@ namespace internal {
  * face meets itself if these overlap, or if its diagonal is an edge already. O(n log n). */
 class Crossing_faces {
 public:
-  typedef CGAL::Surface_mesh<Point_3> Surface;
-  typedef typename Surface::Face_index Face;
-  typedef typename Surface::Vertex_index Vertex;
+  typedef Surface::Face_index Face;
+  typedef Surface::Vertex_index Vertex;
   typedef std::vector<std::pair<Face, Face>> Pairs;
 
   explicit Crossing_faces(const Surface& surface)
@@ -78,7 +76,7 @@ private:
   const Surface& surface_;
 };
 
-inline typename Crossing_faces::Pairs crossing_faces(const CGAL::Surface_mesh<Point_3>& s) {
+inline Crossing_faces::Pairs crossing_faces(const Surface& s) {
   return Crossing_faces(s).find();
 }
 

@@ -10,40 +10,47 @@
 #include <CGAL/Tubular_meshing/Plane/Metric_tensor_2.h>
 #include <CGAL/Tubular_meshing/Patches/metric_on_surface.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
+#include <CGAL/Tubular_meshing/base/constants.h>
 
 #include <array>
-#include <cmath>
-#include <cstddef>
 
 namespace CGAL {
 namespace Tubular_meshing {
 namespace internal {
 
 /* By what Triangle_improver judges: the quality of a triangle, and where the apex of the best one on an edge is, to the
- * left of it as seen along the normal. Here as it looks in space. */
-struct Shape_in_space {
-  static constexpr bool is_for_caps = true;
-
-  static double quality(const Vector_3d& p, const Vector_3d& q, const Vector_3d& r) { return triangle_gamma(p, q, r); }
-
-  static Vector_3d apex(const Vector_3d& a, const Vector_3d& b, const Vector_3d& normal) {
-    const double half_root_three = 0.86602540378443865;
-    const Vector_3d middle = 0.5 * (a + b);
-    const Vector_3d inward = cross(normal, b - a);
-    return middle + half_root_three * inward;
-  }
+ * left of it as seen along the normal. */
+class Triangle_shape {
+public:
+  virtual ~Triangle_shape() = default;
+  virtual double quality(const Vector_3d& p, const Vector_3d& q, const Vector_3d& r) const = 0;
+  virtual Vector_3d apex(const Vector_3d& a, const Vector_3d& b, const Vector_3d& normal) const = 0;
+  virtual bool is_for_caps() const = 0; // if not, they are to be left as they are
 };
 
-/* The same in the shadow of a metric, `metric(point)`: (12) in the mean of the corners' shapes. Caps, which want the
- * metric's section, are to be left as they are. */
-template <class Metric> class Shape_in_metric {
+/* As it looks in space. */
+class Shape_in_space final : public Triangle_shape {
 public:
-  static constexpr bool is_for_caps = false;
+  double quality(const Vector_3d& p, const Vector_3d& q, const Vector_3d& r) const override {
+    return triangle_gamma(p, q, r);
+  }
 
-  explicit Shape_in_metric(const Metric& metric)
+  Vector_3d apex(const Vector_3d& a, const Vector_3d& b, const Vector_3d& normal) const override {
+    const Vector_3d middle = 0.5 * (a + b);
+    const Vector_3d inward = cross(normal, b - a);
+    return middle + root_of_3 / 2 * inward;
+  }
+
+  bool is_for_caps() const override { return true; }
+};
+
+/* In the shadow of a metric: (12) in the mean of the corners' shapes. Caps want the metric's section. */
+class Shape_in_metric final : public Triangle_shape {
+public:
+  explicit Shape_in_metric(Metric_function metric)
       : metric_(metric) {}
 
-  double quality(const Vector_3d& p, const Vector_3d& q, const Vector_3d& r) const {
+  double quality(const Vector_3d& p, const Vector_3d& q, const Vector_3d& r) const override {
     const Vector_3d normal = cross(q - p, r - p), first = normalized(q - p);
     if (!(squared_norm(normal) > 0))
       return 0;
@@ -56,19 +63,20 @@ public:
     return product > 0 ? 4 * m.determinant() * squared_norm(normal) / (product * (a + b + c)) : 0;
   }
 
-  Vector_3d apex(const Vector_3d& a, const Vector_3d& b, const Vector_3d& normal) const {
-    const double half_root_three = 0.86602540378443865;
+  Vector_3d apex(const Vector_3d& a, const Vector_3d& b, const Vector_3d& normal) const override {
     const Vector_3d middle = 0.5 * (a + b), first = normalized(b - a), second = cross(normal, first);
     const std::array<double, 2> inward = shadow(middle, first, second).quarter_turn(norm(b - a), 0);
-    return middle + half_root_three * (inward[0] * first + inward[1] * second);
+    return middle + root_of_3 / 2 * (inward[0] * first + inward[1] * second);
   }
+
+  bool is_for_caps() const override { return false; }
 
 private:
   Metric_tensor_2 shadow(const Vector_3d& p, const Vector_3d& first, const Vector_3d& second) const {
     return metric_shadow(metric_(Point_3(p.x, p.y, p.z)), first, second);
   }
 
-  const Metric& metric_;
+  const Metric_function metric_;
 };
 
 } // namespace internal

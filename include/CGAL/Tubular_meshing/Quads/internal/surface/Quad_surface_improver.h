@@ -14,8 +14,6 @@
 #include <CGAL/Tubular_meshing/base/Nearest_tree.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
-#include <CGAL/Surface_mesh.h>
-
 #include <algorithm>
 #include <cstddef>
 #include <utility>
@@ -50,8 +48,6 @@ private:
  * vertices on curves move too, on the old surface; those on rims stay. */
 class Quad_surface_improver {
 public:
-  typedef CGAL::Surface_mesh<Point_3> Surface;
-
   Quad_surface_improver(Remeshed_surface& result, const Surface& old_surface, const Surface_cut& cut)
       : result_(result)
       , old_surface_(old_surface)
@@ -61,14 +57,14 @@ public:
   void run() {
     const int rounds = 8;
     std::vector<int> vertices;
-    for (int q : quads_below(good_enough))
+    for (int q : quads_below(good_quality))
       vertices.insert(vertices.end(), wall_.mesh.quad(q).begin(), wall_.mesh.quad(q).end());
     if (vertices.empty())
       return;
     std::sort(vertices.begin(), vertices.end());
     vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-    const Triangle_sheet sheet(old_triangles(old_surface_, cut_, patches_below(good_enough)));
-    Quad_smoother<Triangle_sheet>(wall_.mesh, sheet).raise_worst(vertices, good_enough, rounds);
+    const Triangle_sheet sheet(old_triangles(old_surface_, cut_, patches_below(good_quality)));
+    Quad_smoother<Triangle_sheet>(wall_.mesh, sheet).raise_worst(vertices, good_quality, rounds);
     for (int v : vertices) {
       const Vector_3d& p = wall_.mesh.point(v);
       result_.surface.point(wall_.vertices[std::size_t(v)]) = Point_3(p.x, p.y, p.z);
@@ -86,7 +82,7 @@ public:
   }
 
 private:
-  static constexpr double good_enough = 0.65; // three quads at a vertex have 2/3 at most
+  static constexpr double good_quality = 0.65; // three quads at a vertex have 2/3 at most
 
   std::vector<int> quads_below(double quality) const {
     std::vector<int> result;

@@ -10,8 +10,6 @@
 #include <CGAL/Tubular_meshing/Patches/Remeshed_surface.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
-#include <CGAL/Surface_mesh.h>
-
 #include <cstddef>
 #include <vector>
 
@@ -22,8 +20,7 @@ namespace internal {
 /* The wall of a surface of quads as a whole. Its first vertices are those on rims, which stay; normals are the means of
  * the quads' own. */
 struct Wall_quads {
-  typedef CGAL::Surface_mesh<Point_3> Surface;
-  typedef typename Surface::Vertex_index Vertex;
+  typedef Surface::Vertex_index Vertex;
 
   Quad_patch mesh;
   std::vector<Vertex> vertices;           // of the surface, for each of the mesh's
@@ -58,7 +55,7 @@ private:
     return n;
   }
 
-  void add_quad(const Surface& surface, typename Surface::Face_index f) {
+  void add_quad(const Surface& surface, Surface::Face_index f) {
     Quad_patch::Quad q;
     std::size_t i = 0;
     for (Vertex v : surface.vertices_around_face(surface.halfedge(f)))

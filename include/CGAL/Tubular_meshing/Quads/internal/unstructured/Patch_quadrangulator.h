@@ -14,7 +14,10 @@
 #include <CGAL/Tubular_meshing/Quads/internal/unstructured/Square_packer.h>
 #include <CGAL/Tubular_meshing/Quads/recombine_triangles.h>
 #include <CGAL/Tubular_meshing/Plane/Metric_tensor_2.h>
+#include <CGAL/Tubular_meshing/Plane/Metric_plane.h>
+#include <CGAL/Tubular_meshing/Plane/Plane_flips.h>
 #include <CGAL/Tubular_meshing/Plane/triangulate_in_metric.h>
+#include <CGAL/Tubular_meshing/Plane/triangulate_polygons.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
 #include <CGAL/Tubular_meshing/base/parameters.h>
@@ -23,7 +26,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <type_traits>
+#include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -83,15 +87,15 @@ private:
 
   Plane_triangulation<Point_2> right_triangles(const Plane_triangulation<Point_2>& isotropic) const {
     const auto field_of_chart = [this](const Point_2& uv) { return chart_.metric(uv); };
-    const auto metric = on_plane_points<Point_2>(field_of_chart);
-    const No_embedding image;
-    typedef Metric_plane<std::decay_t<decltype(metric)>, No_embedding> Plane;
-    const Plane_polygons rings = plane_polygons(polygons_);
-    Plane plane(Polygon_triangulator(rings).store(), rings, metric, image);
-    Plane_flips<Plane>(plane).make_delaunay();
+    std::string problem;
+    std::optional<Plane_store> store = triangulate_polygons(polygons_, problem);
+    if (!store)
+      throw Input_error(problem);
+    Metric_plane plane(*std::move(store), polygons_, field_of_chart);
+    Plane_flips(plane).make_delaunay();
     const Cross_field field(isotropic, polygons_, field_of_chart);
-    Square_packer<Plane>(plane, field).run();
-    return triangulation_of<Point_2>(plane, polygons_);
+    Square_packer<Metric_plane>(plane, field).run();
+    return plane.triangulation();
   }
 
   void try_triangles(const Plane_triangulation<Point_2>& triangles) {

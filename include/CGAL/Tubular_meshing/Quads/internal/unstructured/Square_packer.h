@@ -31,7 +31,7 @@ template <class Plane> class Square_packer {
 public:
   typedef Plane_store::Index Index;
   typedef Plane_node Node;
-  typedef Point_insertion<Plane> Insertion;
+  typedef Point_insertion Insertion;
 
   Square_packer(Plane& plane, const Cross_field& field)
       : plane_(plane)

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tubular_meshing authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_TUBULAR_MESHING_PLANE_PLANE_SIZE_CONTROL_H
-#define CGAL_TUBULAR_MESHING_PLANE_PLANE_SIZE_CONTROL_H
+#ifndef CGAL_TUBULAR_MESHING_PLANE_INTERNAL_PLANE_SIZE_CONTROL_H
+#define CGAL_TUBULAR_MESHING_PLANE_INTERNAL_PLANE_SIZE_CONTROL_H
 
 #include <CGAL/Tubular_meshing/Plane/Metric_plane.h>
 #include <CGAL/Tubular_meshing/Plane/Plane_flips.h>
@@ -18,12 +18,12 @@ namespace Tubular_meshing {
 namespace internal {
 
 /* Splits edges that are too long in the metric, and removes vertices with edges that are too short. */
-template <class Plane> class Plane_size_control {
+class Plane_size_control {
 public:
   typedef Plane_store::Index Index;
   typedef Plane_node Node;
 
-  explicit Plane_size_control(Plane& plane)
+  explicit Plane_size_control(Metric_plane& plane)
       : plane_(plane)
       , store_(plane.store)
       , insertion_(plane)
@@ -62,14 +62,14 @@ private:
     const auto place = place_beside(h, middle.point);
     if (place.half_edge == Plane_store::none)
       return;
-    const auto far_enough = [&](Index v) { return Plane::length(middle, plane_.nodes[v]) >= least_distance; };
+    const auto far_enough = [&](Index v) { return Metric_plane::length(middle, plane_.nodes[v]) >= least_distance; };
     if (insertion_.all_neighbors(place, middle, far_enough,
                                  [&](Index k) { return plane_.sees_at_good_angle(middle, k); }))
       insertion_.insert(place, middle);
   }
 
   // The middle of an edge, rounded, lies on it or in one of its triangles, if these are not too flat.
-  typename Point_insertion<Plane>::Place place_beside(Index h, const Plane_point& p) const {
+  Point_insertion::Place place_beside(Index h, const Plane_point& p) const {
     const auto side = CGAL::orientation(plane_.origin(h).point, plane_.target(h).point, p);
     if (side == CGAL::COLLINEAR)
       return {h, true};
@@ -122,22 +122,23 @@ private:
       if (worst < required || h / 3 == first || h / 3 == second)
         return;
       const Node &c = plane_.target(h), &d = plane_.apex(h);
-      if (!Plane::is_positive(b, c, d) || Plane::length(b, c) > longest || Plane::length(b, d) > longest)
+      if (!Metric_plane::is_positive(b, c, d) || Metric_plane::length(b, c) > longest ||
+          Metric_plane::length(b, d) > longest)
         worst = -1;
       else
-        worst = (std::min)(worst, Plane::quality(b, c, d));
+        worst = (std::min)(worst, plane_.quality(b, c, d));
     });
     return worst;
   }
 
-  Plane& plane_;
+  Metric_plane& plane_;
   Plane_store& store_;
-  Point_insertion<Plane> insertion_;
-  Plane_flips<Plane> flips_;
+  Point_insertion insertion_;
+  Plane_flips flips_;
 };
 
 } // namespace internal
 } // namespace Tubular_meshing
 } // namespace CGAL
 
-#endif // CGAL_TUBULAR_MESHING_PLANE_PLANE_SIZE_CONTROL_H
+#endif // CGAL_TUBULAR_MESHING_PLANE_INTERNAL_PLANE_SIZE_CONTROL_H

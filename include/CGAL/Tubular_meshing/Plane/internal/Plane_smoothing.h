@@ -1,10 +1,11 @@
 // Copyright (c) 2026 The Tubular_meshing authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_TUBULAR_MESHING_PLANE_PLANE_SMOOTHING_H
-#define CGAL_TUBULAR_MESHING_PLANE_PLANE_SMOOTHING_H
+#ifndef CGAL_TUBULAR_MESHING_PLANE_INTERNAL_PLANE_SMOOTHING_H
+#define CGAL_TUBULAR_MESHING_PLANE_INTERNAL_PLANE_SMOOTHING_H
 
 #include <CGAL/Tubular_meshing/Plane/Metric_plane.h>
+#include <CGAL/Tubular_meshing/base/constants.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,12 +19,12 @@ namespace internal {
 /* Moves vertices inside the domain towards the mean of the apexes of the equilateral triangles, in the metric, on the
  * edges around them. A move is taken if all triangles around stay positive, the worst does not get worse, and the sum
  * of qualities rises. */
-template <class Plane> class Plane_smoothing {
+class Plane_smoothing {
 public:
   typedef Plane_store::Index Index;
   typedef Plane_node Node;
 
-  explicit Plane_smoothing(Plane& plane)
+  explicit Plane_smoothing(Metric_plane& plane)
       : plane_(plane)
       , store_(plane.store)
       , changed_(plane.store.number_of_vertices(), 0) {}
@@ -42,7 +43,7 @@ public:
 
 private:
   static constexpr double least_step = 0.01; // of the unit length
-  static constexpr double worth_it = 1e-5;
+  static constexpr double least_gain = 1e-5;
 
   bool is_awake(Index v) const {
     if (sweep_ == 1)
@@ -89,21 +90,21 @@ private:
 
   static Plane_vector step_to_apex(const Node& a, const Node& b, const Node& x) {
     Plane_vector step;
-    if (Plane::step_to_apex(a, b, x, Plane::length(a, b), step))
+    if (Metric_plane::step_to_apex(a, b, x, Metric_plane::length(a, b), step))
       return step;
     const Plane_vector e = b.point - a.point, to_a = a.point - x.point;
     const auto turn = (a.shape + b.shape + x.shape).quarter_turn(e.x, e.y);
-    return {to_a.x + e.x / 2 + half_root_three * turn[0], to_a.y + e.y / 2 + half_root_three * turn[1]};
+    return {to_a.x + e.x / 2 + root_of_3 / 2 * turn[0], to_a.y + e.y / 2 + root_of_3 / 2 * turn[1]};
   }
 
   struct Star {
     double worst = 1, sum = 0;
-    bool is_better_than(const Star& other) const { return worst >= other.worst && sum > other.sum + worth_it; }
+    bool is_better_than(const Star& other) const { return worst >= other.worst && sum > other.sum + least_gain; }
   };
   Star star(Index v, const Node& x) const {
     Star s;
     store_.for_each_outgoing(v, [&](Index h) {
-      const double q = Plane::quality(x, plane_.target(h), plane_.apex(h));
+      const double q = plane_.quality(x, plane_.target(h), plane_.apex(h));
       s.worst = (std::min)(s.worst, q);
       s.sum += q;
     });
@@ -112,7 +113,7 @@ private:
 
   // The field may be slow: it is asked at places only that would be better if it were constant around the vertex.
   bool is_promising(Index v, const Plane_point& p, const Star& before) const {
-    if (Plane::is_embedded)
+    if (plane_.is_embedded())
       return true;
     Node moved = plane_.nodes[v];
     moved.point = p;
@@ -127,9 +128,7 @@ private:
     return inside;
   }
 
-  static constexpr double half_root_three = 0.86602540378443865;
-
-  Plane& plane_;
+  Metric_plane& plane_;
   Plane_store& store_;
   std::vector<std::uint32_t> changed_; // the sweep in which a vertex last moved
   std::uint32_t sweep_ = 0;
@@ -139,4 +138,4 @@ private:
 } // namespace Tubular_meshing
 } // namespace CGAL
 
-#endif // CGAL_TUBULAR_MESHING_PLANE_PLANE_SMOOTHING_H
+#endif // CGAL_TUBULAR_MESHING_PLANE_INTERNAL_PLANE_SMOOTHING_H

@@ -1,11 +1,13 @@
 // Copyright (c) 2026 The Tubular_meshing authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_TUBULAR_MESHING_PLANE_FRONTAL_DELAUNAY_H
-#define CGAL_TUBULAR_MESHING_PLANE_FRONTAL_DELAUNAY_H
+#ifndef CGAL_TUBULAR_MESHING_PLANE_INTERNAL_FRONTAL_DELAUNAY_H
+#define CGAL_TUBULAR_MESHING_PLANE_INTERNAL_FRONTAL_DELAUNAY_H
 
 #include <CGAL/Tubular_meshing/Plane/Metric_plane.h>
 #include <CGAL/Tubular_meshing/Plane/Point_insertion.h>
+#include <CGAL/Tubular_meshing/base/constants.h>
+#include <CGAL/Tubular_meshing/base/exceptions.h>
 
 #include <algorithm>
 #include <cmath>
@@ -21,13 +23,13 @@ namespace internal {
 /* Rebay's frontal Delaunay method in a metric. Triangles whose circumradius is small enough are accepted; the front is
  * what parts them, and the boundary, from the others. The largest triangle on the front gets a point at the apex of the
  * equilateral triangle on its front edge, or at its circumcentre where that is nearer, so that nothing is too close. */
-template <class Plane> class Frontal_delaunay {
+class Frontal_delaunay {
 public:
   typedef Plane_store::Index Index;
   typedef Plane_node Node;
-  typedef Point_insertion<Plane> Insertion;
+  typedef Point_insertion Insertion;
 
-  explicit Frontal_delaunay(Plane& plane)
+  explicit Frontal_delaunay(Metric_plane& plane)
       : plane_(plane)
       , store_(plane.store)
       , insertion_(plane) {}
@@ -57,7 +59,7 @@ private:
   static constexpr double least_correction = 0.02; // of a point's place, in the metric
   static constexpr double most_correction = 0.4;
   static constexpr double most_area = 1e8;
-  static constexpr double unit_triangle_area = 0.43301270189221932;
+  static constexpr double unit_triangle_area = root_of_3 / 4;
 
   struct Entry {
     float size;
@@ -117,7 +119,7 @@ private:
     Plane_point p;
     if (!first_guess(h, p))
       return false;
-    typename Insertion::Place place = insertion_.locate(h, p);
+    Insertion::Place place = insertion_.locate(h, p);
     if (place.half_edge == Plane_store::none)
       return false;
     const double scale = (std::min)(1., growth * (plane_.origin(h).scale + plane_.target(h).scale) / 2);
@@ -141,7 +143,7 @@ private:
     const Plane_vector e = b.point - a.point;
     const auto normal = m.quarter_turn(e.x, e.y);
     const double length = m.length(e.x, e.y);
-    const auto circle = Plane::circumcircle(m, a, b, c);
+    const auto circle = Metric_plane::circumcircle(m, a, b, c);
     const double to_center =
         m.dot(circle.to_center.x - e.x / 2, circle.to_center.y - e.y / 2, normal[0], normal[1]) / length;
     if (!(to_center > smallest_height))
@@ -159,7 +161,7 @@ private:
   bool correct(Index h, const Node& x, Plane_point& p) const {
     const Node &a = plane_.origin(h), &b = plane_.target(h);
     Plane_vector step;
-    if (!Plane::step_to_apex(a, b, x, side_, step))
+    if (!Metric_plane::step_to_apex(a, b, x, side_, step))
       return false;
     const double size = x.metric.length(step.x, step.y);
     if (!(size > least_correction && std::isfinite(size)))
@@ -168,9 +170,9 @@ private:
     p = Plane_point(x.point.x() + s * step.x, x.point.y() + s * step.y);
     return CGAL::orientation(a.point, b.point, p) == CGAL::LEFT_TURN;
   }
-  bool has_room(const typename Insertion::Place& place, const Node& x) {
+  bool has_room(const Insertion::Place& place, const Node& x) {
     return insertion_.all_neighbors(
-        place, x, [&](Index v) { return Plane::length(x, plane_.nodes[v]) >= smallest_distance; },
+        place, x, [&](Index v) { return Metric_plane::length(x, plane_.nodes[v]) >= smallest_distance; },
         [&](Index h) { return plane_.sees_at_good_angle(x, h); });
   }
 
@@ -185,7 +187,7 @@ private:
     });
   }
 
-  Plane& plane_;
+  Metric_plane& plane_;
   Plane_store& store_;
   Insertion insertion_;
   std::vector<float> radius_;
@@ -199,4 +201,4 @@ private:
 } // namespace Tubular_meshing
 } // namespace CGAL
 
-#endif // CGAL_TUBULAR_MESHING_PLANE_FRONTAL_DELAUNAY_H
+#endif // CGAL_TUBULAR_MESHING_PLANE_INTERNAL_FRONTAL_DELAUNAY_H

@@ -1,26 +1,20 @@
 // Copyright (c) 2026 The Tubular_meshing authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_TUBULAR_MESHING_PATCHES_PIECES_SURFACE_REMESHER_H
-#define CGAL_TUBULAR_MESHING_PATCHES_PIECES_SURFACE_REMESHER_H
+#ifndef CGAL_TUBULAR_MESHING_PATCHES_PIECES_MESH_BY_PIECES_IMPL_H
+#define CGAL_TUBULAR_MESHING_PATCHES_PIECES_MESH_BY_PIECES_IMPL_H
 
 #include <CGAL/Tubular_meshing/base/Kernel.h>
-#include <CGAL/Tubular_meshing/Patches/Surface_patch.h>
-#include <CGAL/Tubular_meshing/Patches/Patch_parameterization.h>
 #include <CGAL/Tubular_meshing/Patches/Patch_report.h>
 #include <CGAL/Tubular_meshing/Patches/Remeshed_surface.h>
-#include <CGAL/Tubular_meshing/Patches/internal/remeshing/Triangle_improver.h>
 #include <CGAL/Tubular_meshing/Patches/internal/remeshing/crossing_faces.h>
-#include <CGAL/Tubular_meshing/Patches/pieces/old_triangles.h>
+#include <CGAL/Tubular_meshing/Patches/pieces/mesh_by_pieces.h>
+#include <CGAL/Tubular_meshing/base/config.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
-#include <CGAL/Tubular_meshing/base/Nearest_tree.h>
 #include <CGAL/Tubular_meshing/base/labels.h>
-
-#include <CGAL/Surface_mesh.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <string>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -29,20 +23,14 @@ namespace CGAL {
 namespace Tubular_meshing {
 namespace internal {
 
-/* The steps of remesh_patches(), and those of quadrangulate_patches(): `Mesher` makes the pieces, see Piece_mesher.
- *
- * Where the outcome is no surface, as pieces touch themselves or each other in meshes that are too coarse for them, the
- * pieces concerned are meshed again, finer. */
-template <class Mesher> class Surface_remesher {
+/* See mesh_by_pieces(). */
+class Surface_remesher {
 public:
-  typedef CGAL::Surface_mesh<Point_3> Surface;
-  typedef Patch_parameterization Map;
   typedef std::size_t size_type;
 
-  /* The mesher of the same surface, cut and maps. */
-  Surface_remesher(const Surface& surface, const Surface_cut& cut, const std::vector<Map>& maps, Mesher& mesher)
-      : surface_(surface)
-      , cut_(cut)
+  /* The mesher of the same cut and maps. */
+  Surface_remesher(const Surface_cut& cut, const std::vector<Patch_parameterization>& maps, Piece_mesher& mesher)
+      : cut_(cut)
       , maps_(maps)
       , mesher_(mesher) {}
 
@@ -53,11 +41,7 @@ public:
       std::vector<size_type> failed = pieces_that_do_not_fit();
       if (failed.empty()) {
         build();
-        std::vector<size_type> folded;
-        if constexpr (Mesher::makes_quads)
-          folded = mesher_.improve(result_);
-        else
-          improve();
+        const std::vector<size_type> folded = mesher_.improve(result_, piece_of_face_);
         failed = crossing_pieces();
         if (failed.empty() && round < rounds_for_shape) // quads that are turned over, but meet nothing, may stay
           failed = folded;
@@ -76,9 +60,8 @@ public:
   }
 
 private:
-  typedef typename Surface::Vertex_index Vertex;
-  typedef typename Surface::Halfedge_index Halfedge;
-  typedef typename Surface::Face_index Face;
+  typedef Surface::Vertex_index Vertex;
+  typedef Surface::Face_index Face;
 
   std::vector<size_type> pieces_that_do_not_fit() const {
     std::vector<char> failed;
@@ -152,8 +135,7 @@ private:
       faces += piece.triangles.size() + piece.quads.size();
     }
     surface.clear_without_removing_property_maps();
-    surface.reserve(typename Surface::size_type(points), typename Surface::size_type(points + faces),
-                    typename Surface::size_type(faces));
+    surface.reserve(Surface::size_type(points), Surface::size_type(points + faces), Surface::size_type(faces));
     result_.curves.assign(mesher_.curve_points().size(), {});
     for (size_type c = 0; c < result_.curves.size(); ++c)
       for (const auto& p : mesher_.curve_points()[c])
@@ -188,37 +170,6 @@ private:
     piece_of_face_.push_back(k);
   }
 
-  void improve() {
-    Surface& surface = result_.surface;
-    const auto shape = mesher_.shape();
-    Triangle_improver<decltype(shape)> improver(surface, shape);
-    const std::vector<Face> bad = improver.bad_triangles();
-    if (bad.empty())
-      return;
-    std::vector<char> fixed(surface.number_of_vertices(), 0);
-    for (size_type c = 0; c < cut_.curves.size(); ++c)
-      if (cut_.curves[c].is_rim())
-        for (Vertex v : result_.curves[c])
-          fixed[size_type(v)] = 1;
-    const auto is_cap = [&](Vertex v) { return result_.patch_of_face[surface.face(surface.halfedge(v))] < 0; };
-    const auto may_flip = [&](Halfedge h) {
-      if (!shape.is_for_caps && result_.patch_of_face[surface.face(h)] < 0)
-        return false;
-      return piece_of_face_[size_type(surface.face(h))] == piece_of_face_[size_type(surface.face(surface.opposite(h)))];
-    };
-    improver.improve(
-        bad, old_triangles_around(bad), [&](Vertex v) { return !fixed[size_type(v)] && !is_cap(v); }, may_flip);
-  }
-
-  // Those of the patches with bad triangles, and of their neighbours.
-  Nearest_tree<Double_kernel::Triangle_3> old_triangles_around(const std::vector<Face>& bad) const {
-    std::vector<char> has_bad(cut_.patches.size(), 0);
-    for (Face f : bad)
-      if (result_.patch_of_face[f] >= 0)
-        has_bad[size_type(result_.patch_of_face[f])] = 1;
-    return old_triangles(surface_, cut_, has_bad);
-  }
-
   std::vector<size_type> crossing_pieces() const {
     std::vector<char> failed(mesher_.pieces().size(), 0);
     for (const auto& c : crossing_faces(result_.surface))
@@ -226,16 +177,21 @@ private:
     return marked(failed);
   }
 
-  const Surface& surface_;
   const Surface_cut& cut_;
-  const std::vector<Map>& maps_;
-  Mesher& mesher_;
+  const std::vector<Patch_parameterization>& maps_;
+  Piece_mesher& mesher_;
   Remeshed_surface result_;
   std::vector<size_type> piece_of_face_;
 };
+
+CGAL_TUBULAR_MESHING_INLINE Remeshed_surface mesh_by_pieces(const Surface_cut& cut,
+                                                            const std::vector<Patch_parameterization>& maps,
+                                                            Piece_mesher& mesher) {
+  return Surface_remesher(cut, maps, mesher).run();
+}
 
 } // namespace internal
 } // namespace Tubular_meshing
 } // namespace CGAL
 
-#endif // CGAL_TUBULAR_MESHING_PATCHES_PIECES_SURFACE_REMESHER_H
+#endif // CGAL_TUBULAR_MESHING_PATCHES_PIECES_MESH_BY_PIECES_IMPL_H

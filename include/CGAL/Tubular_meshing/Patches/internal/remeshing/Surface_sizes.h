@@ -1,0 +1,39 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_PATCHES_INTERNAL_REMESHING_SURFACE_SIZES_H
+#define CGAL_TUBULAR_MESHING_PATCHES_INTERNAL_REMESHING_SURFACE_SIZES_H
+
+#include <CGAL/Tubular_meshing/base/Kernel.h>
+#include <CGAL/Tubular_meshing/Patches/Patch_parameterization.h>
+#include <CGAL/Tubular_meshing/Patches/internal/remeshing/triangle_shapes.h>
+#include <CGAL/Tubular_meshing/Patches/pieces/Curve_divider.h>
+#include <CGAL/Tubular_meshing/Plane/Metric_tensor_2.h>
+#include <CGAL/Tubular_meshing/Plane/Plane_metric.h>
+#include <CGAL/Tubular_meshing/base/Vector_3d.h>
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Tubular_meshing {
+namespace internal {
+
+/* What Triangle_piece_mesher asks of the sizes that are wanted: lengths along the curves between pieces, metrics over
+ * the plane of a patch and in that of a cap. A `fineness` below 1 makes the sizes smaller. */
+class Surface_sizes {
+public:
+  virtual ~Surface_sizes() = default;
+  virtual double along_curve(std::size_t curve, const Curve_position& at) const = 0;
+  virtual Plane_metric on_patch(std::size_t patch, const Patch_location& at, double fineness) const = 0;
+  virtual Metric_tensor_2 in_plane(const Point_3& p, const Vector_3d& first, const Vector_3d& second,
+                                   double fineness) const = 0;
+  // Then triangles are as good as they look, in the plane and afterwards; else they are good in the metric.
+  virtual bool are_isotropic() const = 0;
+  virtual const Triangle_shape& shape() const = 0;
+};
+
+} // namespace internal
+} // namespace Tubular_meshing
+} // namespace CGAL
+
+#endif // CGAL_TUBULAR_MESHING_PATCHES_INTERNAL_REMESHING_SURFACE_SIZES_H

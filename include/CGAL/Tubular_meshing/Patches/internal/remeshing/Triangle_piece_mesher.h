@@ -1,0 +1,111 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_PATCHES_INTERNAL_REMESHING_TRIANGLE_PIECE_MESHER_H
+#define CGAL_TUBULAR_MESHING_PATCHES_INTERNAL_REMESHING_TRIANGLE_PIECE_MESHER_H
+
+#include <CGAL/Tubular_meshing/Patches/internal/remeshing/Surface_sizes.h>
+#include <CGAL/Tubular_meshing/Patches/internal/remeshing/Triangle_improver.h>
+#include <CGAL/Tubular_meshing/Patches/pieces/Chart.h>
+#include <CGAL/Tubular_meshing/Patches/pieces/Curve_divider.h>
+#include <CGAL/Tubular_meshing/Patches/pieces/Curve_gaps.h>
+#include <CGAL/Tubular_meshing/Patches/pieces/Piece_mesher.h>
+#include <CGAL/Tubular_meshing/Patches/pieces/old_triangles.h>
+#include <CGAL/Tubular_meshing/base/parallel.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Tubular_meshing {
+namespace internal {
+
+/* Meshes the pieces of a cut surface with triangles. */
+class Triangle_piece_mesher final : public Piece_mesher {
+public:
+  Triangle_piece_mesher(const Surface& surface, const Surface_cut& cut, const std::vector<Map>& maps,
+                        const Surface_sizes& sizes, bool even, int threads)
+      : Piece_mesher(surface, cut, maps, threads)
+      , sizes_(sizes)
+      , even_(even)
+      , gaps_(cut, polylines_) {}
+
+  std::vector<size_type> improve(Remeshed_surface& result, const std::vector<size_type>& piece_of_face) const override {
+    typedef Surface::Vertex_index Vertex;
+    Surface& surface = result.surface;
+    const Triangle_shape& shape = sizes_.shape();
+    Triangle_improver improver(surface, shape);
+    const std::vector<Surface::Face_index> bad = improver.bad_triangles();
+    if (bad.empty())
+      return {};
+    std::vector<char> is_fixed(surface.number_of_vertices(), 0);
+    for (size_type c : rims_)
+      for (Vertex v : result.curves[c])
+        is_fixed[size_type(v)] = 1;
+    const auto may_move = [&](Vertex v) {
+      return !is_fixed[size_type(v)] && result.patch_of_face[surface.face(surface.halfedge(v))] >= 0;
+    };
+    const auto may_flip = [&](Surface::Halfedge_index h) {
+      if (!shape.is_for_caps() && result.patch_of_face[surface.face(h)] < 0)
+        return false;
+      return piece_of_face[size_type(surface.face(h))] == piece_of_face[size_type(surface.face(surface.opposite(h)))];
+    };
+    std::vector<char> has_bad(cut_.patches.size(), 0);
+    for (Surface::Face_index f : bad)
+      if (result.patch_of_face[f] >= 0)
+        has_bad[size_type(result.patch_of_face[f])] = 1;
+    improver.improve(bad, old_triangles(surface_, cut_, has_bad), may_move, may_flip);
+    return {};
+  }
+
+protected:
+  void divide_curves(std::vector<char>& concerned) override {
+    std::vector<size_type> curves;
+    for (size_type c = 0; c < cut_.curves.size(); ++c)
+      if (concerned[cut_.curves[c].left_patch] || concerned[piece_on_the_right(c)])
+        curves.push_back(c);
+    for (size_type c : curves)
+      concerned[cut_.curves[c].left_patch] = concerned[piece_on_the_right(c)] = 1;
+    for_each_task(curves.size(), threads_, [&](size_type i) { divide(curves[i]); });
+  }
+
+  bool mesh_patch(size_type k, Piece& piece) override {
+    const auto metric = [&](const Patch_location& at) { return sizes_.on_patch(k, at, fineness_[k]); };
+    const Patch_chart chart(maps_[k], metric);
+    return triangulate_piece(chart, sizes_.are_isotropic(), patch_polygons(k, piece), false, piece);
+  }
+
+  bool mesh_cap(size_type k, Piece& piece) override {
+    const auto metric = [&](const Point_3& p, const Vector_3d& first, const Vector_3d& second) {
+      return sizes_.in_plane(p, first, second, fineness_[k]);
+    };
+    const Cap_chart chart(polylines_[rim_of_cap(k)], metric);
+    return triangulate_piece(chart, sizes_.are_isotropic(), cap_polygons(k, chart, piece), true, piece);
+  }
+
+private:
+  // The longest edge in a gap, relative to its width: with 2, the worst triangle that fits has a gamma_T of 0.68.
+  static constexpr double size_in_gap = 1.5;
+
+  void divide(size_type c) {
+    const size_type fewest = 6; // a tube, not a prism
+    const double f = fineness_of_curve(c);
+    const auto size = [&](const Curve_position& at) {
+      const double h = f * sizes_.along_curve(c, at), least = 0.1 * h;
+      return (std::max)(least, size_in_gap * gaps_.gap(c, at.point, h / size_in_gap));
+    };
+    const Curve_divider divider(polylines_[c], size, cut_.curves[c].is_rim());
+    curve_points_[c] = divider.divide(polylines_[c], fewest, even_);
+  }
+
+  const Surface_sizes& sizes_;
+  const bool even_;
+  const Curve_gaps gaps_;
+};
+
+} // namespace internal
+} // namespace Tubular_meshing
+} // namespace CGAL
+
+#endif // CGAL_TUBULAR_MESHING_PATCHES_INTERNAL_REMESHING_TRIANGLE_PIECE_MESHER_H
