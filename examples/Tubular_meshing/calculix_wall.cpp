@@ -35,11 +35,10 @@ int main(int argc, char* argv[]) {
     const auto quads = TM::make_quad_surface_mesh(model, TM::parameters::points_per_circumference(points));
 
     const TM::Centerline_field centerlines(model.centerlines);
-    TM::Layer_report report;
-    const TM::Mixed_mesh wall = TM::extrude_wall(quads.surface, quads.patch, centerlines,
-                                                 TM::parameters::wall_thickness(0.2).wall_layers(4), &report);
-    std::cout << wall.hexahedra.size() << " hexahedra. " << report.text() << "\n";
-    TM::IO::write_mesh(argv[2], wall);
+    const TM::Extruded_wall wall =
+        TM::extrude_wall(quads.surface, quads.patch, centerlines, TM::parameters::wall_thickness(0.2).wall_layers(4));
+    std::cout << wall.mesh.hexahedra.size() << " hexahedra. " << wall.report.text() << "\n";
+    TM::IO::write_mesh(argv[2], wall.mesh);
   } catch (const TM::Error& e) {
     std::cerr << e.what() << "\n";
     return EXIT_FAILURE;

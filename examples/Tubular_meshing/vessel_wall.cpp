@@ -61,7 +61,8 @@ int main(int argc, char* argv[]) {
               << (validity.is_valid() ? "valid" : validity.defects()) << "\n";
     tubular::IO::write_mesh(argv[2], mesh);
 
-    tubular::IO::write_mesh(argv[3], tubular::extrude_wall(surface.surface, surface.patch, centerlines, two_walls));
+    tubular::IO::write_mesh(argv[3],
+                            tubular::extrude_wall(surface.surface, surface.patch, centerlines, two_walls).mesh);
   } catch (const std::exception& e) {
     std::cerr << "vessel_wall: " << e.what() << "\n";
     return 1;

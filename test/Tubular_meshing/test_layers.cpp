@@ -15,6 +15,7 @@
 #include <CGAL/Tubular_meshing/Quality/quality_report.h>
 #include <CGAL/Tubular_meshing/Quality/validity_report.h>
 #include <CGAL/Tubular_meshing/Layers/extrude_boundary_layer.h>
+#include <CGAL/Tubular_meshing/Layers/internal/labelled_facets.h>
 #include <CGAL/Tubular_meshing/Volume/fill_with_tetgen.h>
 #include <CGAL/Tubular_meshing/Volume/optimize_tetrahedra.h>
 
@@ -282,12 +283,12 @@ TEST(Extrude_wall, of_a_torus_has_no_ends) {
   Labelled_surface s;
   s.surface = torus;
   s.patch = s.surface.add_property_map<Surface::Face_index, int>("f:patch", labels::wall).first;
-  tubular::Layer_report report;
-  const Mesh mesh = tubular::extrude_wall(s.surface, s.patch, one, parameters::wall_thickness(0.4), &report);
+  const auto wall = tubular::extrude_wall(s.surface, s.patch, one, parameters::wall_thickness(0.4));
+  const Mesh& mesh = wall.mesh;
   const auto validity = tubular::validity_report(mesh);
   EXPECT_TRUE(validity.is_valid()) << validity.defects();
   EXPECT_EQ(validity.boundary_euler, 0);
-  EXPECT_EQ(report.reduced_vertices, 0u);
+  EXPECT_EQ(wall.report.reduced_vertices, 0u);
   const double exact = 2 * CGAL_PI * CGAL_PI * 3 * (1.4 * 1.4 - 1);
   EXPECT_NEAR(volume(mesh, 2), exact, 0.01 * exact);
   EXPECT_EQ(patches_of(mesh), (std::set<int>{1, 100}));
@@ -388,7 +389,7 @@ TEST(Extrude_wall, on_an_open_surface_numbers_the_rings) {
   Quad_tube tube;
   tube.capped = false;
   Labelled_surface s(tube.mesh());
-  const Mesh mesh = tubular::extrude_wall(s.surface, s.patch, one);
+  const Mesh mesh = tubular::extrude_wall(s.surface, s.patch, one).mesh;
   const auto validity = tubular::validity_report(mesh);
   EXPECT_TRUE(validity.is_valid()) << validity.defects();
   EXPECT_EQ(mesh.points.size(), 5 * 13 * 24u);

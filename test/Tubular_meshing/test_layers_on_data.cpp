@@ -67,14 +67,13 @@ TEST_P(Layers_on_data, are_valid) {
   const tubular::Centerline_field centerlines(model.centerlines);
 
   for (double thickness : {0.2, 0.5}) { // the wall alone
-    tubular::Layer_report report;
-    const Mesh wall = tubular::extrude_wall(surface.surface, surface.patch, centerlines,
-                                            parameters::wall_thickness(thickness), &report);
-    const auto validity = tubular::validity_report(wall);
+    const auto wall =
+        tubular::extrude_wall(surface.surface, surface.patch, centerlines, parameters::wall_thickness(thickness));
+    const auto validity = tubular::validity_report(wall.mesh);
     EXPECT_TRUE(validity.is_valid()) << validity.defects();
-    EXPECT_GT(report.mean_ratio, 0.95);
-    EXPECT_GT(report.min_ratio, 0);
-    EXPECT_GT(tubular::quality_report(wall).prism_jacobian.percentile(1), 0.3);
+    EXPECT_GT(wall.report.mean_ratio, 0.95);
+    EXPECT_GT(wall.report.min_ratio, 0);
+    EXPECT_GT(tubular::quality_report(wall.mesh).prism_jacobian.percentile(1), 0.3);
   }
 
   auto lumen = tubular::extrude_boundary_layer(surface.surface, surface.patch, centerlines);

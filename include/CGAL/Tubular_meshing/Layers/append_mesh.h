@@ -4,15 +4,11 @@
 #ifndef CGAL_TUBULAR_MESHING_LAYERS_APPEND_MESH_H
 #define CGAL_TUBULAR_MESHING_LAYERS_APPEND_MESH_H
 
-#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
-#include <CGAL/Tubular_meshing/base/exceptions.h>
+#include <CGAL/Tubular_meshing/base/config.h>
 #include <CGAL/Tubular_meshing/base/labels.h>
 
-#include <array>
-#include <cstddef>
 #include <cstdint>
-#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -22,68 +18,30 @@ namespace Tubular_meshing {
  * In a list of points: this one is not there yet. */
 constexpr std::uint32_t no_point = std::uint32_t(-1);
 
-namespace internal {
-
-template <std::size_t N, class Keep>
-void append_elements(const Element_block<N>& added, const std::vector<std::uint32_t>& point, const Keep& keep,
-                     Element_block<N>& elements) {
-  elements.reserve(elements.size() + added.size());
-  for (std::size_t i = 0; i < added.size(); ++i) {
-    if (!keep(added.label[i]))
-      continue;
-    std::array<std::uint32_t, N> e = added.vertices[i];
-    for (std::uint32_t& v : e)
-      v = point[v];
-    elements.push_back(e, added.label[i]);
-  }
-}
-
-} // namespace internal
-
 /*! \ingroup PkgTubularMeshingRef
  *
  * adds a mesh that fills a cavity of another one: boundary layers and what is inside of them become one mesh.
  *
  * \param mesh gets the cells, the facets and the points that it does not have yet
  * \param filling its facets of patch `interface` are those that the two meshes share: they are left out, being inside
- * of the whole \param known_points for the first points of `filling`, the point of `mesh` that each is, or `no_point`.
- * All others are new \param interface the patch
+ *   of the whole
+ * \param known_points for the first points of `filling`, the point of `mesh` that each is, or `no_point`. All others
+ *   are new
+ * \param interface the patch
  *
  * Point arrays of `mesh` are lost, unless nothing is added: the two have not the same. Linear.
  *
  * \throws Input_error if there are more known points than points, or one that is not in `mesh`; `mesh` is untouched
  * then
  */
-inline void append_mesh(Mixed_mesh& mesh, const Mixed_mesh& filling, const std::vector<std::uint32_t>& known_points,
-                        int interface = labels::wall) {
-  if (known_points.size() > filling.points.size())
-    throw Input_error("There are " + std::to_string(known_points.size()) + " known points of a filling with " +
-                      std::to_string(filling.points.size()) + " points.");
-  for (std::uint32_t p : known_points)
-    if (p != no_point && p >= mesh.points.size())
-      throw Input_error("Point_3 " + std::to_string(p) + " is known of the filling, but the mesh has " +
-                        std::to_string(mesh.points.size()) + " points.");
-  std::vector<std::uint32_t> point = known_points;
-  point.resize(filling.points.size(), no_point);
-  for (std::size_t i = 0; i < point.size(); ++i)
-    if (point[i] == no_point) {
-      point[i] = std::uint32_t(mesh.points.size());
-      mesh.points.push_back(filling.points[i]);
-      mesh.point_arrays.clear();
-    }
-  const auto all = [](int) { return true; };
-  internal::append_elements(filling.tetrahedra, point, all, mesh.tetrahedra);
-  internal::append_elements(filling.pyramids, point, all, mesh.pyramids);
-  internal::append_elements(filling.prisms, point, all, mesh.prisms);
-  internal::append_elements(filling.hexahedra, point, all, mesh.hexahedra);
-  const auto not_shared = [interface](int label) { return label != interface; };
-  internal::append_elements(filling.triangles, point, not_shared, mesh.triangles);
-  internal::append_elements(filling.quads, point, not_shared, mesh.quads);
-  mesh.region_names.insert(filling.region_names.begin(), filling.region_names.end());
-  mesh.patch_names.insert(filling.patch_names.begin(), filling.patch_names.end());
-}
+void append_mesh(Mixed_mesh& mesh, const Mixed_mesh& filling, const std::vector<std::uint32_t>& known_points,
+                 int interface = labels::wall);
 
 } // namespace Tubular_meshing
 } // namespace CGAL
+
+#ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
+#include <CGAL/Tubular_meshing/Layers/append_mesh_impl.h>
+#endif
 
 #endif // CGAL_TUBULAR_MESHING_LAYERS_APPEND_MESH_H

@@ -4,18 +4,19 @@
 #ifndef CGAL_TUBULAR_MESHING_LAYERS_EXTRUDE_BOUNDARY_LAYER_H
 #define CGAL_TUBULAR_MESHING_LAYERS_EXTRUDE_BOUNDARY_LAYER_H
 
-#include <CGAL/Tubular_meshing/base/Kernel.h>
-#include <CGAL/Tubular_meshing/Centerlines/Centerline_field.h>
-#include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/Layers/Layer_report.h>
 #include <CGAL/Tubular_meshing/Layers/append_mesh.h>
-#include <CGAL/Tubular_meshing/Layers/internal/boundary_layer/Boundary_layer_maker.h>
+#include <CGAL/Tubular_meshing/Layers/local_radius.h>
+#include <CGAL/Tubular_meshing/base/Function_view.h>
+#include <CGAL/Tubular_meshing/base/Kernel.h>
+#include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
+#include <CGAL/Tubular_meshing/base/config.h>
+#include <CGAL/Tubular_meshing/base/convert_surface.h>
 #include <CGAL/Tubular_meshing/base/labels.h>
 #include <CGAL/Tubular_meshing/base/parameters.h>
 
-#include <CGAL/Surface_mesh.h>
-
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -23,22 +24,39 @@ namespace Tubular_meshing {
 
 /*! \ingroup PkgTubularMeshingRef
  *
+ * The options of extrude_boundary_layer(): its named parameters. */
+struct Extrude_boundary_layer_options {
+  double boundary_layer_thickness = 0.3;
+  std::optional<double> first_height;       ///< a twentieth of `boundary_layer_thickness` where it has no value
+  std::optional<int> boundary_layer_prisms; ///< what comes closest to `boundary_layer_thickness` where it has no value
+  double growth = 1.3;
+  int number_of_threads = 0;
+
+  Extrude_boundary_layer_options() = default;
+  template <class NamedParameters> explicit Extrude_boundary_layer_options(const NamedParameters& np) {
+    using internal::choose;
+    boundary_layer_thickness = choose(np, internal_np::boundary_layer_thickness, boundary_layer_thickness);
+    first_height = choose(np, internal_np::first_height, first_height);
+    boundary_layer_prisms = choose(np, internal_np::boundary_layer_prisms, boundary_layer_prisms);
+    growth = choose(np, internal_np::growth, growth);
+    number_of_threads = choose(np, internal_np::number_of_threads, number_of_threads);
+  }
+};
+
+/*! \ingroup PkgTubularMeshingRef
+ *
  * Layers of cells along the wall, inside the lumen, and the surface of what they leave of it.
  */
 struct Boundary_layer {
-  typedef Tubular_meshing::Point_3 Point_3;
-  typedef CGAL::Surface_mesh<Point_3> Surface;
-  typedef typename Surface::template Property_map<typename Surface::Face_index, int> Face_map;
-
   /// Prisms and hexahedra of region labels::lumen, with the wall's facets, and a ring of quads along each opening that
   /// has the opening's label. Its first points are the surface's on the wall, in their order.
   Mixed_mesh layers;
-  Surface inner;  ///< of what is left: closed, turned outward
-  Face_map patch; ///< labels::wall on the layers' far side, else the label of an opening: property map `f:patch`
+  Surface inner;        ///< of what is left: closed, turned outward
+  Face_patch_map patch; ///< labels::wall on the layers' far side, else the label of an opening: property map `f:patch`
   std::vector<std::uint32_t> mesh_points; ///< the point of `layers` that each vertex of `inner` is, or `no_point`
   Layer_report report;
 
-  Boundary_layer() { patch = inner.add_property_map<typename Surface::Face_index, int>("f:patch", 0).first; }
+  Boundary_layer() { patch = inner.add_property_map<Surface::Face_index, int>("f:patch", 0).first; }
   Boundary_layer(const Boundary_layer&) = delete; // the map refers to the surface's own properties
   Boundary_layer& operator=(const Boundary_layer&) = delete;
   Boundary_layer(Boundary_layer&&) = default;
@@ -47,12 +65,8 @@ struct Boundary_layer {
 
 namespace internal {
 
-template <class LocalRadius> auto radius_function(const LocalRadius& radius) {
-  return [&radius](const Point_3& p) { return radius(p); };
-}
-inline auto radius_function(const Centerline_field& centerlines) {
-  return [&centerlines](const Point_3& p) { return centerlines.radius(p); };
-}
+Boundary_layer extrude_boundary_layer(const Surface& surface, Face_patch_map patch, Length_function radius,
+                                      const Extrude_boundary_layer_options& options);
 
 } // namespace internal
 
@@ -73,26 +87,44 @@ inline auto radius_function(const Centerline_field& centerlines) {
  * The layers are those of extrude_wall(), the other way round: straight columns, thinner where there is not enough
  * room, checked for inverted and overlapping cells. They take at most half of the way to the middle of the lumen. Where
  * the total is reduced, all layers of the column are, in proportion. At openings the layers end in the opening's plane;
- * its cap is meshed anew inside of them, by triangles of the mean edge of the rim.
+ * its cap is meshed again inside of them, by triangles of the mean edge of the rim.
  *
  * O(n log n) in the number of facets; the result does not depend on the number of threads.
  *
- * \param surface closed, turned outward, of triangles and quads, free of self-intersections
+ * \param surface a model of `FaceListGraph`: closed, turned outward, of triangles and quads, free of self-intersections
  * \param patch a readable property map from its faces to `int`: labels::wall, or the label of an opening, which is
- * about flat \param radius the local radius, a function object that is called with a `Point`, from one thread; or a
+ *   about flat
+ * \param radius the local radius: a function object that is called with a `Point_3`, from one thread, or a
  *   Centerline_field
- * \param np an optional sequence of named parameters among the ones listed below
+ * \param np an optional sequence of named parameters among the ones listed below, and `vertex_point_map`
  *
  * \cgalNamedParamsBegin
- *   \cgalParamNBegin{boundary_layer_thickness} \cgalParamDescription{δ, relative to the local radius; above 0, below 1.
- *     It gives the defaults of the two that follow} \cgalParamDefault{0.3} \cgalParamNEnd
- *   \cgalParamNBegin{first_height} \cgalParamDescription{\f$ h_n^0 \f$, relative to the local radius; above 0, below 1}
- *     \cgalParamDefault{a twentieth of `boundary_layer_thickness`} \cgalParamNEnd
- *   \cgalParamNBegin{boundary_layer_prisms} \cgalParamDescription{number of layers; they must not come to more than the
- *     local radius together} \cgalParamDefault{as many as come closest to `boundary_layer_thickness`} \cgalParamNEnd
- *   \cgalParamNBegin{growth} \cgalParamDescription{r, the ratio of successive heights; at least 1}
- *     \cgalParamDefault{1.3} \cgalParamNEnd
- *   \cgalParamNBegin{number_of_threads} \cgalParamDescription{0 takes all cores} \cgalParamDefault{0} \cgalParamNEnd
+ *   \cgalParamNBegin{boundary_layer_thickness}
+ *     \cgalParamDescription{δ, relative to the local radius; above 0, below 1. It gives the defaults of the two that
+ *       follow}
+ *     \cgalParamType{`double`}
+ *     \cgalParamDefault{0.3}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{first_height}
+ *     \cgalParamDescription{\f$ h_n^0 \f$, relative to the local radius; above 0, below 1}
+ *     \cgalParamType{`double`}
+ *     \cgalParamDefault{a twentieth of `boundary_layer_thickness`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{boundary_layer_prisms}
+ *     \cgalParamDescription{number of layers; they must not come to more than the local radius together}
+ *     \cgalParamType{`int`}
+ *     \cgalParamDefault{as many as come closest to `boundary_layer_thickness`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{growth}
+ *     \cgalParamDescription{r, the ratio of successive heights; at least 1}
+ *     \cgalParamType{`double`}
+ *     \cgalParamDefault{1.3}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{number_of_threads}
+ *     \cgalParamDescription{0 takes all cores}
+ *     \cgalParamType{`int`}
+ *     \cgalParamDefault{0}
+ *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
  * \throws Parameter_error if a parameter is out of its range
@@ -100,18 +132,20 @@ inline auto radius_function(const Centerline_field& centerlines) {
  *   or if a radius is not above 0
  * \throws Meshing_error if the surface is folded so that no valid cell has room on it
  */
-template <class LocalRadius, class NamedParameters = CGAL::parameters::Default_named_parameters>
-Boundary_layer extrude_boundary_layer(const CGAL::Surface_mesh<Point_3>& surface, Face_patch_map patch,
-                                      const LocalRadius& radius,
+template <class FaceGraph, class FacePatchMap, class LocalRadius,
+          class NamedParameters = CGAL::parameters::Default_named_parameters>
+Boundary_layer extrude_boundary_layer(const FaceGraph& surface, FacePatchMap patch, const LocalRadius& radius,
                                       const NamedParameters& np = CGAL::parameters::default_values()) {
-  const internal::Boundary_layer_heights heights(np);
-  Boundary_layer result;
-  internal::Boundary_layer_maker<Boundary_layer>(internal::labelled_facets(surface, patch), heights, result)
-      .run(internal::radius_function(radius));
-  return result;
+  const internal::Core_labelled_surface<FaceGraph, FacePatchMap, NamedParameters> core(surface, patch, np);
+  return internal::extrude_boundary_layer(core.surface(), core.patch(), internal::radius_function(radius),
+                                          Extrude_boundary_layer_options(np));
 }
 
 } // namespace Tubular_meshing
 } // namespace CGAL
+
+#ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
+#include <CGAL/Tubular_meshing/Layers/extrude_boundary_layer_impl.h>
+#endif
 
 #endif // CGAL_TUBULAR_MESHING_LAYERS_EXTRUDE_BOUNDARY_LAYER_H

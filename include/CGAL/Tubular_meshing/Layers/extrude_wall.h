@@ -4,19 +4,61 @@
 #ifndef CGAL_TUBULAR_MESHING_LAYERS_EXTRUDE_WALL_H
 #define CGAL_TUBULAR_MESHING_LAYERS_EXTRUDE_WALL_H
 
-#include <CGAL/Tubular_meshing/base/Kernel.h>
-#include <CGAL/Tubular_meshing/Centerlines/Centerline_field.h>
-#include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/Layers/Layer_report.h>
-#include <CGAL/Tubular_meshing/Layers/internal/Wall_extruder.h>
-#include <CGAL/Tubular_meshing/Layers/internal/labelled_facets.h>
+#include <CGAL/Tubular_meshing/Layers/local_radius.h>
+#include <CGAL/Tubular_meshing/base/Function_view.h>
+#include <CGAL/Tubular_meshing/base/Kernel.h>
+#include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
+#include <CGAL/Tubular_meshing/base/config.h>
+#include <CGAL/Tubular_meshing/base/convert_surface.h>
 #include <CGAL/Tubular_meshing/base/labels.h>
 #include <CGAL/Tubular_meshing/base/parameters.h>
 
-#include <CGAL/Surface_mesh.h>
-
 namespace CGAL {
 namespace Tubular_meshing {
+
+/*! \ingroup PkgTubularMeshingRef
+ *
+ * The options of extrude_wall(): its named parameters. */
+struct Extrude_wall_options {
+  double wall_thickness = 0.2;
+  int wall_layers = 4;
+  double wall_growth = 1;
+  bool tetrahedral_wall = false;
+  double second_wall_thickness = 0;
+  int second_wall_layers = 4;
+  double second_wall_growth = 1;
+  int number_of_threads = 0;
+
+  Extrude_wall_options() = default;
+  template <class NamedParameters> explicit Extrude_wall_options(const NamedParameters& np) {
+    using internal::choose;
+    wall_thickness = choose(np, internal_np::wall_thickness, wall_thickness);
+    wall_layers = choose(np, internal_np::wall_layers, wall_layers);
+    wall_growth = choose(np, internal_np::wall_growth, wall_growth);
+    tetrahedral_wall = choose(np, internal_np::tetrahedral_wall, tetrahedral_wall);
+    second_wall_thickness = choose(np, internal_np::second_wall_thickness, second_wall_thickness);
+    second_wall_layers = choose(np, internal_np::second_wall_layers, wall_layers);
+    second_wall_growth = choose(np, internal_np::second_wall_growth, wall_growth);
+    number_of_threads = choose(np, internal_np::number_of_threads, number_of_threads);
+  }
+};
+
+/*! \ingroup PkgTubularMeshingRef
+ *
+ * A vessel's wall without the lumen. */
+struct Extruded_wall {
+  Mixed_mesh mesh;
+  Layer_report report;
+};
+
+namespace internal {
+
+Layer_report extrude_wall(Mixed_mesh& mesh, Length_function radius, const Extrude_wall_options& options);
+Extruded_wall extrude_wall(const Surface& surface, Face_patch_map patch, Length_function radius,
+                           const Extrude_wall_options& options);
+
+} // namespace internal
 
 /*! \ingroup PkgTubularMeshingRef
  *
@@ -54,22 +96,52 @@ namespace Tubular_meshing {
  * \param mesh cells of any kind with their labelled boundary; or, without cells, the facets of a closed surface, or of
  *   one that is open at its openings. Facets of patch labels::wall turn counterclockwise seen from outside, all others
  *   are openings, about flat. It must not cross itself
- * \param radius the local radius, a function object that is called with a `Point`, from one thread
+ * \param radius the local radius: a function object that is called with a `Point_3`, from one thread, or a
+ *   Centerline_field
  * \param np an optional sequence of named parameters among the ones listed below
  *
  * \cgalNamedParamsBegin
- *   \cgalParamNBegin{wall_thickness} \cgalParamDescription{α, relative to the local radius; above 0, at most 10}
- *     \cgalParamDefault{0.2} \cgalParamNEnd
- *   \cgalParamNBegin{wall_layers} \cgalParamDescription{number of layers} \cgalParamDefault{4} \cgalParamNEnd
- *   \cgalParamNBegin{wall_growth} \cgalParamDescription{ratio of the thicknesses of a layer and of the one inside of
- *     it; from 0.1 to 10} \cgalParamDefault{1} \cgalParamNEnd
- *   \cgalParamNBegin{tetrahedral_wall} \cgalParamDescription{whether the wall is made of tetrahedra; quads that it
- *     grows on are then split, which cells beneath must not have} \cgalParamDefault{`false`} \cgalParamNEnd
- *   \cgalParamNBegin{second_wall_thickness} \cgalParamDescription{the same for a second wall around the first, say the
- *     adventitia; 0: there is none} \cgalParamDefault{0} \cgalParamNEnd
- *   \cgalParamNBegin{second_wall_layers, second_wall_growth} \cgalParamDescription{of the second wall}
- *     \cgalParamDefault{those of the first} \cgalParamNEnd
- *   \cgalParamNBegin{number_of_threads} \cgalParamDescription{0 takes all cores} \cgalParamDefault{0} \cgalParamNEnd
+ *   \cgalParamNBegin{wall_thickness}
+ *     \cgalParamDescription{α, relative to the local radius; above 0, at most 10}
+ *     \cgalParamType{`double`}
+ *     \cgalParamDefault{0.2}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{wall_layers}
+ *     \cgalParamDescription{number of layers}
+ *     \cgalParamType{`int`}
+ *     \cgalParamDefault{4}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{wall_growth}
+ *     \cgalParamDescription{ratio of the thicknesses of a layer and of the one inside of it; from 0.1 to 10}
+ *     \cgalParamType{`double`}
+ *     \cgalParamDefault{1}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{tetrahedral_wall}
+ *     \cgalParamDescription{whether the wall is made of tetrahedra; quads that it grows on are then split, which cells
+ *       beneath must not have}
+ *     \cgalParamType{`bool`}
+ *     \cgalParamDefault{`false`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{second_wall_thickness}
+ *     \cgalParamDescription{the same for a second wall around the first, say the adventitia; 0: there is none}
+ *     \cgalParamType{`double`}
+ *     \cgalParamDefault{0}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{second_wall_layers}
+ *     \cgalParamDescription{number of layers of the second wall}
+ *     \cgalParamType{`int`}
+ *     \cgalParamDefault{`wall_layers`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{second_wall_growth}
+ *     \cgalParamDescription{ratio of successive thicknesses in the second wall}
+ *     \cgalParamType{`double`}
+ *     \cgalParamDefault{`wall_growth`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{number_of_threads}
+ *     \cgalParamDescription{0 takes all cores}
+ *     \cgalParamType{`int`}
+ *     \cgalParamDefault{0}
+ *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
  * \returns how thick the wall is
@@ -83,19 +155,7 @@ namespace Tubular_meshing {
 template <class LocalRadius, class NamedParameters = CGAL::parameters::Default_named_parameters>
 Layer_report extrude_wall(Mixed_mesh& mesh, const LocalRadius& radius,
                           const NamedParameters& np = CGAL::parameters::default_values()) {
-  const internal::Wall_parameters parameters(np);
-  return internal::Wall_extruder(mesh, parameters).run(radius);
-}
-
-/*! \ingroup PkgTubularMeshingRef
- *
- * the same with the radii of centerlines.
- */
-template <class NamedParameters = CGAL::parameters::Default_named_parameters>
-Layer_report extrude_wall(Mixed_mesh& mesh, const Centerline_field& centerlines,
-                          const NamedParameters& np = CGAL::parameters::default_values()) {
-  return extrude_wall(
-      mesh, [&](const Point_3& p) { return centerlines.radius(p); }, np);
+  return internal::extrude_wall(mesh, internal::radius_function(radius), Extrude_wall_options(np));
 }
 
 /*! \ingroup PkgTubularMeshingRef
@@ -105,27 +165,28 @@ Layer_report extrude_wall(Mixed_mesh& mesh, const Centerline_field& centerlines,
  * The mesh's first points are the vertices of the surface's wall, in the order of the surface. Patch labels::wall is
  * the inside of the wall; as everywhere, its facets turn counterclockwise seen from outside the vessel.
  *
- * \param surface of triangles and quads, turned outward; closed, or open at its openings
+ * \param surface a model of `FaceListGraph` of triangles and quads, turned outward; closed, or open at its openings
  * \param patch a readable property map from its faces to `int`: labels::wall, or the label of an opening. Openings
  *   without faces are numbered on
- * \param radius, np as above; `radius` may be a Centerline_field too
- * \param report if given, receives what is said of the thickness
+ * \param radius as above
+ * \param np those above, and `vertex_point_map`
  *
  * \throws Input_error, Meshing_error, Parameter_error as above, and if a face has more than four edges
  */
-template <class LocalRadius, class NamedParameters = CGAL::parameters::Default_named_parameters>
-Mixed_mesh extrude_wall(const CGAL::Surface_mesh<Point_3>& surface, Face_patch_map patch, const LocalRadius& radius,
-                        const NamedParameters& np = CGAL::parameters::default_values(),
-                        Layer_report* report = nullptr) {
-  Mixed_mesh mesh = internal::labelled_facets(surface, patch);
-  const Layer_report obtained = extrude_wall(mesh, radius, np);
-  if (report)
-    *report = obtained;
-  internal::remove_openings(mesh);
-  return mesh;
+template <class FaceGraph, class FacePatchMap, class LocalRadius,
+          class NamedParameters = CGAL::parameters::Default_named_parameters>
+Extruded_wall extrude_wall(const FaceGraph& surface, FacePatchMap patch, const LocalRadius& radius,
+                           const NamedParameters& np = CGAL::parameters::default_values()) {
+  const internal::Core_labelled_surface<FaceGraph, FacePatchMap, NamedParameters> core(surface, patch, np);
+  return internal::extrude_wall(core.surface(), core.patch(), internal::radius_function(radius),
+                                Extrude_wall_options(np));
 }
 
 } // namespace Tubular_meshing
 } // namespace CGAL
+
+#ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
+#include <CGAL/Tubular_meshing/Layers/extrude_wall_impl.h>
+#endif
 
 #endif // CGAL_TUBULAR_MESHING_LAYERS_EXTRUDE_WALL_H

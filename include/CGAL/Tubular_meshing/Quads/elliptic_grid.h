@@ -4,15 +4,14 @@
 #ifndef CGAL_TUBULAR_MESHING_QUADS_ELLIPTIC_GRID_H
 #define CGAL_TUBULAR_MESHING_QUADS_ELLIPTIC_GRID_H
 
-#include <CGAL/Tubular_meshing/base/Kernel.h>
-#include <CGAL/Tubular_meshing/Quads/internal/elliptic/Elliptic_grid_maker.h>
 #include <CGAL/Tubular_meshing/Patches/Patch_parameterization.h>
-#include <CGAL/Tubular_meshing/base/exceptions.h>
+#include <CGAL/Tubular_meshing/base/Function_view.h>
+#include <CGAL/Tubular_meshing/base/Kernel.h>
+#include <CGAL/Tubular_meshing/base/config.h>
 #include <CGAL/Tubular_meshing/base/parameters.h>
 
 #include <array>
 #include <cstddef>
-#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -42,6 +41,26 @@ struct Elliptic_grid {
 
 /*! \ingroup PkgTubularMeshingRef
  *
+ * The options of elliptic_grid(): its named parameters. */
+struct Elliptic_grid_options {
+  std::size_t number_of_rows = 0;
+
+  Elliptic_grid_options() = default;
+  template <class NamedParameters>
+  explicit Elliptic_grid_options(const NamedParameters& np)
+      : number_of_rows(internal::choose(np, internal_np::number_of_rows, std::size_t(0))) {}
+};
+
+namespace internal {
+
+Elliptic_grid elliptic_grid(const Patch_parameterization& map,
+                            const std::array<std::vector<Patch_location>, 2>& loop_points, Length_function size,
+                            const Elliptic_grid_options& options);
+
+} // namespace internal
+
+/*! \ingroup PkgTubularMeshingRef
+ *
  * covers an annular patch with a structured grid of quads, whose lines meet at right angles on the surface as nearly
  * as the points of its loops allow (section 2.5 of the paper, figure 7).
  *
@@ -62,8 +81,11 @@ struct Elliptic_grid {
  * \param np an optional sequence of named parameters among the ones listed below
  *
  * \cgalNamedParamsBegin
- *   \cgalParamNBegin{number_of_rows} \cgalParamDescription{how many rows of quads; they are as high as the size wants,
- *     relative to each other} \cgalParamDefault{0: as many as the size wants} \cgalParamNEnd
+ *   \cgalParamNBegin{number_of_rows}
+ *     \cgalParamDescription{how many rows of quads; they are as high as the size wants, relative to each other}
+ *     \cgalParamType{`std::size_t`}
+ *     \cgalParamDefault{0: as many as the size wants}
+ *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
  * \throws Input_error if the patch has not two loops, or the points of the loops are not as many, or not in order
@@ -73,29 +95,15 @@ template <class SizingField, class NamedParameters = CGAL::parameters::Default_n
 Elliptic_grid elliptic_grid(const Patch_parameterization& map,
                             const std::array<std::vector<Patch_location>, 2>& loop_points, const SizingField& size,
                             const NamedParameters& np = CGAL::parameters::default_values()) {
-  if (map.number_of_loops() != 2)
-    throw Input_error("A patch with " + std::to_string(map.number_of_loops()) +
-                      " loops is not annular; a grid needs two loops.");
-  if (loop_points[0].size() < 3 || loop_points[0].size() != loop_points[1].size())
-    throw Input_error("There are " + std::to_string(loop_points[0].size()) + " and " +
-                      std::to_string(loop_points[1].size()) +
-                      " points on the loops of an annular patch; give as many on both, three at least.");
-  internal::Elliptic_grid_maker maker(map, loop_points);
-  maker.divide_into_rows(size, internal::choose(np, internal_np::number_of_rows, std::size_t(0)));
-  maker.smooth();
-
-  Elliptic_grid grid;
-  grid.columns = maker.nodes().columns;
-  grid.rows = maker.nodes().rows;
-  grid.locations = maker.locations();
-  for (const Patch_location& at : grid.locations)
-    grid.points.push_back(map.point(at));
-  for (std::size_t i = 0; i < grid.columns; ++i)
-    grid.ends.push_back(maker.point_of_loop_1(i));
-  return grid;
+  return internal::elliptic_grid(map, loop_points, internal::Field_at_point<SizingField>(size),
+                                 Elliptic_grid_options(np));
 }
 
 } // namespace Tubular_meshing
 } // namespace CGAL
+
+#ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
+#include <CGAL/Tubular_meshing/Quads/elliptic_grid_impl.h>
+#endif
 
 #endif // CGAL_TUBULAR_MESHING_QUADS_ELLIPTIC_GRID_H

@@ -19,7 +19,8 @@ namespace Tubular_meshing {
 namespace internal {
 
 /* Triangles in a tree of boxes. Unlike CGAL's AABB tree, a search may pass over triangles as the caller pleases, and
- * pairs of triangles with overlapping boxes are found in one descent. Built in O(n log n). */
+ * pairs of triangles with overlapping boxes are found in one descent. Nearest_tree is that AABB tree, which splits in
+ * another order: of triangles equally near, it would find others. Built in O(n log n). */
 class Box_tree {
 public:
   typedef std::uint32_t Index;

@@ -6,6 +6,7 @@
 
 #include <CGAL/Tubular_meshing/Layers/internal/Layer_directions.h>
 #include <CGAL/Tubular_meshing/Layers/internal/Layer_surface.h>
+#include <CGAL/Tubular_meshing/base/Plane_frame.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
 #include <algorithm>
@@ -37,14 +38,14 @@ public:
   void run() {
     std::vector<char> active(directions_.size(), 0);
     for (Index v = 0; v < directions_.size(); ++v)
-      active[v] = cost(v, directions_[v]) > good_cost;
+      active[v] = cost(v, directions_[v]) > cost_of_bad_angle;
     for (double step : {0.2, 0.1, 0.05, 0.1, 0.05, 0.025})
       active = sweep(active, step);
   }
 
 private:
-  static constexpr double good_cost = 5e-5; // one angle of 79 or 101 degrees, or several a little better
-  static constexpr double folding = 0.25;   // of a corner's area, far and near, below which it costs
+  static constexpr double cost_of_bad_angle = 5e-5; // one angle of 79 or 101 degrees, or several a little better
+  static constexpr double folding = 0.25;           // of a corner's area, far and near, below which it costs
   static constexpr double fold_cost = 10;
 
   // Returns which columns are to be looked at next.
@@ -54,7 +55,7 @@ private:
       if (!active[v])
         continue;
       double best = cost(v, directions_[v]);
-      if (!(best > good_cost) || !turn(v, step, best))
+      if (!(best > cost_of_bad_angle) || !turn(v, step, best))
         continue;
       next[v] = 1;
       for (const Index* w = surface_.neighbors_begin(v); w != surface_.neighbors_end(v); ++w)
@@ -67,11 +68,12 @@ private:
 
   bool turn(Index v, double step, double& best) {
     const Vector_3d d = directions_[v];
-    const Vector_3d any = std::abs(d.x) < 0.6 ? Vector_3d(1, 0, 0) : Vector_3d(0, 1, 0);
-    const Vector_3d u = normalized(cross(d, any)), w = cross(d, u);
+    const Plane_frame across(Vector_3d(), d);
     // down the slope of the cost, found by differences
     const double h = 0.2 * step;
-    const auto at = [&](double a, double b) { return normalized(surface_.along_rims(v, d + a * u + b * w)); };
+    const auto at = [&](double a, double b) {
+      return normalized(surface_.along_rims(v, d + a * across.u + b * across.v));
+    };
     const double du = cost(v, at(h, 0)) - cost(v, at(-h, 0)), dw = cost(v, at(0, h)) - cost(v, at(0, -h));
     const double slope = std::sqrt(du * du + dw * dw);
     if (!(slope > 0))

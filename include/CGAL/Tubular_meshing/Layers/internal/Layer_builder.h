@@ -4,8 +4,9 @@
 #ifndef CGAL_TUBULAR_MESHING_LAYERS_INTERNAL_LAYER_BUILDER_H
 #define CGAL_TUBULAR_MESHING_LAYERS_INTERNAL_LAYER_BUILDER_H
 
-#include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/Layers/internal/Layer_surface.h>
+#include <CGAL/Tubular_meshing/base/Function_view.h>
+#include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
 #include <algorithm>
@@ -38,7 +39,7 @@ public:
       , mesh_(mesh) {}
 
   // \param vectors to the far side
-  template <class Vectors> void add_points(const std::vector<double>& levels, const Vectors& vector) {
+  void add_points(const std::vector<double>& levels, Function_view<Vector_3d(Index)> vector) {
     mesh_.points.reserve(mesh_.points.size() + layers_ * base_.size());
     for (std::size_t k = 1; k < levels.size(); ++k)
       for (Index v = 0; v < base_.size(); ++v) {
@@ -84,7 +85,7 @@ public:
   }
 
   /* \param label called with the label of an opening */
-  template <class Label> void add_rings(const Label& label, bool tetrahedral) {
+  void add_rings(Function_view<int(int)> label, bool tetrahedral) {
     for (std::size_t k = 0; k < layers_; ++k)
       for (const Layer_surface::Rim_edge& e : surface_.rim_edges)
         add_ring_facet(e.source, e.target, k, label(e.label), tetrahedral);

@@ -63,7 +63,7 @@ private:
           norm(surface_.points[c->next] - surface_.points[v]) * norm(surface_.points[c->previous] - surface_.points[v]);
       if (!(area > least_sine * product))
         throw Input_error("A face of the wall has an angle of 0 or 180 degrees at " + place_of(surface_.points[v]) +
-                          ": no cell on it is valid; repair the surface, or mesh it anew.");
+                          ": no cell on it is valid; repair the surface, or mesh it again.");
       const double angle = std::atan2(
           area, dot(surface_.points[c->next] - surface_.points[v], surface_.points[c->previous] - surface_.points[v]));
       normal += (angle / area) * n;
@@ -75,7 +75,7 @@ private:
     if (!(seen > no_visibility))
       throw Meshing_error("No direction at " + place_of(surface_.points[v]) +
                           " leads away from all faces of the wall around it: the surface is folded there; repair it, "
-                          "or mesh it anew.");
+                          "or mesh it again.");
     directions_[v] = d;
     least_visibility_[v] = kept_visibility * seen;
   }

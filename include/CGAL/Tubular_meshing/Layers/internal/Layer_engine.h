@@ -4,13 +4,15 @@
 #ifndef CGAL_TUBULAR_MESHING_LAYERS_INTERNAL_LAYER_ENGINE_H
 #define CGAL_TUBULAR_MESHING_LAYERS_INTERNAL_LAYER_ENGINE_H
 
+#include <CGAL/Tubular_meshing/Layers/Layer_report.h>
 #include <CGAL/Tubular_meshing/Layers/internal/Column_optimizer.h>
 #include <CGAL/Tubular_meshing/Layers/internal/Layer_directions.h>
 #include <CGAL/Tubular_meshing/Layers/internal/Layer_surface.h>
 #include <CGAL/Tubular_meshing/Layers/internal/Layer_thickness.h>
-#include <CGAL/Tubular_meshing/Layers/internal/Plane_frame.h>
+#include <CGAL/Tubular_meshing/base/Plane_frame.h>
 #include <CGAL/Tubular_meshing/Layers/internal/triangle_crossings.h>
 #include <CGAL/Tubular_meshing/Rims/planar_cap.h>
+#include <CGAL/Tubular_meshing/base/Function_view.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
@@ -18,6 +20,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
+#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -91,7 +95,7 @@ private:
     }
     throw Meshing_error("No layers without folded or overlapping cells were found at " + place_of(place_) +
                         ", however thin: the surface may intersect itself there, or have folds; repair it, or mesh it "
-                        "anew.");
+                        "again.");
   }
 
   // By the direction that was there before the column was turned, for which gaps were measured; then by the thickness.
@@ -179,12 +183,7 @@ private:
     std::vector<Vector_3d> points = points_;
     for (Index v = 0; v < n; ++v)
       points.push_back(surface_.points[v] + vector(v));
-    std::vector<Box_tree::Triangle> triangles;
-    for (const Face& f : surface_.faces) {
-      triangles.push_back({far + f[0], far + f[1], far + f[2]});
-      if (Layer_surface::degree(f) == 4)
-        triangles.push_back({far + f[0], far + f[2], far + f[3]});
-    }
+    std::vector<Box_tree::Triangle> triangles = surface_.triangles(false, far);
     std::vector<Index> bad;
     if (options_.inward)
       close_far_rims(points, far, triangles, bad);
@@ -192,7 +191,7 @@ private:
       close_by_rings(far, triangles);
     if (!bad.empty())
       return bad;
-    const auto crossings = triangle_crossings(points, triangles, [](Box_tree::Index, Box_tree::Index) { return true; });
+    const auto crossings = triangle_crossings(points, triangles);
     for (const auto& pair : crossings)
       for (std::size_t t : pair)
         for (Index v : triangles[t])
@@ -243,6 +242,38 @@ private:
   Vector_3d place_;
   int rounds_ = 0;
 };
+
+/* The thickness wanted at each vertex: a multiple of the local radius. */
+inline std::vector<double> multiples_of_radius(const Layer_surface& surface, Length_function radius, double factor) {
+  std::vector<double> wanted;
+  wanted.reserve(surface.number_of_vertices());
+  for (const Vector_3d& p : surface.points) {
+    const double r = radius(Point_3(p.x, p.y, p.z));
+    if (!(r > 0 && r <= (std::numeric_limits<double>::max)()))
+      throw Input_error("The local radius at " + place_of(p) + " is " + std::to_string(r) +
+                        ", but layers need one above 0.");
+    wanted.push_back(factor * r);
+  }
+  return wanted;
+}
+
+inline Layer_report report_of(const Layer_surface& surface, const Layer_engine& engine) {
+  Layer_report report;
+  report.vertices = surface.number_of_vertices();
+  report.rounds = engine.rounds();
+  double sum = 0;
+  for (Layer_surface::Index v = 0; v < report.vertices; ++v) {
+    const double ratio = engine.thickness(v) / engine.wanted(v);
+    sum += ratio;
+    report.reduced_vertices += ratio < 0.99;
+    if (ratio < report.min_ratio) {
+      report.min_ratio = ratio;
+      report.worst_place = Point_3(surface.points[v].x, surface.points[v].y, surface.points[v].z);
+    }
+  }
+  report.mean_ratio = sum / double(report.vertices);
+  return report;
+}
 
 } // namespace internal
 } // namespace Tubular_meshing

@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_LAYERS_INTERNAL_LAYER_SURFACE_H
 #define CGAL_TUBULAR_MESHING_LAYERS_INTERNAL_LAYER_SURFACE_H
 
+#include <CGAL/Tubular_meshing/base/Function_view.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
@@ -11,20 +12,11 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <sstream>
-#include <string>
 #include <vector>
 
 namespace CGAL {
 namespace Tubular_meshing {
 namespace internal {
-
-inline std::string place_of(const Vector_3d& p) {
-  std::ostringstream s;
-  s.precision(9);
-  s << "(" << p.x << ", " << p.y << ", " << p.z << ")";
-  return s.str();
-}
 
 /* The part of a surface that layers of cells grow on: its triangles and quads, turned so that their normals point where
  * the layers go, what is around each vertex, and its rims. Compact arrays; built in O(n log n). */
@@ -54,8 +46,8 @@ public:
   std::vector<Rim> rims;
 
   /* \param label_of_edge called with the source and target of a border edge: the label of the opening there */
-  template <class Label_of_edge>
-  Layer_surface(std::vector<Vector_3d> vertices, std::vector<Face> all_faces, const Label_of_edge& label_of_edge)
+  Layer_surface(std::vector<Vector_3d> vertices, std::vector<Face> all_faces,
+                Function_view<int(Index, Index)> label_of_edge)
       : points(std::move(vertices))
       , faces(std::move(all_faces)) {
     collect_corners();
@@ -67,6 +59,20 @@ public:
 
   static int degree(const Face& f) { return f[3] == none ? 3 : 4; }
   std::size_t number_of_vertices() const { return points.size(); }
+
+  // The faces as triangles: as they turn, or the other way; vertices are numbered from `first` on.
+  std::vector<std::array<Index, 3>> triangles(bool turned = false, Index first = 0) const {
+    std::vector<std::array<Index, 3>> result;
+    const auto add = [&](Index a, Index b, Index c) {
+      result.push_back({first + a, first + (turned ? c : b), first + (turned ? b : c)});
+    };
+    for (const Face& f : faces) {
+      add(f[0], f[1], f[2]);
+      if (degree(f) == 4)
+        add(f[0], f[2], f[3]);
+    }
+    return result;
+  }
 
   // The corners at a vertex, in no particular order.
   const Corner* corners_begin(Index v) const { return corners_.data() + first_corner_[v]; }
@@ -110,7 +116,7 @@ private:
     for_each_corner([&](Index v, const Corner& c) { corners_[at[v]++] = c; });
   }
 
-  template <class Label_of_edge> void collect_edges(const Label_of_edge& label_of_edge) {
+  void collect_edges(Function_view<int(Index, Index)> label_of_edge) {
     first_neighbor_.assign(1, 0);
     for (Index v = 0; v < points.size(); ++v) {
       const std::size_t begin = neighbors_.size();

@@ -67,12 +67,7 @@ inline void share_gaps(const Layer_surface& surface, const std::vector<Vector_3d
                        const std::vector<Box_tree::Triangle>& obstacles, const std::vector<Vector_3d>& directions,
                        double part, int threads, std::vector<double>& thickness) {
   typedef Layer_surface::Index Index;
-  std::vector<Box_tree::Triangle> triangles;
-  for (const Layer_surface::Face& f : surface.faces) {
-    triangles.push_back({f[0], f[1], f[2]});
-    if (Layer_surface::degree(f) == 4)
-      triangles.push_back({f[0], f[2], f[3]});
-  }
+  std::vector<Box_tree::Triangle> triangles = surface.triangles();
   triangles.insert(triangles.end(), obstacles.begin(), obstacles.end());
   std::vector<Vector_3d> normals;
   for (const Box_tree::Triangle& t : triangles)

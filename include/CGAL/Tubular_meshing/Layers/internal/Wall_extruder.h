@@ -4,25 +4,23 @@
 #ifndef CGAL_TUBULAR_MESHING_LAYERS_INTERNAL_WALL_EXTRUDER_H
 #define CGAL_TUBULAR_MESHING_LAYERS_INTERNAL_WALL_EXTRUDER_H
 
-#include <CGAL/Tubular_meshing/base/Kernel.h>
-#include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/Layers/Layer_report.h>
+#include <CGAL/Tubular_meshing/Layers/extrude_wall.h>
 #include <CGAL/Tubular_meshing/Layers/internal/Layer_builder.h>
 #include <CGAL/Tubular_meshing/Layers/internal/Layer_engine.h>
 #include <CGAL/Tubular_meshing/Layers/internal/Layer_surface.h>
 #include <CGAL/Tubular_meshing/Layers/internal/Wall_facets.h>
+#include <CGAL/Tubular_meshing/base/Function_view.h>
+#include <CGAL/Tubular_meshing/base/Kernel.h>
+#include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
 #include <CGAL/Tubular_meshing/base/labels.h>
-#include <CGAL/Tubular_meshing/base/parameters.h>
-
-#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -62,75 +60,29 @@ struct Wall_layers {
   }
 };
 
-struct Wall_parameters {
-  Wall_layers first, second;
-  bool has_second, tetrahedral;
-  int threads;
-
-  template <class NamedParameters> explicit Wall_parameters(const NamedParameters& np) {
-    first = {choose(np, internal_np::wall_thickness, 0.2), choose(np, internal_np::wall_layers, 4),
-             choose(np, internal_np::wall_growth, 1.)};
-    second = {choose(np, internal_np::second_wall_thickness, 0.),
-              choose(np, internal_np::second_wall_layers, first.layers),
-              choose(np, internal_np::second_wall_growth, first.growth)};
-    has_second = second.thickness != 0;
-    tetrahedral = choose(np, internal_np::tetrahedral_wall, false);
-    threads = choose(np, internal_np::number_of_threads, 0);
-    first.check("wall");
-    if (has_second)
-      second.check("second wall");
-  }
-};
-
-/* The thickness wanted at each vertex: a multiple of the local radius. */
-template <class LocalRadius>
-std::vector<double> multiples_of_radius(const Layer_surface& surface, const LocalRadius& radius, double factor) {
-  std::vector<double> wanted;
-  wanted.reserve(surface.number_of_vertices());
-  for (const Vector_3d& p : surface.points) {
-    const double r = CGAL::to_double(radius(Point_3(p.x, p.y, p.z)));
-    if (!(r > 0 && r <= (std::numeric_limits<double>::max)()))
-      throw Input_error("The local radius at " + place_of(p) + " is " + std::to_string(r) +
-                        ", but layers need one above 0.");
-    wanted.push_back(factor * r);
-  }
-  return wanted;
-}
-
-inline Layer_report report_of(const Layer_surface& surface, const Layer_engine& engine) {
-  Layer_report report;
-  report.vertices = surface.number_of_vertices();
-  report.rounds = engine.rounds();
-  double sum = 0;
-  for (Layer_surface::Index v = 0; v < report.vertices; ++v) {
-    const double ratio = engine.thickness(v) / engine.wanted(v);
-    sum += ratio;
-    report.reduced_vertices += ratio < 0.99;
-    if (ratio < report.min_ratio) {
-      report.min_ratio = ratio;
-      report.worst_place = Point_3(surface.points[v].x, surface.points[v].y, surface.points[v].z);
-    }
-  }
-  report.mean_ratio = sum / double(report.vertices);
-  return report;
-}
-
 class Wall_extruder {
 public:
   typedef std::uint32_t Index;
 
-  Wall_extruder(Mixed_mesh& mesh, const Wall_parameters& parameters)
+  Wall_extruder(Mixed_mesh& mesh, const Extrude_wall_options& options)
       : mesh_(mesh)
-      , p_(parameters) {
+      , first_{options.wall_thickness, options.wall_layers, options.wall_growth}
+      , second_{options.second_wall_thickness, options.second_wall_layers, options.second_wall_growth}
+      , has_second_(second_.thickness != 0)
+      , tetrahedral_(options.tetrahedral_wall)
+      , threads_(options.number_of_threads) {
+    first_.check("wall");
+    if (has_second_)
+      second_.check("second wall");
     check_mesh();
   }
 
-  template <class LocalRadius> Layer_report run(const LocalRadius& radius) {
+  Layer_report run(Length_function radius) {
     Mixed_mesh facets; // the mesh stays as it was if there is no wall
     facets.points = mesh_.points;
     facets.triangles = mesh_.triangles;
     facets.quads = mesh_.quads;
-    if (p_.tetrahedral)
+    if (tetrahedral_)
       split_wall_quads(facets);
     const Wall_facets wall(facets);
     const Layer_surface surface = wall.surface(false);
@@ -140,7 +92,7 @@ public:
     wall.caps(points, closure);
     const std::vector<Box_tree::Triangle> caps = closure;
     if (!wall.has_all_caps(surface)) // an open surface: then the wall is closed by its own near side
-      closure = turned_triangles(surface);
+      closure = surface.triangles(true);
     const Layer_engine engine(surface, std::move(points), caps, std::move(closure),
                               multiples_of_radius(surface, radius, total_thickness()), options);
 
@@ -153,18 +105,18 @@ public:
   }
 
 private:
-  double total_thickness() const { return p_.first.thickness + (p_.has_second ? p_.second.thickness : 0); }
+  double total_thickness() const { return first_.thickness + (has_second_ ? second_.thickness : 0); }
 
   Layer_options options_for_layers() const {
     std::vector<double> heights = {0};
-    p_.first.append_heights(heights);
-    if (p_.has_second)
-      p_.second.append_heights(heights);
+    first_.append_heights(heights);
+    if (has_second_)
+      second_.append_heights(heights);
     Layer_options options;
     for (double h : heights)
       options.levels.push_back(h / heights.back());
-    options.tetrahedral = p_.tetrahedral;
-    options.threads = p_.threads;
+    options.tetrahedral = tetrahedral_;
+    options.threads = threads_;
     return options;
   }
 
@@ -178,7 +130,7 @@ private:
                             ", or on a surface.");
     for (std::size_t i = 0; i < mesh_.points.size(); ++i)
       if (!std::isfinite(squared_norm(Vector_3d(mesh_.points[i]))))
-        throw Input_error("Point_3 " + std::to_string(i) + " of the mesh has coordinates that are not finite.");
+        throw Input_error("Point " + std::to_string(i) + " of the mesh has coordinates that are not finite.");
   }
 
   // Along the better diagonal; cells that have quads there would have to be split too.
@@ -203,34 +155,24 @@ private:
     facets.quads = std::move(kept);
   }
 
-  static std::vector<Box_tree::Triangle> turned_triangles(const Layer_surface& surface) {
-    std::vector<Box_tree::Triangle> triangles;
-    for (const Layer_surface::Face& f : surface.faces) {
-      triangles.push_back({f[0], f[2], f[1]});
-      if (Layer_surface::degree(f) == 4)
-        triangles.push_back({f[0], f[3], f[2]});
-    }
-    return triangles;
-  }
-
   void build(const Layer_surface& surface, const std::vector<Index>& base, const Layer_engine& engine,
              const std::vector<double>& levels, Layer_report& report) {
-    const std::size_t layers = levels.size() - 1, first = std::size_t(p_.first.layers);
+    const std::size_t layers = levels.size() - 1, first = std::size_t(first_.layers);
     report.prisms = mesh_.prisms.size();
     report.hexahedra = mesh_.hexahedra.size();
     report.tetrahedra = mesh_.tetrahedra.size();
     const int outer = labels::outer_wall_for(largest_patch(surface));
     Layer_builder builder(surface, base, layers, false, mesh_);
     builder.add_points(levels, [&](Index v) { return engine.vector(v); });
-    builder.add_cells(0, first, labels::wall_region, p_.tetrahedral);
-    builder.add_cells(first, layers, labels::wall_region + 1, p_.tetrahedral);
+    builder.add_cells(0, first, labels::wall_region, tetrahedral_);
+    builder.add_cells(first, layers, labels::wall_region + 1, tetrahedral_);
     report.prisms = mesh_.prisms.size() - report.prisms;
     report.hexahedra = mesh_.hexahedra.size() - report.hexahedra;
     report.tetrahedra = mesh_.tetrahedra.size() - report.tetrahedra;
-    if (p_.has_second)
+    if (has_second_)
       builder.add_facets(first, outer + (labels::middle_wall - labels::outer_wall));
     builder.add_facets(layers, outer);
-    builder.add_rings([&](int label) { return outer + label; }, p_.tetrahedral);
+    builder.add_rings([&](int label) { return outer + label; }, tetrahedral_);
     add_names(surface);
     extend_point_arrays(base, layers);
   }
@@ -253,9 +195,9 @@ private:
       if (e.label >= labels::inlet && mesh_.patch_names.count(e.label) == 0)
         mesh_.patch_names[e.label] = lumen_patch_names(e.label - labels::inlet + 1)[e.label];
     mesh_.patch_names.insert({labels::wall, "wall"});
-    add_wall_patch_names(mesh_.patch_names, p_.has_second);
+    add_wall_patch_names(mesh_.patch_names, has_second_);
     mesh_.region_names[labels::wall_region] = "wall";
-    if (p_.has_second)
+    if (has_second_)
       mesh_.region_names[labels::wall_region + 1] = "second_wall";
   }
 
@@ -273,7 +215,9 @@ private:
   }
 
   Mixed_mesh& mesh_;
-  const Wall_parameters p_;
+  const Wall_layers first_, second_;
+  const bool has_second_, tetrahedral_;
+  const int threads_;
 };
 
 } // namespace internal

@@ -9,8 +9,6 @@
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 #include <CGAL/Tubular_meshing/base/labels.h>
 
-#include <CGAL/Surface_mesh.h>
-
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -20,7 +18,7 @@ namespace Tubular_meshing {
 namespace internal {
 
 /* A surface, open or closed, as a mesh of nothing but facets. Vertices keep their order. */
-inline Mixed_mesh labelled_facets(const CGAL::Surface_mesh<Point_3>& surface, Face_patch_map patch) {
+inline Mixed_mesh labelled_facets(const Surface& surface, Face_patch_map patch) {
   Mixed_mesh mesh;
   std::vector<std::uint32_t> number(surface.number_of_vertices() + surface.number_of_removed_vertices(), 0);
   for (auto v : surface.vertices()) {

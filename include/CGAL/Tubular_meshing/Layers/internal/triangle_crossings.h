@@ -8,7 +8,6 @@
 #include <CGAL/Tubular_meshing/Layers/internal/Box_tree.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/intersections.h>
 
 #include <algorithm>
@@ -52,8 +51,6 @@ public:
   }
 
 private:
-  typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
-
   Kernel::Triangle_3 triangle(const Triangle& t) const {
     return Kernel::Triangle_3(points_[t[0]], points_[t[1]], points_[t[2]]);
   }
@@ -81,19 +78,17 @@ private:
                                       points_[v]) == CGAL::POSITIVE;
   }
 
-  std::vector<Kernel::Point_3> points_;
+  std::vector<Point_3> points_;
 };
 
-/* The pairs of triangles that cross each other, as far as `concerns(s, t)`. About O(n log n) for surfaces. */
-template <class Concerns>
-std::vector<std::array<std::size_t, 2>> triangle_crossings(const std::vector<Vector_3d>& points,
-                                                           const std::vector<Box_tree::Triangle>& triangles,
-                                                           const Concerns& concerns) {
+/* The pairs of triangles that cross each other. About O(n log n) for surfaces. */
+inline std::vector<std::array<std::size_t, 2>> triangle_crossings(const std::vector<Vector_3d>& points,
+                                                                  const std::vector<Box_tree::Triangle>& triangles) {
   const Box_tree tree(points, triangles);
   const Triangle_meeting meet(points);
   std::vector<std::array<std::size_t, 2>> crossings;
   tree.for_each_overlap([&](Box_tree::Index s, Box_tree::Index t) {
-    if (concerns(s, t) && meet(triangles[s], triangles[t]))
+    if (meet(triangles[s], triangles[t]))
       crossings.push_back({{s, t}});
   });
   return crossings;

@@ -10,10 +10,8 @@
 #include <CGAL/Tubular_meshing/Patches/Patch_parameterization.h>
 #include <CGAL/Tubular_meshing/Patches/pieces/Curve_divider.h>
 #include <CGAL/Tubular_meshing/Patches/pieces/Curve_gaps.h>
-#include <CGAL/Tubular_meshing/base/exceptions.h>
+#include <CGAL/Tubular_meshing/base/Function_view.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
-
-#include <CGAL/Surface_mesh.h>
 
 #include <algorithm>
 #include <array>
@@ -40,14 +38,13 @@ inline std::vector<Patch_location> on_loop(const Patch_parameterization& map, st
 /* Divides the curves of a cut surface for grids: those that annular patches join, one after another, form a chain and
  * get the same even number of points, at equal distances unless another curve is close, and turned so that the grids
  * between them do not twist. */
-template <class Size> class Curve_chains {
+class Curve_chains {
 public:
-  typedef CGAL::Surface_mesh<Point_3> Surface;
   typedef Patch_parameterization Map;
   typedef std::vector<Curve_position> Points;
   typedef std::size_t size_type;
 
-  Curve_chains(const Surface& surface, const Surface_cut& cut, const std::vector<Map>& maps, const Size& size)
+  Curve_chains(const Surface& surface, const Surface_cut& cut, const std::vector<Map>& maps, Length_function size)
       : cut_(cut)
       , maps_(maps)
       , patches_at_(cut.curves.size()) {
@@ -83,7 +80,7 @@ private:
   };
 
   // What the size wants all along a curve.
-  void measure(const Surface& surface, const Cut_curve& curve, const Size& size) {
+  void measure(const Surface& surface, const Cut_curve& curve, Length_function size) {
     polylines_.emplace_back();
     std::vector<Point_3>& polyline = polylines_.back();
     for (auto v : curve.vertices)
@@ -143,11 +140,8 @@ private:
 
   // Anywhere, if the patch between cannot be unrolled: it gets no grid.
   double start_after(const Link& link, size_type n, const Points& before) const {
-    try {
-      return best_start(link, n, before);
-    } catch (const Meshing_error&) {
-      return 0;
-    }
+    const Annular_chart chart(maps_[link.patch]);
+    return chart.is_unrolled() ? best_start(chart, link, n, before) : 0;
   }
 
   // The first of n points at a part of their distance.
@@ -167,9 +161,8 @@ private:
 
   /* By which part of a distance the points of a curve must be moved so that they are opposite those before, on the mean
    * around: while they move by a whole one, the mean angle grows, or falls, by 2π / n. */
-  double best_start(const Link& link, size_type n, const Points& before) const {
+  double best_start(const Annular_chart& chart, const Link& link, size_type n, const Points& before) const {
     const int steps = 20;
-    const Annular_chart chart(maps_[link.patch]);
     const double step = Annular_chart::period / double(n);
     const auto angle_at = [&](double start) {
       return mean_angle(chart, link.patch, link.curve, points_from(link.curve, n, start));

@@ -5,13 +5,11 @@
 #define CGAL_TUBULAR_MESHING_QUADS_INTERNAL_ELLIPTIC_ANNULAR_CHART_H
 
 #include <CGAL/Tubular_meshing/Patches/Patch_parameterization.h>
-#include <CGAL/Tubular_meshing/base/exceptions.h>
 
 #include <Eigen/Core>
 
 #include <cmath>
 #include <cstddef>
-#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -25,18 +23,18 @@ class Annular_chart {
 public:
   typedef Patch_parameterization Map;
   typedef typename Map::Point_2 Point_2;
-  static constexpr double period = 6.28318530717958647693;
+  static constexpr double period = 2 * CGAL_PI;
 
   explicit Annular_chart(const Map& map)
       : map_(map)
       , sign_(map.outer_loop() == 0 ? 1 : -1) {
     if (!is_inside_of_loops())
       center_ = centroid(1 - map.outer_loop());
-    if (!is_inside_of_loops())
-      throw Meshing_error("The hole of an annular patch of " + std::to_string(map.number_of_triangles()) +
-                          " triangles winds so much in the plane that it has no middle; cut the patch once more (see "
-                          "cut_by_centerlines()).");
+    is_unrolled_ = is_inside_of_loops();
   }
+
+  // Not so if a loop winds so much in the plane that it has no middle; then there are no coordinates.
+  bool is_unrolled() const { return is_unrolled_; }
 
   /* Places in chart coordinates, in a row: angles go on from one to the next by the shorter way. */
   std::vector<Eigen::Vector2d> row(const std::vector<Patch_location>& locations) const {
@@ -99,6 +97,7 @@ private:
   const Map& map_;
   const double sign_; // of the turn of loop 0 in the plane
   Eigen::Vector2d center_ = Eigen::Vector2d(0, 0);
+  bool is_unrolled_;
 };
 
 } // namespace internal

@@ -7,6 +7,7 @@
 #include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Quads/internal/elliptic/Annular_chart.h>
 #include <CGAL/Tubular_meshing/Quads/internal/elliptic/Winslow_smoother.h>
+#include <CGAL/Tubular_meshing/base/Function_view.h>
 #include <CGAL/Tubular_meshing/base/element_measures.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
@@ -34,6 +35,10 @@ public:
       : chart_(map)
       , ends_(ends)
       , columns_(ends[0].size()) {
+    if (!chart_.is_unrolled())
+      throw Meshing_error("The hole of an annular patch of " + std::to_string(map.number_of_triangles()) +
+                          " triangles winds so much in the plane that it has no middle; cut the patch once more (see "
+                          "cut_by_centerlines()).");
     std::reverse(ends_[1].begin() + 1, ends_[1].end());
     for (std::size_t l = 0; l < 2; ++l) {
       row_[l] = chart_.row(ends_[l]);
@@ -43,7 +48,7 @@ public:
   }
 
   /* Rows as many and as high as a size wants on the mean. */
-  template <class Size> void divide_into_rows(const Size& size, std::size_t rows) {
+  void divide_into_rows(Length_function size, std::size_t rows) {
     const std::size_t lines = (std::min)(columns_, std::size_t(12)), steps = 256;
     std::vector<double> heights(steps + 1, 0.);
     for (std::size_t l = 0; l < lines; ++l) {
@@ -72,9 +77,8 @@ public:
     }
     if (!(best_score_ > 0))
       throw Meshing_error("The grid of " + std::to_string(columns_) + " columns and " + std::to_string(nodes_.rows) +
-                          " rows on an annular patch has folded cells near (" + std::to_string(folded_at_.x) + ", " +
-                          std::to_string(folded_at_.y) + ", " + std::to_string(folded_at_.z) +
-                          "); take smaller sizes there, or more points on its loops.");
+                          " rows on an annular patch has folded cells near " + place_of(folded_at_) +
+                          "; take smaller sizes there, or more points on its loops.");
   }
 
   const Ring_nodes& nodes() const { return best_; }

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tubular_meshing authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_TUBULAR_MESHING_LAYERS_INTERNAL_PLANE_FRAME_H
-#define CGAL_TUBULAR_MESHING_LAYERS_INTERNAL_PLANE_FRAME_H
+#ifndef CGAL_TUBULAR_MESHING_BASE_PLANE_FRAME_H
+#define CGAL_TUBULAR_MESHING_BASE_PLANE_FRAME_H
 
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
@@ -32,4 +32,4 @@ struct Plane_frame {
 } // namespace Tubular_meshing
 } // namespace CGAL
 
-#endif // CGAL_TUBULAR_MESHING_LAYERS_INTERNAL_PLANE_FRAME_H
+#endif // CGAL_TUBULAR_MESHING_BASE_PLANE_FRAME_H

@@ -1,28 +1,23 @@
 // Copyright (c) 2026 The Tubular_meshing authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_TUBULAR_MESHING_LAYERS_INTERNAL_BOUNDARY_LAYER_BOUNDARY_LAYER_MAKER_H
-#define CGAL_TUBULAR_MESHING_LAYERS_INTERNAL_BOUNDARY_LAYER_BOUNDARY_LAYER_MAKER_H
+#ifndef CGAL_TUBULAR_MESHING_LAYERS_INTERNAL_BOUNDARY_LAYER_MAKER_H
+#define CGAL_TUBULAR_MESHING_LAYERS_INTERNAL_BOUNDARY_LAYER_MAKER_H
 
-#include <CGAL/Tubular_meshing/base/Kernel.h>
-#include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
-#include <CGAL/Tubular_meshing/Layers/Layer_report.h>
+#include <CGAL/Tubular_meshing/Layers/extrude_boundary_layer.h>
 #include <CGAL/Tubular_meshing/Layers/internal/Layer_builder.h>
 #include <CGAL/Tubular_meshing/Layers/internal/Layer_engine.h>
 #include <CGAL/Tubular_meshing/Layers/internal/Layer_surface.h>
-#include <CGAL/Tubular_meshing/Layers/internal/Plane_frame.h>
-#include <CGAL/Tubular_meshing/Layers/internal/Wall_extruder.h>
 #include <CGAL/Tubular_meshing/Layers/internal/Wall_facets.h>
-#include <CGAL/Tubular_meshing/Layers/internal/labelled_facets.h>
 #include <CGAL/Tubular_meshing/Plane/Metric_tensor_2.h>
 #include <CGAL/Tubular_meshing/Plane/triangulate_in_metric.h>
-#include <CGAL/Tubular_meshing/Layers/append_mesh.h>
+#include <CGAL/Tubular_meshing/base/Function_view.h>
+#include <CGAL/Tubular_meshing/base/Kernel.h>
+#include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
+#include <CGAL/Tubular_meshing/base/Plane_frame.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
 #include <CGAL/Tubular_meshing/base/labels.h>
-#include <CGAL/Tubular_meshing/base/parameters.h>
-
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <algorithm>
 #include <array>
@@ -39,13 +34,13 @@ namespace internal {
 /* The layers' heights, in local radii. */
 struct Boundary_layer_heights {
   double first_height, growth;
-  int layers, threads;
+  int threads, layers;
 
-  template <class NamedParameters> explicit Boundary_layer_heights(const NamedParameters& np) {
-    const double thickness = choose(np, internal_np::boundary_layer_thickness, 0.3);
-    first_height = choose(np, internal_np::first_height, thickness / 20);
-    growth = choose(np, internal_np::growth, 1.3);
-    threads = choose(np, internal_np::number_of_threads, 0);
+  explicit Boundary_layer_heights(const Extrude_boundary_layer_options& options)
+      : first_height(options.first_height.value_or(options.boundary_layer_thickness / 20))
+      , growth(options.growth)
+      , threads(options.number_of_threads) {
+    const double thickness = options.boundary_layer_thickness;
     if (!(thickness > 0 && thickness < 1))
       throw Parameter_error("The thickness of the boundary layer is " + std::to_string(thickness) +
                             ": give a part of the local radius, above 0 and below 1; 0.3 is usual.");
@@ -55,7 +50,7 @@ struct Boundary_layer_heights {
     if (!(growth >= 1 && growth <= 100))
       throw Parameter_error("The growth of the boundary layer is " + std::to_string(growth) +
                             ": give the ratio of two successive heights, at least 1; 1.3 is usual.");
-    layers = choose(np, internal_np::boundary_layer_prisms, layers_for(thickness));
+    layers = options.boundary_layer_prisms ? *options.boundary_layer_prisms : layers_for(thickness);
     if (layers < 1 || layers > 1000)
       throw Parameter_error("The number of the boundary layer's prisms is " + std::to_string(layers) +
                             ": give at least 1 and at most 1000.");
@@ -104,7 +99,7 @@ struct Rim_cap {
 
 /* Meshes the inside of a rim, in its plane, by triangles of the rim's mean edge. */
 inline Rim_cap mesh_rim(const std::vector<Vector_3d>& rim, const Vector_3d& normal) {
-  typedef CGAL::Exact_predicates_inexact_constructions_kernel::Point_2 Point_2;
+  typedef Kernel::Point_2 Point_2;
   const Plane_frame frame(rim[0], normal);
   std::vector<std::vector<Point_2>> polygons(1);
   double length = 0;
@@ -130,19 +125,18 @@ inline Rim_cap mesh_rim(const std::vector<Vector_3d>& rim, const Vector_3d& norm
   return cap;
 }
 
-/* \tparam Result a Boundary_layer */
-template <class Result> class Boundary_layer_maker {
+/* Makes the layers and what they leave. */
+class Boundary_layer_maker {
 public:
   typedef std::uint32_t Index;
-  typedef typename Result::Surface Surface;
-  typedef typename Surface::Vertex_index Vertex;
+  typedef Surface::Vertex_index Vertex;
 
-  Boundary_layer_maker(Mixed_mesh facets, const Boundary_layer_heights& heights, Result& result)
+  Boundary_layer_maker(Mixed_mesh facets, const Boundary_layer_heights& heights, Boundary_layer& result)
       : facets_(std::move(facets))
       , heights_(heights)
       , result_(result) {}
 
-  template <class LocalRadius> void run(const LocalRadius& radius) {
+  void run(Length_function radius) {
     const Wall_facets wall(facets_);
     const Layer_surface surface = wall.surface(true);
     check_openings(wall, surface);
@@ -151,8 +145,8 @@ public:
     options.part_of_gap = 0.5;
     options.inward = true;
     options.threads = heights_.threads;
-    const Layer_engine engine(surface, surface.points, {}, {},
-                              multiples_of_radius(surface, radius, heights_.total()), options);
+    const Layer_engine engine(surface, surface.points, {}, {}, multiples_of_radius(surface, radius, heights_.total()),
+                              options);
     result_.report = report_of(surface, engine);
     result_.report.relabelled_facets = wall.number_of_relabelled_facets();
     make_layers(surface, wall.mesh_vertices(), engine, options.levels);
@@ -238,11 +232,11 @@ private:
 
   Mixed_mesh facets_;
   const Boundary_layer_heights heights_;
-  Result& result_;
+  Boundary_layer& result_;
 };
 
 } // namespace internal
 } // namespace Tubular_meshing
 } // namespace CGAL
 
-#endif // CGAL_TUBULAR_MESHING_LAYERS_INTERNAL_BOUNDARY_LAYER_BOUNDARY_LAYER_MAKER_H
+#endif // CGAL_TUBULAR_MESHING_LAYERS_INTERNAL_BOUNDARY_LAYER_MAKER_H
