@@ -46,7 +46,7 @@ public:
 
   Mixed_mesh anisotropic() {
     return made([&] {
-      if (options_.boundary_layer_prisms != 0)
+      if (options_.has_boundary_layer())
         throw Parameter_error("An anisotropic mesh has its layers in tetrahedra: leave the layers of prisms out, or "
                               "make an isotropic mesh.");
       Mixed_mesh mesh = isotropic_in_frame(Surface_mesher::parametric);
@@ -70,16 +70,16 @@ public:
       internal::check_keeps_boundary(options_.volume_mesher);
       check_memory();
       Fill_with_pyramids_and_tetrahedra_options pyramids = options_.pyramids;
-      pyramids.split_quads = options_.boundary_layer_prisms == 0; // not the far sides of hexahedra
+      pyramids.split_quads = !options_.has_boundary_layer(); // not the far sides of hexahedra
       kept_ = quads_in_frame();
       Mixed_mesh mesh =
           fill_within_layers(kept_, [&](const Surface& closed, Face_patch_map patch, Mixed_mesh& filling) {
             stage("pyramids and tetrahedra");
             internal::fill_with_pyramids_and_tetrahedra(closed, patch, size(), filling, pyramids);
           });
-      if (options_.wall_thickness != 0) {
+      if (options_.wall) {
         stage("wall");
-        report_.wall = internal::extrude_wall(mesh, Centerline_field(frame_.centerlines()), options_.wall);
+        report_.wall = extrude_wall(mesh, Centerline_field(frame_.centerlines()), *options_.wall);
         report_.wall.worst_place = frame_.from_frame(report_.wall.worst_place);
       }
       stage("check");
@@ -157,7 +157,7 @@ private:
   template <class Size> Remeshed_surface triangles_in_frame(const Size& size) {
     const Patches& p = patches();
     stage("surface mesh");
-    return internal::remesh_patches(p.surface.surface, p.cut, p.maps, size, options_.surface);
+    return remesh_patches(p.surface.surface, p.cut, p.maps, size, options_.surface);
   }
 
   Remeshed_surface quads_in_frame() {
@@ -174,7 +174,7 @@ private:
     try {
       return by_patches();
     } catch (const Meshing_error& e) {
-      if (options_.boundary_layer_prisms != 0) // Mesh_3 keeps no layer's side
+      if (options_.has_boundary_layer()) // Mesh_3 keeps no layer's side
         throw;
       report_.fallbacks.push_back(fallback_sentence(e));
       kept_ = Remeshed_surface();
@@ -192,7 +192,7 @@ private:
     size();
     kept_ = triangles_in_frame(size());
     const Labelled_surface& wall = patches().surface;
-    if (options_.boundary_layer_prisms != 0)
+    if (options_.has_boundary_layer())
       internal::check_keeps_boundary(options_.volume_mesher);
     Mixed_mesh mesh = fill_within_layers(kept_, [&](const Surface& closed, Face_patch_map patch, Mixed_mesh& filling) {
       stage("tetrahedra");
@@ -236,7 +236,7 @@ private:
    * leave of it. */
   template <class Fill> Mixed_mesh fill_within_layers(const Remeshed_surface& surface, const Fill& fill) {
     Mixed_mesh mesh;
-    if (options_.boundary_layer_prisms == 0) {
+    if (!options_.has_boundary_layer()) {
       fill(surface.surface, surface.patch, mesh);
       return mesh;
     }

@@ -21,6 +21,7 @@
 #include <CGAL/Tubular_meshing/base/parameters.h>
 
 #include <functional>
+#include <optional>
 
 namespace CGAL {
 namespace Tubular_meshing {
@@ -58,12 +59,10 @@ struct Mesher_options {
   Optimize_tetrahedra_options optimization;
   Anisotropic_tetrahedral_remeshing_options remeshing;
   Extrude_boundary_layer_options boundary_layer;
-  Extrude_wall_options wall;
+  std::optional<Extrude_wall_options> wall; ///< of a mixed mesh; none: there is no wall
 
   Volume_mesher volume_mesher = default_volume_mesher(); ///< what fills the surface mesh
   Surface_mesher surface_mesher = Surface_mesher::parametric;
-  double wall_thickness = 0;     ///< of a mixed mesh's wall, in local radii; 0: there is none
-  int boundary_layer_prisms = 0; ///< number of layers of prisms or hexahedra along the wall, inside the lumen
   std::function<void(const char*)> observer; ///< receives the name of each stage as it begins
 
   Mesher_options() = default;
@@ -80,17 +79,19 @@ struct Mesher_options {
       , pyramids(np)
       , optimization(np)
       , remeshing(np)
-      , boundary_layer(np)
-      , wall(np) {
+      , boundary_layer(np) {
     using internal::choose;
     volume_mesher = choose(np, internal_np::volume_mesher, volume_mesher);
     // Mesh_3 meshes the surface itself: patches before it would be work for nothing
     surface_mesher = choose(np, internal_np::surface_mesher,
                             volume_mesher == Volume_mesher::mesh_3 ? Surface_mesher::mesh_3 : surface_mesher);
-    wall_thickness = choose(np, internal_np::wall_thickness, wall_thickness);
-    boundary_layer_prisms = choose(np, internal_np::boundary_layer_prisms, boundary_layer_prisms);
+    if (choose(np, internal_np::wall_thickness, 0.) != 0)
+      wall.emplace(np);
     observer = choose(np, internal_np::observer, observer);
   }
+
+  /// Whether layers of prisms or hexahedra are wanted inside the lumen.
+  bool has_boundary_layer() const { return boundary_layer.boundary_layer_prisms.value_or(0) != 0; }
 };
 
 } // namespace Tubular_meshing
