@@ -13,8 +13,8 @@
  * - it is a function: the same point always has the same metric;
  * - it is positive definite wherever it is asked for, `Metric_tensor_3::is_valid()`: on the closed domain, and outside
  *   as far away as the surface of a mesh may be from that of the domain;
- * - it changes gradually, by no more than the ratio that is wanted of neighbouring elements from one element to the
- *   next. Where it jumps no mesh can follow it.
+ * - it changes gradually: from one element to the next by no more than the ratio that neighbouring elements are to have.
+ *   Where it jumps no mesh can follow it.
  *
  * \cgalHasModelsBegin
  * \cgalHasModels{CGAL::Tubular_meshing::Centerline_metric_field}
@@ -33,7 +33,7 @@
  */
 class MetricField_3 {
 public:
-  /// A model of `Point_3` with Cartesian coordinates.
+  /// `CGAL::Tubular_meshing::Point_3`, or a type that is constructible from it and from three coordinates.
   typedef unspecified_type Point_3;
 
   /// The metric at `p`. Safe to call from several threads.
