@@ -12,9 +12,8 @@
 #include <CGAL/Tubular_meshing/Pipelines/Tubular_model.h>
 #include <CGAL/Tubular_meshing/Volume/Volume_mesher.h>
 #include <CGAL/Tubular_meshing/Volume/anisotropic_tetrahedral_remeshing.h>
-#include <CGAL/Tubular_meshing/Volume/fill_with_ccdt.h>
+#include <CGAL/Tubular_meshing/Volume/fill_keeping_boundary.h>
 #include <CGAL/Tubular_meshing/Volume/fill_with_mesh_3.h>
-#include <CGAL/Tubular_meshing/Volume/fill_with_tetgen.h>
 #include <CGAL/Tubular_meshing/Volume/optimize_tetrahedra.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 #include <CGAL/Tubular_meshing/Pipelines/internal/Model_in_its_frame.h>
@@ -48,12 +47,10 @@ Remeshed_surface make_isotropic_mesh_in_frame(Model_in_its_frame& framed, Mixed_
                         "finds TetGen (libtet1.5-dev), or CGAL 6.1 or later, and choose one of these.");
   const auto fill = [&](const auto& closed, const auto& patch, Mixed_mesh& filling) {
     observer("tetrahedra");
-    if (mesher == Volume_mesher::tetgen)
-      fill_with_tetgen(closed, patch, size, filling, np);
-    else if (mesher == Volume_mesher::ccdt)
-      fill_with_ccdt(closed, patch, size, filling, np);
+    if (mesher == Volume_mesher::mesh_3)
+      fill_with_mesh_3(closed, patch, size, filling, np);
     else
-      fill_with_mesh_3(closed, patch, Scaled_field<Sizing_field>{&size, 1}, filling, np);
+      fill_keeping_boundary(closed, patch, size, filling, np);
     observer("optimization");
     optimize_tetrahedra(filling, framed.surface(), framed.patch(), With_boundary(mesher != Volume_mesher::mesh_3, np));
   };
@@ -106,7 +103,8 @@ Mixed_mesh make_isotropic_mesh(const Tubular_model& model,
   std::string differences;
   for (double factor : {1., 0.7, 0.5}) {
     observer("tetrahedra");
-    fill_with_mesh_3(framed.surface(), framed.patch(), internal::Scaled_field<Sizing_field>{&size, factor}, mesh, np);
+    const auto scaled = [&](const Point_3& p) { return factor * size(p); };
+    fill_with_mesh_3(framed.surface(), framed.patch(), scaled, mesh, np);
     observer("optimization");
     optimize_tetrahedra(mesh, framed.surface(), framed.patch(), np);
     observer("check");

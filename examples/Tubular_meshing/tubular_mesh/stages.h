@@ -72,6 +72,7 @@ inline auto meshing_parameters(const Options& o, Stage_clock& clock) {
       .max_size(o.max_size)
       .gradation(o.gradation)
       .number_of_threads(o.threads)
+      .in_child_process(true)
       .observer([&clock](const char* stage) { clock.begin(stage); });
 }
 

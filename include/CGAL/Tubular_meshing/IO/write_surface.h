@@ -98,7 +98,7 @@ inline void write_msh_surface(Output_file& file, const Labelled_faces& surface) 
       mesh.triangles.push_back({c[0], c[1], c[2]}, label);
   }
   if (!surface.metric.empty())
-    mesh.point_arrays.push_back({"metric", 6, surface.metric});
+    mesh.point_arrays.push_back({metric_array_name, 6, surface.metric});
   mesh.patch_names = names_of_patches(surface.patch);
   Msh_writer<Mixed_mesh>(file, mesh).write_4_1();
 }

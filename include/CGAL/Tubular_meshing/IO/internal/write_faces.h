@@ -136,7 +136,7 @@ inline Polydata polydata_of(const Labelled_faces& surface) {
     data.ends.push_back(static_cast<std::int64_t>(data.corners.size()));
   }
   if (!surface.metric.empty()) {
-    data.point_array_name = "metric";
+    data.point_array_name = metric_array_name;
     data.point_array_components = 6;
     data.point_array = surface.metric;
   }

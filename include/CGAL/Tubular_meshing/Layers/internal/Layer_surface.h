@@ -5,6 +5,7 @@
 #define CGAL_TUBULAR_MESHING_LAYERS_INTERNAL_LAYER_SURFACE_H
 
 #include <CGAL/Tubular_meshing/base/exceptions.h>
+#include <CGAL/Tubular_meshing/base/place_of.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
 #include <algorithm>
@@ -18,13 +19,6 @@
 namespace CGAL {
 namespace Tubular_meshing {
 namespace internal {
-
-inline std::string place_of(const Vector_3d& p) {
-  std::ostringstream s;
-  s.precision(9);
-  s << "(" << p.x << ", " << p.y << ", " << p.z << ")";
-  return s.str();
-}
 
 /* The part of a surface that layers of cells grow on: its triangles and quads, turned so that their normals point where
  * the layers go, what is around each vertex, and its rims. Compact arrays; built in O(n log n). */
