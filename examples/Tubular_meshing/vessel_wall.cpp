@@ -14,7 +14,7 @@
 #include <CGAL/Tubular_meshing/Quality/validity_report.h>
 #include <CGAL/Tubular_meshing/Pipelines/Tubular_model.h>
 #include <CGAL/Tubular_meshing/Layers/extrude_boundary_layer.h>
-#include <CGAL/Tubular_meshing/Volume/fill_with_tetgen.h>
+#include <CGAL/Tubular_meshing/Volume/fill_keeping_boundary.h>
 #include <CGAL/Tubular_meshing/Volume/optimize_tetrahedra.h>
 #include <CGAL/Tubular_meshing/Pipelines/make_mesh.h>
 
@@ -45,7 +45,7 @@ int main(int argc, char* argv[]) {
     const tubular::Centerline_sizing_field size(
         centerlines, tubular::Wall_distance(model.surface, model.patch, tubular::labels::wall));
     tubular::Mixed_mesh inside;
-    tubular::fill_with_tetgen(lumen.inner, lumen.patch, size, inside);
+    tubular::fill_keeping_boundary(lumen.inner, lumen.patch, size, inside);
     tubular::optimize_tetrahedra(inside, lumen.inner, lumen.patch, tubular::parameters::keep_boundary(true));
     tubular::Mixed_mesh& mesh = lumen.layers;
     tubular::append_mesh(mesh, inside, lumen.mesh_points);

@@ -3,17 +3,10 @@
 
 // Remeshing to a metric, on cubes and tubes whose volume, sides and metric are known in closed form.
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/Quality/quality_report.h>
-#include <CGAL/Tubular_meshing/Quality/shape_measures.h>
-#include <CGAL/Tubular_meshing/Quality/validity_report.h>
 #include <CGAL/Tubular_meshing/Volume/anisotropic_tetrahedral_remeshing.h>
-#include <CGAL/Tubular_meshing/Volume/internal/Speculation.h>
-#include <CGAL/number_utils.h>
 
-#include "grid_of_tetrahedra.h"
+#include "cubes_to_remesh.h"
 
 #include <gtest/gtest.h>
 
@@ -23,40 +16,20 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
-#include <map>
-#include <numeric>
-#include <random>
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
 
-typedef CGAL::Exact_predicates_inexact_constructions_kernel::Point_3 Point;
-typedef CGAL::Surface_mesh<Point> Surface;
-typedef CGAL::Tubular_meshing::Mixed_mesh Mesh;
-typedef CGAL::Tubular_meshing::Metric_tensor_3 Metric;
-namespace tubular = CGAL::Tubular_meshing;
-using tubular::internal::Metric_point;
+using namespace cubes_to_remesh;
+using tubular::Surface;
 using tubular::internal::Tetrahedron_store;
-using tubular::internal::Vector_3d;
 typedef std::function<Metric(const Point&)> Field;
 
 const double pi = std::acos(-1.);
-
-// A grid mapped from the unit cube.
-template <class Map, class Label> Mesh make_grid(int nx, int ny, int nz, const Map& map, const Label& label) {
-  return grid_of_tetrahedra(
-      {nx, ny, nz}, [&](int i, int j, int k) { return map(double(i) / nx, double(j) / ny, double(k) / nz); }, label);
-}
-
-// The unit cube, its sides labelled 1 to 6.
-Mesh make_cube(int n) {
-  return make_grid(
-      n, n, n, [](double x, double y, double z) { return Point(x, y, z); },
-      [](int axis, int end) { return 1 + 2 * axis + end; });
-}
 
 // A cylinder of radius 0.5 and length 3 along z: the wall 1, and the ends 2 and 3.
 Mesh make_tube(int n) {
@@ -69,22 +42,6 @@ Mesh make_tube(int n) {
       [](int axis, int end) { return axis < 2 ? 1 : 2 + end; });
 }
 
-Metric sizes(double a, double b, double c, const Vector_3d& u = {1, 0, 0}, const Vector_3d& v = {0, 1, 0},
-             const Vector_3d& w = {0, 0, 1}) {
-  return Metric::from_sizes(std::array<double, 3>{a, b, c}, std::array<Vector_3d, 3>{u, v, w});
-}
-
-double volume_of(const Mesh& m, const std::array<std::uint32_t, 4>& t) {
-  return tubular::internal::signed_volume(Vector_3d(m.points[t[0]]), Vector_3d(m.points[t[1]]),
-                                          Vector_3d(m.points[t[2]]), Vector_3d(m.points[t[3]]));
-}
-double volume(const Mesh& m, int region = 0) {
-  double v = 0;
-  for (std::size_t i = 0; i < m.tetrahedra.size(); ++i)
-    if (region == 0 || m.tetrahedra.label[i] == region)
-      v += volume_of(m, m.tetrahedra.vertices[i]);
-  return v;
-}
 double area(const Mesh& m, int patch) {
   double a = 0;
   for (std::size_t i = 0; i < m.triangles.size(); ++i)
@@ -123,12 +80,6 @@ Mesh remeshed(Mesh m, const Field& field, int threads = 1) {
   return m;
 }
 
-void expect_valid(const Mesh& m, double expected_volume, double tolerance = 1e-9) {
-  const auto r = tubular::validity_report(m);
-  EXPECT_TRUE(r.is_valid()) << r.defects();
-  EXPECT_NEAR(volume(m), expected_volume, tolerance * expected_volume);
-}
-
 // What Table III asks for, and the number of elements.
 void expect_unit_mesh(const Mesh& m, double ideal) {
   const auto q = tubular::quality_report(m);
@@ -137,243 +88,6 @@ void expect_unit_mesh(const Mesh& m, double ideal) {
   EXPECT_LE(q.Q_tau.max(), 8);
   EXPECT_GE(q.Q_tau.share_below(3), 0.985);
   EXPECT_NEAR(double(m.tetrahedra.size()) / ideal, 1, 0.15);
-}
-
-TEST(Metric_quality, IsThatOfTheReport) {
-  std::mt19937 random(3);
-  std::uniform_real_distribution<double> uniform(-1, 1);
-  for (int round = 0; round < 50; ++round) {
-    std::array<Metric_point, 4> v;
-    std::array<Vector_3d, 4> p;
-    std::array<std::array<double, 6>, 4> metric;
-    for (int i = 0; i < 4; ++i) {
-      const Vector_3d a(uniform(random), uniform(random), uniform(random));
-      v[i] = {{uniform(random), uniform(random), uniform(random)}, Metric::isotropic(0.5) + 9. * Metric::dyad(a)};
-      p[i] = v[i].position;
-      metric[i] = v[i].metric.components();
-    }
-    const double q = tubular::internal::metric_quality(v[0], v[1], v[2], v[3]);
-    EXPECT_NEAR(1 / std::abs(q), tubular::tetrahedron_Q(p, metric), 1e-9 / std::abs(q));
-    EXPECT_EQ(q > 0, tubular::internal::signed_volume(p[0], p[1], p[2], p[3]) > 0);
-    EXPECT_NEAR(tubular::internal::metric_length(v[0], v[1]), tubular::metric_length(p[0], p[1], metric[0], metric[1]),
-                1e-3);
-  }
-}
-
-TEST(Metric_quality, OfRegularElementsIsOne) {
-  // a regular tetrahedron of unit edges, stretched as the metric is
-  const std::array<Vector_3d, 4> corner = {Vector_3d(0, 0, 0), Vector_3d(1, 0, 0), Vector_3d(0.5, std::sqrt(0.75), 0),
-                                           Vector_3d(0.5, std::sqrt(1 / 12.), std::sqrt(2 / 3.))};
-  std::array<Metric_point, 4> v;
-  for (int i = 0; i < 4; ++i)
-    v[i] = {{0.01 * corner[i].x, corner[i].y, 7 * corner[i].z}, sizes(0.01, 1, 7)};
-  EXPECT_NEAR(tubular::internal::metric_quality(v[0], v[1], v[2], v[3]), 1, 1e-12);
-  EXPECT_NEAR(tubular::internal::metric_quality(v[0], v[1], v[3]), 1, 1e-12);
-  EXPECT_NEAR(tubular::internal::metric_length(v[1], v[3]), 1, 1e-12);
-}
-
-TEST(Metric_energy, DerivativesAreThoseOfItsValue) {
-  const Metric mean = sizes(0.3, 1, 2, normalized(Vector_3d(1, 1, 0)), normalized(Vector_3d(-1, 1, 0)));
-  const Vector_3d a(1, 0.1, 0), b(0.2, 1, 0.1), c(0.1, 0.2, 1.2), x(0.05, -0.1, 0.02);
-  const auto value = [&](const Vector_3d& p) {
-    tubular::internal::Metric_energy e;
-    EXPECT_TRUE(e.add(a - p, b - p, c - p, mean, false));
-    return e.value;
-  };
-  tubular::internal::Metric_energy e;
-  ASSERT_TRUE(e.add(a - x, b - x, c - x, mean, true));
-  const double h = 1e-4;
-  const Vector_3d axes[3] = {{h, 0, 0}, {0, h, 0}, {0, 0, h}};
-  const double gradient[3] = {e.gradient.x, e.gradient.y, e.gradient.z};
-  const double diagonal[3] = {e.hessian.xx, e.hessian.yy, e.hessian.zz};
-  for (int i = 0; i < 3; ++i) {
-    const double up = value(x + axes[i]), down = value(x - axes[i]);
-    EXPECT_NEAR((up - down) / (2 * h), gradient[i], 1e-5 * (1 + std::abs(gradient[i])));
-    EXPECT_NEAR((up + down - 2 * value(x)) / (h * h), diagonal[i], 1e-4 * (1 + std::abs(diagonal[i])));
-  }
-  const double mixed = (value(x + axes[0] + axes[1]) - value(x + axes[0] - axes[1]) - value(x - axes[0] + axes[1]) +
-                        value(x - axes[0] - axes[1])) /
-                       (4 * h * h);
-  EXPECT_NEAR(mixed, e.hessian.xy, 1e-4 * (1 + std::abs(mixed)));
-}
-
-TEST(Metric_energy, OfHeightsIsLeastAtTheSizeAcross) {
-  const Vector_3d n = normalized(Vector_3d(1, 2, 2));
-  const Metric m = sizes(0.01, 1, 2, n, normalized(Vector_3d(2, 1, -2)), normalized(Vector_3d(2, -2, 1)));
-  const auto at = [&](double height, bool with_derivatives = false) {
-    tubular::internal::Metric_energy e;
-    EXPECT_TRUE(e.add_height(n, height * n + Vector_3d(0, 0.3, -0.3), m, with_derivatives));
-    return e;
-  };
-  const double scale = 100, d = 1e-4;
-  for (double h : {0.3, 0.8, 1., 1.5, 4.}) {
-    const auto e = at(h / scale, true);
-    const double up = at((h - d) / scale).value, down = at((h + d) / scale).value; // moving along n brings it nearer
-    EXPECT_NEAR((up - down) / (2 * d), dot(e.gradient, n) / scale, 1e-5 * (1 + std::abs(dot(e.gradient, n)) / scale));
-    EXPECT_NEAR(norm(cross(e.gradient, n)), 0, 1e-9 * scale);
-    EXPECT_GE(dot(e.hessian * n, n), 0);
-    EXPECT_LE(e.value,
-              tubular::internal::Metric_energy::height_weight * tubular::internal::Metric_energy::height_bound);
-    EXPECT_GE(e.value, at(1 / scale).value);
-  }
-  const auto best = at(1 / scale, true);
-  EXPECT_NEAR(best.value, 0, 1e-12);
-  EXPECT_NEAR((at((1 - d) / scale).value + at((1 + d) / scale).value - 2 * best.value) / (d * d),
-              dot(best.hessian * n, n) / (scale * scale), 1e-3);
-  tubular::internal::Metric_energy e;
-  EXPECT_FALSE(e.add_height(n, -0.01 * n, m, true)); // beyond the facet
-}
-
-TEST(Metric_frame, TurnsTheMetricIntoTheIdentity) {
-  const Metric m = sizes(0.01, 1, 5, normalized(Vector_3d(1, 2, 2)), normalized(Vector_3d(2, 1, -2)),
-                         normalized(Vector_3d(2, -2, 1)));
-  const tubular::internal::Metric_frame frame(m);
-  const Vector_3d v(0.3, -0.7, 0.2), g(1, 2, -1);
-  EXPECT_NEAR(squared_norm(frame.vector_into(v)), m.squared_length(v), 1e-9 * m.squared_length(v));
-  EXPECT_NEAR(norm(frame.vector_out_of(frame.vector_into(v)) - v), 0, 1e-9);
-  // gradients go with vectors
-  EXPECT_NEAR(dot(frame.covector_into(g), frame.vector_into(v)), dot(g, v), 1e-9);
-}
-
-TEST(Tetrahedron_store, RenumbersWithoutTheUnused) {
-  Mesh m = make_cube(2);
-  m.points.insert(m.points.begin(), Point(9, 9, 9)); // of no tetrahedron
-  for (auto& t : m.tetrahedra.vertices)
-    for (auto& v : t)
-      ++v;
-  for (auto& t : m.triangles.vertices)
-    for (auto& v : t)
-      ++v;
-  Tetrahedron_store store(m);
-  std::vector<Tetrahedron_store::Index> order;
-  for (Tetrahedron_store::Index v = store.number_of_vertices(); v-- > 0;)
-    if (store.is_used(v))
-      order.push_back(v);
-  store.renumber(order);
-  EXPECT_EQ(store.number_of_vertices(), 27u);
-  EXPECT_EQ(Point(store.point(0).x, store.point(0).y, store.point(0).z), m.points.back());
-  Mesh back;
-  store.write_to(back);
-  expect_valid(back, 1);
-  EXPECT_EQ(back.triangles.size(), m.triangles.size());
-}
-
-// A fan of many tetrahedra around an edge.
-TEST(Tetrahedron_store, FindsTheStarOfAVertexOfAnyDegree) {
-  for (std::uint32_t n : {5u, 63u, 64u, 65u, 300u}) {
-    Mesh m;
-    m.points = {Point(0, 0, 0), Point(0, 0, 1)};
-    for (std::uint32_t k = 0; k < n; ++k) {
-      m.points.push_back(Point(std::cos(2 * CGAL_PI * k / n), std::sin(2 * CGAL_PI * k / n), 0));
-      m.tetrahedra.push_back({0, 2 + k, 2 + (k + 1) % n, 1}, 1);
-    }
-    std::vector<Tetrahedron_store::Index> star;
-    Tetrahedron_store(m).star(1, star);
-    std::sort(star.begin(), star.end());
-    EXPECT_EQ(star.size(), n);
-    EXPECT_EQ(std::unique(star.begin(), star.end()), star.end());
-  }
-}
-
-/* Pairs of neighbours are formed where both are single: each pair that is possible rules out others of its batch, which
- * have to be looked at once more. */
-TEST(Speculation, DoesWhatOneAfterTheOtherWould) {
-  const auto make_pairs = [](int threads, std::size_t batch) {
-    std::vector<std::size_t> order(5000);
-    std::iota(order.begin(), order.end(), std::size_t(0));
-    std::shuffle(order.begin(), order.end(), std::mt19937(7));
-    std::vector<int> paired_at(order.size() + 1, 0); // 0 for the single
-    int now = 0;
-    tubular::internal::Speculation<std::size_t> workers(threads, batch, std::size_t(0));
-    workers.run(
-        [&] { return order.size(); }, [&] { return now; },
-        [&](std::size_t& at, std::size_t k) {
-          at = order[k];
-          return paired_at[at] == 0 && paired_at[at + 1] == 0;
-        },
-        [&](std::size_t at, std::size_t, int since) { return paired_at[at] <= since && paired_at[at + 1] <= since; },
-        [&](std::size_t at, std::size_t k) {
-          EXPECT_EQ(at, order[k]);
-          EXPECT_EQ(paired_at[at] + paired_at[at + 1], 0);
-          paired_at[at] = paired_at[at + 1] = ++now;
-        });
-    std::vector<int> serial(order.size() + 1, 0);
-    now = 0;
-    for (std::size_t at : order)
-      if (serial[at] == 0 && serial[at + 1] == 0)
-        serial[at] = serial[at + 1] = ++now;
-    EXPECT_EQ(paired_at, serial);
-  };
-  for (std::size_t batch : {1u, 7u, 512u})
-    for (int threads : {1, 2})
-      make_pairs(threads, batch);
-}
-
-// Whether the vertex v may be pulled onto w, to which an edge joins it.
-bool link_condition_holds(const Mesh& m, std::uint32_t v, std::uint32_t w) {
-  const Tetrahedron_store store(m);
-  std::vector<Tetrahedron_store::Index> star;
-  store.star(v, star);
-  for (auto t : star) {
-    const int j = store.corner(t, w);
-    if (store[t].v[j] != w)
-      continue;
-    Tetrahedron_store::Ring ring;
-    store.ring(t, store.corner(t, v), j, ring);
-    return tubular::internal::Link_condition(store).holds(v, w, ring, star);
-  }
-  ADD_FAILURE() << v << " and " << w << " are not joined";
-  return false;
-}
-
-// A cap of one facet, 0 1 2: were its rim to lose a vertex, it would be gone.
-TEST(Link_condition, KeepsRimsOfThreeVertices) {
-  Mesh m;
-  m.points = {Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0), Point(0.3, 0.3, -1)};
-  m.tetrahedra.push_back({0, 2, 1, 3}, 1);
-  m.triangles.push_back({0, 1, 2}, 2); // a cap, and the wall around
-  m.triangles.push_back({1, 0, 3}, 1);
-  m.triangles.push_back({2, 1, 3}, 1);
-  m.triangles.push_back({0, 2, 3}, 1);
-  ASSERT_TRUE(tubular::validity_report(m).is_valid()) << tubular::validity_report(m).defects();
-  EXPECT_FALSE(link_condition_holds(m, 0, 1));
-}
-
-TEST(Link_condition, HoldsOnASideAndAlongARim) {
-  const Mesh m = make_cube(4);
-  const auto at = [](int i, int j, int k) { return std::uint32_t((i * 5 + j) * 5 + k); };
-  EXPECT_TRUE(link_condition_holds(m, at(2, 2, 0), at(3, 2, 0)));
-  EXPECT_TRUE(link_condition_holds(m, at(2, 0, 0), at(3, 0, 0)));
-}
-
-/* A rod of two prisms, with a triangle for its waist that is no facet of the surface: were two of its vertices to
- * become one, the surface would touch itself along an edge. */
-TEST(Link_condition, KeepsAWaistOfThreeVertices) {
-  Mesh m;
-  for (int k = 0; k < 3; ++k)
-    for (const Point& p : {Point(0, 0, k), Point(1, 0, k), Point(0, 1, k)})
-      m.points.push_back(p);
-  std::map<std::array<std::uint32_t, 3>, std::vector<std::array<std::uint32_t, 3>>> facets;
-  for (std::uint32_t base : {0u, 3u})
-    for (std::array<std::uint32_t, 4> t : {std::array<std::uint32_t, 4>{0, 1, 2, 3}, {1, 2, 3, 4}, {2, 3, 4, 5}}) {
-      for (std::uint32_t& v : t)
-        v += base;
-      if (volume_of(m, t) < 0)
-        std::swap(t[0], t[1]);
-      m.tetrahedra.push_back(t, 1);
-      for (int f = 0; f < 4; ++f) {
-        const auto& c = Tetrahedron_store::facet_corners(f);
-        std::array<std::uint32_t, 3> facet = {t[c[0]], t[c[1]], t[c[2]]}, key = facet;
-        std::sort(key.begin(), key.end());
-        facets[key].push_back(facet);
-      }
-    }
-  for (const auto& f : facets)
-    if (f.second.size() == 1)
-      m.triangles.push_back(f.second[0], 1);
-  ASSERT_TRUE(tubular::validity_report(m).is_valid()) << tubular::validity_report(m).defects();
-  EXPECT_FALSE(link_condition_holds(m, 3, 4));
-  EXPECT_FALSE(link_condition_holds(m, 4, 5));
 }
 
 TEST(Anisotropic_remeshing, IsotropicCube) {

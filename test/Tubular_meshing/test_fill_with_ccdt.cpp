@@ -7,8 +7,10 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Tubular_meshing/Quality/quality_report.h>
 #include <CGAL/Tubular_meshing/Quality/validity_report.h>
-#include <CGAL/Tubular_meshing/Volume/fill_with_ccdt.h>
+#include <CGAL/Tubular_meshing/Volume/fill_keeping_boundary.h>
 #include <CGAL/Tubular_meshing/Volume/internal/ccdt/Steiner_points_inside.h>
+#include <CGAL/Tubular_meshing/base/exceptions.h>
+#include <CGAL/Tubular_meshing/base/parameters.h>
 
 #include "test_surfaces.h"
 
@@ -107,16 +109,17 @@ TEST(Fill_with_ccdt, KeepsTheSurfaceBitForBit) {
   Surface surface = test_surfaces::make_tube(shape);
   auto patch = surface.add_property_map<Surface::Face_index, int>("f:patch", 5).first;
   tubular::Mixed_mesh mesh;
+  const auto by_ccdt = tubular::parameters::volume_mesher(tubular::Volume_mesher::ccdt);
   if (!tubular::has_ccdt()) {
     try {
-      tubular::fill_with_ccdt(surface, patch, Constant_size{0.5}, mesh);
+      tubular::fill_keeping_boundary(surface, patch, Constant_size{0.5}, mesh, by_ccdt);
       FAIL() << "there is nothing to fill it with";
     } catch (const tubular::Meshing_error& e) {
       EXPECT_NE(std::string(e.what()).find("before 6.1"), std::string::npos) << e.what();
     }
     return;
   }
-  tubular::fill_with_ccdt(surface, patch, Constant_size{0.5}, mesh);
+  tubular::fill_keeping_boundary(surface, patch, Constant_size{0.5}, mesh, by_ccdt);
   const auto report = tubular::validity_report(mesh);
   EXPECT_TRUE(report.is_valid()) << report.defects();
   ASSERT_EQ(mesh.triangles.size(), surface.number_of_faces());

@@ -8,7 +8,8 @@
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/Quality/quality_report.h>
 #include <CGAL/Tubular_meshing/Quality/validity_report.h>
-#include <CGAL/Tubular_meshing/Volume/fill_with_tetgen.h>
+#include <CGAL/Tubular_meshing/Volume/fill_keeping_boundary.h>
+#include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/fill_by_recovery.h>
 #include <CGAL/Tubular_meshing/Volume/optimize_tetrahedra.h>
 #include <CGAL/Tubular_meshing/base/parallel.h>
 
@@ -62,6 +63,14 @@ template <class Function> Size<Function> size_field(const Function& f) {
 }
 auto constant_size(double h) {
   return size_field([h](const Point&) { return h; });
+}
+
+template <class SizingField>
+void fill_with_tetgen(const Surface& surface, const Patch_map& patch, const SizingField& size, Mesh& mesh,
+                      bool in_child_process = true) {
+  tubular::fill_keeping_boundary(
+      surface, patch, size, mesh,
+      tubular::parameters::volume_mesher(tubular::Volume_mesher::tetgen).in_child_process(in_child_process));
 }
 
 Patch_map no_patch(Surface& surface) {
@@ -184,7 +193,7 @@ void expect_kept(const Surface& surface, const Patch_map& patch, const Mesh& mes
 TEST_F(Fill_with_tetgen, KeepsTheSurfaceBitForBit) {
   const Labelled_tube tube(24, 4, 1, Point(0.1, -7.7, 1000.3));
   Mesh mesh;
-  tubular::fill_with_tetgen(tube.surface, tube.patch, constant_size(2 * CGAL_PI / 24), mesh);
+  fill_with_tetgen(tube.surface, tube.patch, constant_size(2 * CGAL_PI / 24), mesh);
   expect_kept(tube.surface, tube.patch, mesh);
   EXPECT_GT(mesh.points.size(), tube.surface.number_of_vertices() + 100);
   EXPECT_NEAR(volume(mesh), enclosed_volume(tube.surface), 1e-9);
@@ -198,7 +207,7 @@ TEST_F(Fill_with_tetgen, KeepsPlanarPatchesTriangleByTriangle) {
   Surface cube = test_surfaces::make_square_duct();
   const Patch_map patch = no_patch(cube);
   Mesh mesh;
-  tubular::fill_with_tetgen(cube, patch, constant_size(0.5), mesh);
+  fill_with_tetgen(cube, patch, constant_size(0.5), mesh);
   expect_kept(cube, patch, mesh);
   EXPECT_NEAR(volume(mesh), enclosed_volume(cube), 1e-9);
 }
@@ -209,7 +218,7 @@ TEST_F(Fill_with_tetgen, SizesFollowAGradedField) {
   const double side = 2 * CGAL_PI / 40;
   const auto h = [side](const Point& p) { return side * (1 + 0.5 * std::min(1., std::max(0., p.z() - 1) / 2)); };
   Mesh mesh;
-  tubular::fill_with_tetgen(tube.surface, tube.patch, size_field(h), mesh);
+  fill_with_tetgen(tube.surface, tube.patch, size_field(h), mesh);
   const std::uint32_t boundary = std::uint32_t(tube.surface.number_of_vertices());
   double sum[2] = {0, 0};
   std::size_t count[2] = {0, 0};
@@ -236,7 +245,7 @@ TEST_F(Fill_with_tetgen, SizesFollowAGradedField) {
 TEST_F(Fill_with_tetgen, IsGoodAfterOptimization) {
   const Labelled_tube tube(24, 6);
   Mesh mesh;
-  tubular::fill_with_tetgen(tube.surface, tube.patch, constant_size(2 * CGAL_PI / 24), mesh);
+  fill_with_tetgen(tube.surface, tube.patch, constant_size(2 * CGAL_PI / 24), mesh);
   const auto before = tubular::quality_report(mesh).gamma_tau;
   tubular::optimize_tetrahedra(mesh, tube.surface, tube.patch, tubular::parameters::keep_boundary(true));
   expect_kept(tube.surface, tube.patch, mesh);
@@ -252,13 +261,13 @@ TEST_F(Fill_with_tetgen, IsTheSameInAnyUnitAndFarFromTheOrigin) {
   const double side = 2 * CGAL_PI / 16;
   {
     const Labelled_tube tube(16, 3);
-    tubular::fill_with_tetgen(tube.surface, tube.patch, constant_size(side), unit);
+    fill_with_tetgen(tube.surface, tube.patch, constant_size(side), unit);
   }
   for (double scale : {1e-3, 1e6, 1e-9})
     for (double away : {0., 1e4}) {
       const Labelled_tube tube(16, 3, scale, Point(away * scale, -2 * away * scale, 3 * away * scale));
       Mesh mesh;
-      tubular::fill_with_tetgen(tube.surface, tube.patch, constant_size(side * scale), mesh);
+      fill_with_tetgen(tube.surface, tube.patch, constant_size(side * scale), mesh);
       expect_kept(tube.surface, tube.patch, mesh);
       EXPECT_NEAR(volume(mesh) / enclosed_volume(tube.surface), 1, 1e-6);
       EXPECT_NEAR(double(mesh.tetrahedra.size()) / double(unit.tetrahedra.size()), 1, 0.05);
@@ -268,10 +277,35 @@ TEST_F(Fill_with_tetgen, IsTheSameInAnyUnitAndFarFromTheOrigin) {
 TEST_F(Fill_with_tetgen, IsTheSameEachTime) {
   const Labelled_tube tube;
   Mesh a, b;
-  tubular::fill_with_tetgen(tube.surface, tube.patch, constant_size(0.3), a);
-  tubular::fill_with_tetgen(tube.surface, tube.patch, constant_size(0.3), b);
+  fill_with_tetgen(tube.surface, tube.patch, constant_size(0.3), a);
+  fill_with_tetgen(tube.surface, tube.patch, constant_size(0.3), b);
   EXPECT_EQ(a.points, b.points);
   EXPECT_EQ(a.tetrahedra.vertices, b.tetrahedra.vertices);
+}
+
+TEST_F(Fill_with_tetgen, IsTheSameInThisProcessAndInOneOfItsOwn) {
+  const Labelled_tube tube;
+  Mesh inside, outside;
+  fill_with_tetgen(tube.surface, tube.patch, constant_size(0.3), inside, false);
+  fill_with_tetgen(tube.surface, tube.patch, constant_size(0.3), outside, true);
+  EXPECT_EQ(inside.points, outside.points);
+  EXPECT_EQ(inside.tetrahedra.vertices, outside.tetrahedra.vertices);
+}
+
+// TetGen's predicates have global constants that depend on the model.
+TEST_F(Fill_with_tetgen, IsTheSameInSeveralThreadsOfThisProcess) {
+  const Labelled_tube large, small(16, 3);
+  std::vector<Mesh> meshes(6);
+  std::vector<std::thread> threads;
+  for (std::size_t i = 0; i < meshes.size(); ++i)
+    threads.emplace_back([&, i] {
+      const Labelled_tube& tube = i % 2 == 0 ? large : small;
+      fill_with_tetgen(tube.surface, tube.patch, constant_size(0.4), meshes[i], false);
+    });
+  for (std::thread& t : threads)
+    t.join();
+  for (std::size_t i = 2; i < meshes.size(); ++i)
+    EXPECT_EQ(meshes[i].tetrahedra.vertices, meshes[i - 2].tetrahedra.vertices);
 }
 
 TEST_F(Fill_with_tetgen, WorksBesideThreadsThatAllocate) {
@@ -286,7 +320,7 @@ TEST_F(Fill_with_tetgen, WorksBesideThreadsThatAllocate) {
     });
   for (int run = 0; run < 20; ++run) {
     Mesh mesh;
-    tubular::fill_with_tetgen(tube.surface, tube.patch, constant_size(0.5), mesh);
+    fill_with_tetgen(tube.surface, tube.patch, constant_size(0.5), mesh);
     EXPECT_FALSE(mesh.tetrahedra.empty());
   }
   stop = true;
@@ -298,7 +332,7 @@ std::string error_of(const Surface& surface, const Patch_map& patch) {
   Mesh mesh;
   mesh.points.push_back(Point(1, 2, 3));
   try {
-    tubular::fill_with_tetgen(surface, patch, constant_size(0.3), mesh);
+    fill_with_tetgen(surface, patch, constant_size(0.3), mesh);
   } catch (const tubular::Meshing_error& e) {
     EXPECT_EQ(mesh.points.size(), 1u) << "a mesh stays as it was where there is no other";
     return e.what();
@@ -330,6 +364,39 @@ TEST_F(Fill_with_tetgen, RefusesAnOpenSurface) {
   Surface none;
   const Patch_map patch = no_patch(none);
   EXPECT_NE(error_of(none, patch).find("closed"), std::string::npos);
+}
+
+TEST_F(Fill_with_tetgen, SaysInThisProcessAsWellWhereASurfaceCrossesItself) {
+  Labelled_tube tube;
+  for (auto v : tube.surface.vertices())
+    if (tube.surface.point(v).z() == 0 && std::hypot(tube.surface.point(v).x(), tube.surface.point(v).y()) < 0.1)
+      tube.surface.point(v) = Point(2, 0, 2);
+  Mesh mesh;
+  try {
+    fill_with_tetgen(tube.surface, tube.patch, constant_size(0.3), mesh, false);
+    FAIL() << "it crosses itself";
+  } catch (const tubular::Meshing_error& e) {
+    EXPECT_NE(std::string(e.what()).find("crosses itself at "), std::string::npos) << e.what();
+  }
+}
+
+TEST(Fill_keeping_boundary, RefusesQuads) {
+  if (!tubular::has_tetgen() && !tubular::has_ccdt())
+    GTEST_SKIP() << "built without TetGen, and with a CGAL before 6.1";
+  Surface cube = test_surfaces::make_square_duct();
+  CGAL::Euler::join_face(*cube.halfedges().begin(), cube);
+  const Patch_map patch = no_patch(cube);
+  Mesh mesh;
+  EXPECT_THROW(tubular::fill_keeping_boundary(cube, patch, constant_size(0.5), mesh), tubular::Input_error);
+}
+
+TEST(Fill_keeping_boundary, NeedsAMesherThatKeepsIt) {
+  Surface cube = test_surfaces::make_square_duct();
+  const Patch_map patch = no_patch(cube);
+  Mesh mesh;
+  EXPECT_THROW(tubular::fill_keeping_boundary(cube, patch, constant_size(0.5), mesh,
+                                              tubular::parameters::volume_mesher(tubular::Volume_mesher::mesh_3)),
+               tubular::Meshing_error);
 }
 
 TEST(Fill_without_tetgen, SaysSo) {
@@ -408,16 +475,15 @@ TEST(Child_process, PrintsNothing) {
 using tubular::internal::Boundary_arrays;
 using tubular::internal::Recovered_boundary;
 
-template <class Recovery> std::string sentence_of(const Recovery& recover) {
+template <class Recovery> std::string sentence_of(const Recovery& recover, bool in_child_process = true) {
   const Labelled_tube tube(12, 2);
   Mesh mesh;
-  try {
-    tubular::internal::fill_keeping_boundary(tube.surface, tube.patch, constant_size(0.5), recover, "Some mesher", {60},
-                                             mesh);
-  } catch (const tubular::Meshing_error& e) {
-    return e.what();
-  }
-  return "";
+  tubular::Fill_keeping_boundary_options options;
+  options.in_child_process = in_child_process;
+  options.time_limit = 60;
+  const tubular::internal::Filling_limits limits(options, tube.surface, "use fill_with_mesh_3()");
+  return tubular::internal::fill_by_recovery(
+      tube.surface, tube.patch, [](const Point&) { return 0.5; }, {recover, "Some mesher"}, limits, mesh);
 }
 
 TEST(Fill_keeping_boundary, ExplainsWhateverHappens) {
@@ -442,6 +508,24 @@ TEST(Fill_keeping_boundary, ExplainsWhateverHappens) {
     EXPECT_NE(e.first.find(e.second), std::string::npos) << e.first;
     EXPECT_NE(e.first.find("fill_with_mesh_3()"), std::string::npos) << e.first;
   }
+}
+
+TEST(Fill_keeping_boundary, ExplainsInThisProcessWhatCanBeExplained) {
+  const auto gives_up = [](const Boundary_arrays&, Recovered_boundary&) { return 5; };
+  const auto runs_out_of_memory = [](const Boundary_arrays&, Recovered_boundary&) -> int { throw std::bad_alloc(); };
+  EXPECT_NE(sentence_of(gives_up, false).find("too close"), std::string::npos);
+  EXPECT_NE(sentence_of(runs_out_of_memory, false).find("not enough memory"), std::string::npos);
+}
+
+TEST_F(Fill_with_tetgen, RefusesMorePointsThanMemoryHolds) {
+  const Labelled_tube tube(12, 2);
+  tubular::internal::Filling_limits limits({}, tube.surface, "");
+  limits.most_points = 5;
+  Mesh mesh;
+  const std::string sentence = tubular::internal::fill_by_recovery(
+      tube.surface, tube.patch, [](const Point&) { return 0.2; }, tubular::internal::tetgen_recovery(), limits, mesh);
+  EXPECT_NE(sentence.find("more than 5 points"), std::string::npos) << sentence;
+  EXPECT_TRUE(mesh.points.empty());
 }
 
 TEST(Fill_keeping_boundary, RefusesAFillingThatDoesNotKeepTheSurface) {
@@ -472,7 +556,7 @@ TEST(Delaunay_refinement, FillsACubeAndKeepsItsBoundary) {
     Mesh mesh = fan_in_a_cube(side);
     const Mesh before = mesh;
     // not below the size of the boundary's triangles by much: points too near to those are not added
-    tubular::internal::add_points_inside(constant_size(0.25 * side), 100000, mesh);
+    ASSERT_TRUE(tubular::internal::add_points_inside([side](const Point&) { return 0.25 * side; }, 100000, mesh));
     const auto report = tubular::validity_report(mesh);
     EXPECT_TRUE(report.is_valid()) << report.defects();
     EXPECT_NEAR(volume(mesh) / (side * side * side), 1, 1e-12);
@@ -485,7 +569,7 @@ TEST(Delaunay_refinement, FillsACubeAndKeepsItsBoundary) {
 
 TEST(Delaunay_refinement, RefusesMorePointsThanMemoryHolds) {
   Mesh mesh = fan_in_a_cube(1);
-  EXPECT_THROW(tubular::internal::add_points_inside(constant_size(0.2), 5, mesh), tubular::Meshing_error);
+  EXPECT_FALSE(tubular::internal::add_points_inside([](const Point&) { return 0.2; }, 5, mesh));
 }
 
 TEST(Unit_frame, BringsPointsToUnitExtentAndBack) {
@@ -493,8 +577,8 @@ TEST(Unit_frame, BringsPointsToUnitExtentAndBack) {
   const tubular::internal::Unit_frame frame(points);
   for (const Point& p : points) {
     const auto x = frame.to_frame(p);
-    for (double c : x)
-      EXPECT_LE(std::abs(c), 0.5);
+    for (int k = 0; k < 3; ++k)
+      EXPECT_LE(std::abs(x[k]), 0.5);
     const Point back = frame.from_frame(x);
     EXPECT_NEAR(back.x(), p.x(), 1e-9);
     EXPECT_NEAR(back.y(), p.y(), 1e-9);

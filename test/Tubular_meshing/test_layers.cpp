@@ -16,7 +16,7 @@
 #include <CGAL/Tubular_meshing/Quality/validity_report.h>
 #include <CGAL/Tubular_meshing/Layers/extrude_boundary_layer.h>
 #include <CGAL/Tubular_meshing/Layers/internal/labelled_facets.h>
-#include <CGAL/Tubular_meshing/Volume/fill_with_tetgen.h>
+#include <CGAL/Tubular_meshing/Volume/fill_keeping_boundary.h>
 #include <CGAL/Tubular_meshing/Volume/optimize_tetrahedra.h>
 
 #include "test_surfaces.h"
@@ -549,7 +549,7 @@ TEST(Extrude_boundary_layer, with_a_filling_is_one_valid_mesh_and_takes_a_wall) 
       double operator()(const Point&, int, int) const { return 0.4; }
     } size;
     Mesh inside;
-    tubular::fill_with_tetgen(layer.inner, layer.patch, size, inside);
+    tubular::fill_keeping_boundary(layer.inner, layer.patch, size, inside);
     tubular::optimize_tetrahedra(inside, layer.inner, layer.patch, parameters::keep_boundary(true));
     tubular::append_mesh(layer.layers, inside, layer.mesh_points);
     const auto validity = tubular::validity_report(layer.layers);

@@ -14,7 +14,7 @@
 #include <CGAL/Tubular_meshing/Patches/surface_to_mixed_mesh.h>
 #include <CGAL/Tubular_meshing/Pipelines/Tubular_model.h>
 #include <CGAL/Tubular_meshing/Layers/extrude_boundary_layer.h>
-#include <CGAL/Tubular_meshing/Volume/fill_with_tetgen.h>
+#include <CGAL/Tubular_meshing/Volume/fill_keeping_boundary.h>
 #include <CGAL/Tubular_meshing/Volume/optimize_tetrahedra.h>
 #include <CGAL/Tubular_meshing/Pipelines/make_mesh.h>
 
@@ -86,7 +86,7 @@ TEST_P(Layers_on_data, are_valid) {
                                               tubular::Wall_distance(model.surface, model.patch, tubular::labels::wall),
                                               parameters::points_per_circumference(GetParam().points));
   Mesh inside;
-  tubular::fill_with_tetgen(lumen.inner, lumen.patch, size, inside);
+  tubular::fill_keeping_boundary(lumen.inner, lumen.patch, size, inside);
   tubular::optimize_tetrahedra(inside, lumen.inner, lumen.patch, parameters::keep_boundary(true));
   tubular::append_mesh(mesh, inside, lumen.mesh_points);
   tubular::extrude_wall(mesh, centerlines, parameters::tetrahedral_wall(true));

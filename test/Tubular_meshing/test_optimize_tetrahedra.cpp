@@ -8,6 +8,7 @@
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/Quality/quality_report.h>
 #include <CGAL/Tubular_meshing/Quality/validity_report.h>
+#include <CGAL/Tubular_meshing/Volume/internal/Topology_optimizer.h>
 #include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/Vertex_insertion.h>
 #include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/Vertex_removal.h>
 #include <CGAL/Tubular_meshing/Volume/optimize_tetrahedra.h>

@@ -9,7 +9,7 @@
 #include <CGAL/Tubular_meshing/Quads/blossom_recombination.h>
 #include <CGAL/Tubular_meshing/Quality/quality_report.h>
 #include <CGAL/Tubular_meshing/Quality/validity_report.h>
-#include <CGAL/Tubular_meshing/Volume/fill_with_tetgen.h>
+#include <CGAL/Tubular_meshing/Volume/Volume_mesher.h>
 
 #include <gtest/gtest.h>
 

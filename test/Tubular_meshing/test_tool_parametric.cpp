@@ -7,7 +7,7 @@
 
 #include <CGAL/Tubular_meshing/IO/read_surface.h>
 #include <CGAL/Tubular_meshing/Quality/validity_report.h>
-#include <CGAL/Tubular_meshing/Volume/fill_with_tetgen.h>
+#include <CGAL/Tubular_meshing/Volume/Volume_mesher.h>
 
 #include <CGAL/Aff_transformation_3.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>

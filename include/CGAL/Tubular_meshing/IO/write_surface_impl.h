@@ -123,7 +123,7 @@ inline Polydata polydata_of(const Labelled_faces& surface) {
     data.ends.push_back(static_cast<std::int64_t>(data.corners.size()));
   }
   if (!surface.metric.empty()) {
-    data.point_array_name = "metric";
+    data.point_array_name = metric_array_name;
     data.point_array_components = 6;
     data.point_array = surface.metric;
   }
@@ -158,7 +158,7 @@ inline void write_msh_surface(Output_file& file, const Labelled_faces& surface) 
       mesh.triangles.push_back({c[0], c[1], c[2]}, label);
   }
   if (!surface.metric.empty())
-    mesh.point_arrays.push_back({"metric", 6, surface.metric});
+    mesh.point_arrays.push_back({metric_array_name, 6, surface.metric});
   mesh.patch_names = names_of_patches(surface.patch);
   Msh_writer(file, mesh).write_4_1();
 }

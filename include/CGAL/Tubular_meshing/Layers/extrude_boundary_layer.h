@@ -79,7 +79,7 @@ Boundary_layer extrude_boundary_layer(const Surface& surface, Face_patch_map pat
  * \code{.cpp}
  * auto layer = extrude_boundary_layer(surface, patch, centerlines);
  * Mixed_mesh inside;
- * fill_with_tetgen(layer.inner, layer.patch, size, inside);
+ * fill_keeping_boundary(layer.inner, layer.patch, size, inside);
  * optimize_tetrahedra(inside, layer.inner, layer.patch, parameters::keep_boundary(true));
  * append_mesh(layer.layers, inside, layer.mesh_points);
  * \endcode

@@ -56,7 +56,7 @@ CGAL_TUBULAR_MESHING_INLINE void surface_to_mixed_mesh(const Remeshed_surface& r
   internal::surface_to_mixed_mesh(remeshed.surface, remeshed.patch, mesh);
   if (remeshed.metrics.empty())
     return;
-  Point_array array{"metric", 6, {}};
+  Point_array array{metric_array_name, 6, {}};
   for (const Metric_tensor_3& m : remeshed.metrics)
     for (double component : m.components())
       array.values.push_back(component);

@@ -31,7 +31,7 @@ public:
       , graph_(graph)
       , field_(graph) {
     for (const Point_array& a : mesh.point_arrays)
-      if (a.name == "metric" && a.components == 6 && a.values.size() == 6 * mesh.points.size())
+      if (a.is_metric() && a.values.size() == 6 * mesh.points.size())
         metric_ = a.values.data();
     if (metric_ == nullptr)
       throw Input_error("The mesh has no point array `metric` of six components, which tells the sizes asked for; "

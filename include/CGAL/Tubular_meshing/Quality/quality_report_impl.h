@@ -74,7 +74,7 @@ public:
     r.pyramid_jacobian =
         over(mesh_.pyramids, [](const std::array<Vector_3d, 5>& p) { return internal::pyramid_jacobian(p); });
     for (const Point_array& a : mesh_.point_arrays)
-      if (a.name == "metric" && a.components == 6)
+      if (a.is_metric())
         add_metric_measures(a, r);
     return r;
   }

@@ -4,71 +4,43 @@
 #ifndef CGAL_TUBULAR_MESHING_VOLUME_ANISOTROPIC_TETRAHEDRAL_REMESHING_H
 #define CGAL_TUBULAR_MESHING_VOLUME_ANISOTROPIC_TETRAHEDRAL_REMESHING_H
 
-#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Fields/Metric_tensor_3.h>
+#include <CGAL/Tubular_meshing/base/Function_view.h>
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
-#include <CGAL/Tubular_meshing/Volume/internal/Patch_projection.h>
-#include <CGAL/Tubular_meshing/Volume/internal/Tetrahedron_store.h>
-#include <CGAL/Tubular_meshing/Volume/internal/remeshing/Metric_mesh.h>
-#include <CGAL/Tubular_meshing/Volume/internal/remeshing/Metric_remesher.h>
-#include <CGAL/Tubular_meshing/Volume/internal/remeshing/remeshing_input.h>
+#include <CGAL/Tubular_meshing/base/config.h>
+#include <CGAL/Tubular_meshing/base/convert_surface.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 #include <CGAL/Tubular_meshing/base/parameters.h>
 
-#include <algorithm>
-#include <cstddef>
-#include <memory>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Tubular_meshing {
+
+/*! \ingroup PkgTubularMeshingRef
+ * The named parameters of anisotropic_tetrahedral_remeshing(), as a struct. */
+struct Anisotropic_tetrahedral_remeshing_options {
+  bool keep_boundary = false;
+  std::vector<int> boundary_layer_patches;
+  int number_of_threads = 0;
+
+  Anisotropic_tetrahedral_remeshing_options() = default;
+  template <class NamedParameters> explicit Anisotropic_tetrahedral_remeshing_options(const NamedParameters& np) {
+    keep_boundary = internal::choose(np, internal_np::keep_boundary, keep_boundary);
+    boundary_layer_patches = internal::choose(np, internal_np::boundary_layer_patches, boundary_layer_patches);
+    number_of_threads = internal::choose(np, internal_np::number_of_threads, number_of_threads);
+  }
+};
+
 namespace internal {
 
-// A user's field, as the remesher asks it.
-template <class MetricField> struct Metric_at_vector {
-  const MetricField& field;
-  Metric_tensor_3 operator()(const Vector_3d& p) const { return field(Point_3(p.x, p.y, p.z)); }
-};
+typedef Function_view<Metric_tensor_3(const Point_3&)> Metric_function;
 
-struct No_observer {
-  template <class Remesher> void operator()(const Remesher&, const char*, std::size_t) const {}
-};
-
-/* All work is done on a copy: `mesh` is as it was until the end. `make_projection(store)` gives the surface on which
- * the vertices of the boundary stay. */
-template <class MetricField, class MakeProjection, class NamedParameters, class Observer>
-void remesh_to_metric(Mixed_mesh& mesh, const MetricField& metric, const MakeProjection& make_projection,
-                      const NamedParameters& np, const Observer& observe) {
-  typedef Metric_at_vector<MetricField> Field;
-  const bool keep_boundary = choose(np, internal_np::keep_boundary, false);
-  const int threads = choose(np, internal_np::number_of_threads, 0);
-  const auto layer_patches = choose(np, internal_np::boundary_layer_patches, std::vector<int>());
-  if (threads < 0)
-    throw Parameter_error("number_of_threads is negative; pass the number of threads, or 0 for all cores.");
-  check_mesh_to_remesh(mesh);
-  std::unique_ptr<Tetrahedron_store> store(new Tetrahedron_store(mesh));
-  const Patch_projection projection(make_projection(*store));
-  const Field field{metric};
-  Metric_mesh<Field> metric_mesh(*store, field, projection, keep_boundary, layer_patches, threads);
-  Metric_remesher<Field>(metric_mesh).run(observe);
-  metric_mesh.renumber();
-  const std::vector<Metric_tensor_3> metrics = metric_mesh.take_metrics();
-
-  Mixed_mesh result;
-  const auto number = store->write_to(result);
-  store.reset();
-  Point_array array{"metric", 6, std::vector<double>(6 * result.points.size())};
-  for (std::size_t v = 0; v < number.size(); ++v)
-    if (number[v] != Tetrahedron_store::none) {
-      const auto components = metrics[v].components();
-      std::copy(components.begin(), components.end(), array.values.begin() + 6 * std::ptrdiff_t(number[v]));
-    }
-  mesh.points.swap(result.points);
-  std::swap(mesh.tetrahedra, result.tetrahedra);
-  std::swap(mesh.triangles, result.triangles);
-  mesh.point_arrays.assign(1, std::move(array));
-}
+void anisotropic_tetrahedral_remeshing(Mixed_mesh& mesh, Metric_function metric,
+                                       const Anisotropic_tetrahedral_remeshing_options& options);
+void anisotropic_tetrahedral_remeshing(Mixed_mesh& mesh, const Surface& surface, Face_patch_map patch,
+                                       Metric_function metric,
+                                       const Anisotropic_tetrahedral_remeshing_options& options);
 
 } // namespace internal
 
@@ -83,8 +55,8 @@ void remesh_to_metric(Mixed_mesh& mesh, const MetricField& metric, const MakePro
  * where this gives the best of the worst elements in the measure \f$ Q_\tau \f$ (16). Every change keeps each
  * tetrahedron positively oriented, by a margin well above rounding, so that no element is ever inverted.
  *
- * Labels are kept: regions, patches, the rims at which patches meet, and the corners at which rims meet. Unless told to
- * keep it, the boundary is remeshed together with the volume, interfaces between regions too. Its vertices lie on the
+ * Labels are kept: regions, patches, the rims at which patches meet, and the corners at which rims meet. Unless it
+ * is kept, the boundary is remeshed together with the volume, interfaces between regions too. Its vertices lie on the
  * surface that `mesh` had in the beginning, in the overload with a surface on that surface; edges are kept closer to it
  * than a tenth of their length, where the metric's sizes leave a choice. Sharp edges inside one patch are no rims: give
  * the two sides patches of their own where they matter.
@@ -102,8 +74,7 @@ void remesh_to_metric(Mixed_mesh& mesh, const MetricField& metric, const MakePro
  * O(n log n) in the number n of tetrahedra, of the input or of the result, whichever is larger. All passes run on
  * several threads, where oneTBB is there; the result does not depend on their number. About 350 bytes a tetrahedron.
  *
- * \tparam Point a model of `Point_3`, constructible from three `double`
- * \tparam MetricField a model of `MetricField_3`: a function object that gives a Metric_tensor_3 at a `Point`. It is
+ * \tparam MetricField a model of `MetricField_3`: a function object that gives a Metric_tensor_3 at a `Point_3`. It is
  *   called from several threads at once, unless `number_of_threads` is 1.
  *
  * \param mesh tetrahedra of positive volume, and all facets of their boundary and between regions, each with a patch
@@ -112,12 +83,22 @@ void remesh_to_metric(Mixed_mesh& mesh, const MetricField& metric, const MakePro
  * \param np an optional sequence of named parameters among the ones listed below
  *
  * \cgalNamedParamsBegin
- *   \cgalParamNBegin{keep_boundary} \cgalParamDescription{whether the facets of the boundary and of interfaces stay as
- *     they are, one by one} \cgalParamDefault{`false`} \cgalParamNEnd
- *   \cgalParamNBegin{boundary_layer_patches} \cgalParamDescription{a `std::vector<int>`: the patches along which the
- *     metric describes a boundary layer. The first layer there gets as high as the metric's size across it; the regular
- *     tetrahedron of unit edges is only 0.8 as high} \cgalParamDefault{none} \cgalParamNEnd
- *   \cgalParamNBegin{number_of_threads} \cgalParamDescription{0 takes all cores} \cgalParamDefault{0} \cgalParamNEnd
+ *   \cgalParamNBegin{keep_boundary}
+ *     \cgalParamDescription{whether the facets of the boundary and of interfaces stay as they are, one by one}
+ *     \cgalParamType{`bool`}
+ *     \cgalParamDefault{`false`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{boundary_layer_patches}
+ *     \cgalParamDescription{the patches along which the metric describes a boundary layer. The first layer there gets
+ * as high as the metric's size across it; the regular tetrahedron of unit edges is only 0.8 as high}
+ *     \cgalParamType{`std::vector<int>`}
+ *     \cgalParamDefault{none}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{number_of_threads}
+ *     \cgalParamDescription{0 takes all cores}
+ *     \cgalParamType{`int`}
+ *     \cgalParamDefault{0}
+ *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
  * \throws Input_error if the mesh is not valid (cells other than tetrahedra, inverted cells, boundary facets without a
@@ -130,9 +111,9 @@ void remesh_to_metric(Mixed_mesh& mesh, const MetricField& metric, const MakePro
 template <class MetricField, class NamedParameters = CGAL::parameters::Default_named_parameters>
 void anisotropic_tetrahedral_remeshing(Mixed_mesh& mesh, const MetricField& metric,
                                        const NamedParameters& np = CGAL::parameters::default_values()) {
-  internal::remesh_to_metric(
-      mesh, metric, [](const internal::Tetrahedron_store& store) { return internal::Patch_projection(store); }, np,
-      internal::No_observer());
+  const auto field = [&metric](const Point_3& p) -> Metric_tensor_3 { return metric(p); };
+  internal::anisotropic_tetrahedral_remeshing(mesh, internal::Metric_function(field),
+                                              Anisotropic_tetrahedral_remeshing_options(np));
 }
 
 /*! \ingroup PkgTubularMeshingRef
@@ -140,25 +121,39 @@ void anisotropic_tetrahedral_remeshing(Mixed_mesh& mesh, const MetricField& metr
  * The same for a mesh that approximates a given surface: vertices on the boundary come to lie on that surface, not on
  * the facets that the mesh has.
  *
- * \tparam Surface a model of `FaceListGraph` and `HalfedgeListGraph`
- * \tparam Face_patch_map a readable property map from its faces to `int`
+ * \tparam FaceGraph a model of `FaceListGraph`
+ * \tparam FacePatchMap a readable property map from its faces to `int`
  *
  * \param mesh as above
  * \param surface the triangulated surface; interfaces of the mesh that are not in it stay on themselves approximately
  * \param patch the labels of its faces: those of the mesh's triangles
  * \param metric as above
- * \param np as above
+ * \param np as above, and
+ *
+ * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{vertex_point_map}
+ *     \cgalParamDescription{the points of the surface's vertices}
+ *     \cgalParamType{a model of `ReadablePropertyMap`}
+ *     \cgalParamDefault{`get(CGAL::vertex_point, surface)`}
+ *   \cgalParamNEnd
+ * \cgalNamedParamsEnd
  */
-template <class MetricField, class NamedParameters = CGAL::parameters::Default_named_parameters>
-void anisotropic_tetrahedral_remeshing(Mixed_mesh& mesh, const Surface& surface, Face_patch_map patch,
+template <class FaceGraph, class FacePatchMap, class MetricField,
+          class NamedParameters = CGAL::parameters::Default_named_parameters>
+void anisotropic_tetrahedral_remeshing(Mixed_mesh& mesh, const FaceGraph& surface, FacePatchMap patch,
                                        const MetricField& metric,
                                        const NamedParameters& np = CGAL::parameters::default_values()) {
-  internal::remesh_to_metric(
-      mesh, metric, [&](const internal::Tetrahedron_store&) { return internal::Patch_projection(surface, patch); }, np,
-      internal::No_observer());
+  const internal::Core_labelled_surface<FaceGraph, FacePatchMap, NamedParameters> core(surface, patch, np);
+  const auto field = [&metric](const Point_3& p) -> Metric_tensor_3 { return metric(p); };
+  internal::anisotropic_tetrahedral_remeshing(mesh, core.surface(), core.patch(), internal::Metric_function(field),
+                                              Anisotropic_tetrahedral_remeshing_options(np));
 }
 
 } // namespace Tubular_meshing
 } // namespace CGAL
+
+#ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
+#include <CGAL/Tubular_meshing/Volume/anisotropic_tetrahedral_remeshing_impl.h>
+#endif
 
 #endif // CGAL_TUBULAR_MESHING_VOLUME_ANISOTROPIC_TETRAHEDRAL_REMESHING_H

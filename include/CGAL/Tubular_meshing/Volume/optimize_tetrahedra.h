@@ -4,61 +4,34 @@
 #ifndef CGAL_TUBULAR_MESHING_VOLUME_OPTIMIZE_TETRAHEDRA_H
 #define CGAL_TUBULAR_MESHING_VOLUME_OPTIMIZE_TETRAHEDRA_H
 
-#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
-#include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/Kept_boundary.h>
-#include <CGAL/Tubular_meshing/Volume/internal/Patch_projection.h>
-#include <CGAL/Tubular_meshing/Volume/internal/Surface_flip_guard.h>
-#include <CGAL/Tubular_meshing/Volume/internal/Tetrahedron_store.h>
-#include <CGAL/Tubular_meshing/Volume/internal/Topology_optimizer.h>
-#include <CGAL/Tubular_meshing/Volume/internal/Vertex_optimizer.h>
-#include <CGAL/Tubular_meshing/Volume/internal/reduce_deviation.h>
-#include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/remesh_worst.h>
-#include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/write_inside.h>
+#include <CGAL/Tubular_meshing/base/config.h>
+#include <CGAL/Tubular_meshing/base/convert_surface.h>
+#include <CGAL/Tubular_meshing/base/exceptions.h>
 #include <CGAL/Tubular_meshing/base/parameters.h>
 
 namespace CGAL {
 namespace Tubular_meshing {
+
+/*! \ingroup PkgTubularMeshingRef
+ * The named parameters of optimize_tetrahedra(), as a struct. */
+struct Optimize_tetrahedra_options {
+  int optimization_passes = 2;
+  bool keep_boundary = false;
+  int number_of_threads = 0;
+
+  Optimize_tetrahedra_options() = default;
+  template <class NamedParameters> explicit Optimize_tetrahedra_options(const NamedParameters& np) {
+    optimization_passes = internal::choose(np, internal_np::optimization_passes, optimization_passes);
+    keep_boundary = internal::choose(np, internal_np::keep_boundary, keep_boundary);
+    number_of_threads = internal::choose(np, internal_np::number_of_threads, number_of_threads);
+  }
+};
+
 namespace internal {
 
-// Where flips start from: slivers first, then whatever is clearly below the mean that comes out.
-constexpr double first_flips_below = 0.5;
-constexpr double later_flips_below = 0.6;
-
-inline void optimize_with_surface(Mixed_mesh& mesh, const Surface& surface, Face_patch_map patch, int passes,
-                                  int threads) {
-  typedef Surface_flip_guard<Patch_projection> Guard;
-  const Patch_projection projection(surface, patch);
-  Tetrahedron_store store(mesh);
-  const Guard guard(store, projection);
-  Topology_optimizer<Guard>(store, guard).improve_below(first_flips_below);
-  for (int pass = 0; pass < passes; ++pass) {
-    Vertex_optimizer<Patch_projection> vertices(store, projection, threads);
-    vertices.sweep();
-    vertices.sweep();
-    if (pass + 1 == passes)
-      reduce_deviation(surface, patch, store, vertices, threads);
-    Topology_optimizer<Guard>(store, guard).improve_below(later_flips_below);
-  }
-  store.write_to(mesh);
-}
-
-// Flips and sweeps alone leave a few tetrahedra of boundary vertices at 0.15 to 0.25: those are remeshed.
-constexpr double remeshed_below = 0.4;
-
-inline void optimize_inside(Mixed_mesh& mesh, int passes, int threads) {
-  const Kept_boundary boundary;
-  Tetrahedron_store store(mesh);
-  Topology_optimizer<Kept_boundary>(store, boundary).improve_below(first_flips_below);
-  for (int pass = 0; pass < passes; ++pass) {
-    Vertex_optimizer<Kept_boundary> vertices(store, boundary, threads);
-    vertices.sweep();
-    vertices.sweep();
-    Topology_optimizer<Kept_boundary>(store, boundary).improve_below(later_flips_below);
-    remesh_worst(store, remeshed_below);
-  }
-  write_inside(store, mesh);
-}
+void optimize_tetrahedra(Mixed_mesh& mesh, const Surface& surface, Face_patch_map patch,
+                         const Optimize_tetrahedra_options& options);
 
 } // namespace internal
 
@@ -79,8 +52,8 @@ inline void optimize_inside(Mixed_mesh& mesh, int passes, int threads) {
  * Linear in the size of the mesh for each round. Sweeps run in parallel; the result does not depend on the number of
  * threads.
  *
- * \tparam Surface a model of `FaceListGraph` and `HalfedgeListGraph`
- * \tparam Face_patch_map a readable property map from its faces to `int`
+ * \tparam FaceGraph a model of `FaceListGraph`
+ * \tparam FacePatchMap a readable property map from its faces to `int`
  *
  * \param mesh tetrahedra, positively oriented, and all their boundary triangles, labelled
  * \param surface the closed triangulated surface that the mesh approximates
@@ -88,27 +61,43 @@ inline void optimize_inside(Mixed_mesh& mesh, int passes, int threads) {
  * \param np an optional sequence of named parameters among the ones listed below
  *
  * \cgalNamedParamsBegin
- *   \cgalParamNBegin{optimization_passes} \cgalParamDescription{number of rounds} \cgalParamDefault{2} \cgalParamNEnd
- *   \cgalParamNBegin{keep_boundary} \cgalParamDescription{only the inside is improved; `surface` and `patch` make no
- *     difference then} \cgalParamDefault{false} \cgalParamNEnd
- *   \cgalParamNBegin{number_of_threads} \cgalParamDescription{0 takes all cores} \cgalParamDefault{0} \cgalParamNEnd
+ *   \cgalParamNBegin{optimization_passes}
+ *     \cgalParamDescription{number of rounds}
+ *     \cgalParamType{`int`}
+ *     \cgalParamDefault{2}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{keep_boundary}
+ *     \cgalParamDescription{only the inside is improved; `surface` and `patch` make no difference then}
+ *     \cgalParamType{`bool`}
+ *     \cgalParamDefault{`false`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{number_of_threads}
+ *     \cgalParamDescription{0 takes all cores}
+ *     \cgalParamType{`int`}
+ *     \cgalParamDefault{0}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{vertex_point_map}
+ *     \cgalParamDescription{the points of the surface's vertices}
+ *     \cgalParamType{a model of `ReadablePropertyMap`}
+ *     \cgalParamDefault{`get(CGAL::vertex_point, surface)`}
+ *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
  * References: edge removal by dynamic programming, \cgalCite{klincsek1980}; swapping and smoothing in turn,
  * \cgalCite{freitag1997}; new vertices in cavities that grow, \cgalCite{klingner2007}.
  */
-template <class NamedParameters = CGAL::parameters::Default_named_parameters>
-void optimize_tetrahedra(Mixed_mesh& mesh, const Surface& surface, Face_patch_map patch,
+template <class FaceGraph, class FacePatchMap, class NamedParameters = CGAL::parameters::Default_named_parameters>
+void optimize_tetrahedra(Mixed_mesh& mesh, const FaceGraph& surface, FacePatchMap patch,
                          const NamedParameters& np = CGAL::parameters::default_values()) {
-  const int passes = internal::choose(np, internal_np::optimization_passes, 2);
-  const int threads = internal::choose(np, internal_np::number_of_threads, 0);
-  if (internal::choose(np, internal_np::keep_boundary, false))
-    internal::optimize_inside(mesh, passes, threads);
-  else
-    internal::optimize_with_surface(mesh, surface, patch, passes, threads);
+  const internal::Core_labelled_surface<FaceGraph, FacePatchMap, NamedParameters> core(surface, patch, np);
+  internal::optimize_tetrahedra(mesh, core.surface(), core.patch(), Optimize_tetrahedra_options(np));
 }
 
 } // namespace Tubular_meshing
 } // namespace CGAL
+
+#ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
+#include <CGAL/Tubular_meshing/Volume/optimize_tetrahedra_impl.h>
+#endif
 
 #endif // CGAL_TUBULAR_MESHING_VOLUME_OPTIMIZE_TETRAHEDRA_H

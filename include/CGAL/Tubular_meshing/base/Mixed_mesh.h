@@ -39,6 +39,10 @@ template <std::size_t N> struct Element_block {
 };
 
 /*! \ingroup PkgTubularMeshingRef
+ * The name of the point array of a metric: xx, xy, xz, yy, yz, zz. */
+constexpr const char* metric_array_name = "metric";
+
+/*! \ingroup PkgTubularMeshingRef
  *
  * Values at the points of a mesh: `components` numbers a point, point after point.
  */
@@ -46,6 +50,8 @@ struct Point_array {
   std::string name;
   int components;
   std::vector<double> values; ///< `components` x number of points
+
+  bool is_metric() const { return name == metric_array_name && components == 6; }
 };
 
 /*! \ingroup PkgTubularMeshingRef

@@ -83,7 +83,7 @@ inline void read_medit_solution(const std::string& name, Mixed_mesh& mesh) {
     return;
   if (in.integer("solutions at a vertex") != 1 || in.integer("kind of solution") != 3)
     return;
-  Point_array metric{"metric", 6, std::vector<double>(6 * mesh.points.size())};
+  Point_array metric{metric_array_name, 6, std::vector<double>(6 * mesh.points.size())};
   for (std::size_t i = 0; i < mesh.points.size(); ++i)
     for (std::size_t k = 0; k < 6; ++k)
       metric.values[6 * i + medit_component[k]] = in.number("metric");

@@ -61,7 +61,7 @@ inline void write_medit(Output_file& file, const Mixed_mesh& mesh) {
   out << "End\n";
   out.flush();
   for (const Point_array& a : mesh.point_arrays)
-    if (a.name == "metric" && a.components == 6)
+    if (a.is_metric())
       write_medit_solution(file.companion(medit_solution_name(file.name())), a);
 }
 

@@ -77,7 +77,7 @@ public:
     for (Point_3& p : mesh.points)
       p = from_frame(p);
     for (Point_array& a : mesh.point_arrays)
-      if (a.name == metric_array && a.components == 6)
+      if (a.is_metric())
         for (std::size_t i = 0; i + 5 < a.values.size(); i += 6)
           bring_metric_back(&a.values[i]);
   }

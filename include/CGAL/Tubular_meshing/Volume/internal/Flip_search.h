@@ -67,8 +67,8 @@ public:
 
 private:
   static constexpr int most_link_vertices = 8;
-  static constexpr double peelable = 0.3;  // worse than this, a tetrahedron on the surface is flat
-  static constexpr double worth_it = 1e-3; // smaller gains invite endless exchanges between near ties
+  static constexpr double peelable = 0.3;    // worse than this, a tetrahedron on the surface is flat
+  static constexpr double least_gain = 1e-3; // in quality: smaller ones invite endless exchanges between near ties
 
   double quality_of(Index a, Index b, Index c, Index d) const { return measure_.tetrahedron(a, b, c, d); }
   double triangle_quality_of(Index a, Index b, Index c) const { return measure_.triangle(a, b, c); }
@@ -89,13 +89,13 @@ private:
     }
     if (has_labelled_facet_inside())
       return false;
-    double required = worst + worth_it;
+    double required = worst + least_gain;
     facets_.clear();
     if (!ring_.closed && !surface_flip_improves(required))
       return false;
     if (!best_triangulation(m, required))
       return false;
-    // asked last, as they may be dear
+    // asked last, as they may be costly
     if (!ring_.closed && (are_joined(ring_.link.front(), ring_.link.back()) ||
                           !guard_(ring_.a, ring_.b, ring_.link.front(), ring_.link.back(), facets_.front().label)))
       return false;
@@ -145,7 +145,7 @@ private:
     // triangles count with the tetrahedra: one measure that only ever rises
     const double before = (std::min)(triangle_quality_of(a, b, c), triangle_quality_of(a, b, d));
     const double after = (std::min)(triangle_quality_of(a, c, d), triangle_quality_of(b, c, d));
-    required = (std::min)(required, before + worth_it);
+    required = (std::min)(required, before + least_gain);
     if (after < required)
       return false;
     facets_.push_back({{a, c, d}, label});
@@ -217,7 +217,7 @@ private:
     const Index s = Store::tetrahedron_of(tet.neighbor[i]);
     const Index p = tet.v[i], q = store_[s].v[Store::opposite_of(tet.neighbor[i])];
     const auto& c = Store::facet_corners(i);
-    const double worst = (std::min)(quality_[t], quality_[s]) + worth_it;
+    const double worst = (std::min)(quality_[t], quality_[s]) + least_gain;
     new_cells_.clear();
     for (int k = 0; k < 3; ++k) {
       const Index u = tet.v[c[k]], v = tet.v[c[(k + 1) % 3]];

@@ -7,6 +7,7 @@
 #include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
+#include <CGAL/Tubular_meshing/base/element_measures.h>
 
 #include <boost/container/small_vector.hpp>
 
@@ -115,6 +116,14 @@ public:
   bool is_alive(Index t) const { return tetrahedra_[t].v[0] != none; }
   const Tetrahedron& operator[](Index t) const { return tetrahedra_[t]; }
   std::int32_t region(Index t) const { return tetrahedra_[t].region; }
+  std::int32_t label(Index facet) const { return tetrahedra_[tetrahedron_of(facet)].label[opposite_of(facet)]; }
+  Index other_side(Index facet) const { return tetrahedra_[tetrahedron_of(facet)].neighbor[opposite_of(facet)]; }
+  // The vertices of a facet, counterclockwise from outside of its tetrahedron.
+  Facet_vertices vertices(Index facet) const {
+    const Vertices& v = tetrahedra_[tetrahedron_of(facet)].v;
+    const auto& c = facet_corners(opposite_of(facet));
+    return {v[c[0]], v[c[1]], v[c[2]]};
+  }
   Index tetrahedron_at(Index v) const { return at_vertex_[v]; }
 
   int corner(Index t, Index v) const {
@@ -407,6 +416,11 @@ private:
   std::vector<std::uint32_t> visited_; // per tetrahedron: the last replace() that it went by
   std::uint32_t stamp_ = 0;
 };
+
+// The quality (13) of a tetrahedron of vertices of a store.
+inline double gamma_of(const Tetrahedron_store& store, const Tetrahedron_store::Vertices& v) {
+  return tetrahedron_gamma(store.point(v[0]), store.point(v[1]), store.point(v[2]), store.point(v[3]));
+}
 
 } // namespace internal
 } // namespace Tubular_meshing

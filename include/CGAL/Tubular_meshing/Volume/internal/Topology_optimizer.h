@@ -25,9 +25,7 @@ struct Isotropic_measure {
   typedef Tetrahedron_store::Index Index;
   const Tetrahedron_store& store;
 
-  double tetrahedron(Index a, Index b, Index c, Index d) const {
-    return tetrahedron_gamma(store.point(a), store.point(b), store.point(c), store.point(d));
-  }
+  double tetrahedron(Index a, Index b, Index c, Index d) const { return gamma_of(store, {a, b, c, d}); }
   double triangle(Index a, Index b, Index c) const {
     return 0.6 * triangle_gamma(store.point(a), store.point(b), store.point(c));
   }

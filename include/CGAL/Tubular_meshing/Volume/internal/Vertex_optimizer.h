@@ -110,21 +110,21 @@ private:
     Shape_energy here;
     if (!energy(v, old, normals, true, here))
       return;
-    Vector_3d step = at.dimension == 3 ? newton_step(here.hessian, here.gradient)
-                     : at.dimension == 2
-                         ? tangential_step(here.hessian, here.gradient, normals[0])
-                         : step_along(here.hessian, here.gradient, normalized(cross(normals[0], normals[1])));
-    for (int attempt = 0; attempt < 4; ++attempt, step = 0.4 * step) {
-      const Vector_3d moved = old + step, p = project(moved, at);
+    const Vector_3d step = at.dimension == 3 ? newton_step(here.hessian, here.gradient)
+                           : at.dimension == 2
+                               ? tangential_step(here.hessian, here.gradient, normals[0])
+                               : step_along(here.hessian, here.gradient, normalized(cross(normals[0], normals[1])));
+    backtrack(step, [&](const Vector_3d& s) {
+      const Vector_3d moved = old + s, p = project(moved, at);
       // a projection longer than the step has landed on another part of the surface
-      if (at.dimension < 3 && squared_norm(p - moved) > squared_norm(step))
-        continue;
+      if (at.dimension < 3 && squared_norm(p - moved) > squared_norm(s))
+        return false;
       Shape_energy there;
-      if (energy(v, p, normals, false, there) && there.value < here.value) {
-        store_.move(v, p);
-        return;
-      }
-    }
+      if (!energy(v, p, normals, false, there) || !(there.value < here.value))
+        return false;
+      store_.move(v, p);
+      return true;
+    });
   }
 
   Vector_3d project(const Vector_3d& p, const Location& at) const {
@@ -161,9 +161,7 @@ private:
     double worst = 1;
     for (Index s : stars_.facets(v)) {
       const auto& tet = store_[Store::tetrahedron_of(s)];
-      const auto& w = tet.v;
-      worst = (std::min)(
-          worst, tetrahedron_gamma(store_.point(w[0]), store_.point(w[1]), store_.point(w[2]), store_.point(w[3])));
+      worst = (std::min)(worst, gamma_of(store_, tet.v));
       const int i = Store::opposite_of(s);
       for (int j = 0; j < 4; ++j)
         if (j != i && tet.label[j] != 0) {

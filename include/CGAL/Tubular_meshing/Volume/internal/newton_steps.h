@@ -48,6 +48,12 @@ inline Vector_3d step_along(const Symmetric_matrix_3d& h, const Vector_3d& g, co
   return curvature > 0 ? (-slope / curvature) * t : Vector_3d();
 }
 
+// Tries a step and then shorter ones: try_step(step) returns whether it was taken.
+template <class Try> void backtrack(Vector_3d step, const Try& try_step) {
+  for (int attempt = 0; attempt < 4 && !try_step(step); ++attempt)
+    step = 0.4 * step;
+}
+
 } // namespace internal
 } // namespace Tubular_meshing
 } // namespace CGAL

@@ -40,7 +40,7 @@ public:
       for (int i = 0; i < 4; ++i)
         if (store.is_alive(t) && store[t].label[i] != 0) {
           facets_.push_back(Tetrahedron_store::facet(t, i));
-          const auto v = corners_of(facets_.back());
+          const auto v = store.vertices(facets_.back());
           triangles.emplace_back(to_point(v[0]), to_point(v[1]), to_point(v[2]));
         }
     tree_ = Nearest_tree<Triangle>(std::move(triangles));
@@ -74,7 +74,7 @@ private:
   void snap(Vertex u, Index facet) {
     const Vector_3d p(point(u));
     const std::vector<std::int32_t> patches = patches_at(u);
-    Facet_vertices v = corners_of(facet);
+    Facet_vertices v = store_.vertices(facet);
     std::sort(v.begin(), v.end(),
               [&](Index a, Index b) { return squared_norm(store_.point(a) - p) < squared_norm(store_.point(b) - p); });
     for (Index w : v)
@@ -91,13 +91,8 @@ private:
     return patches;
   }
 
-  Facet_vertices corners_of(Index facet) const {
-    const auto& v = store_[Tetrahedron_store::tetrahedron_of(facet)].v;
-    const auto& c = Tetrahedron_store::facet_corners(Tetrahedron_store::opposite_of(facet));
-    return {v[c[0]], v[c[1]], v[c[2]]};
-  }
   double squared_size(Index facet) const {
-    const auto v = corners_of(facet);
+    const auto v = store_.vertices(facet);
     return (std::max)({squared_norm(store_.point(v[0]) - store_.point(v[1])),
                        squared_norm(store_.point(v[1]) - store_.point(v[2])),
                        squared_norm(store_.point(v[2]) - store_.point(v[0]))});

@@ -10,8 +10,6 @@
 #include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/Recovered_boundary.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Surface_mesh.h>
 #include <CGAL/exceptions.h>
 #include <CGAL/make_conforming_constrained_Delaunay_triangulation_3.h>
 
@@ -24,9 +22,6 @@
 namespace CGAL {
 namespace Tubular_meshing {
 namespace internal {
-
-typedef Exact_predicates_inexact_constructions_kernel Ccdt_kernel;
-typedef CGAL::Surface_mesh<Ccdt_kernel::Point_3> Ccdt_surface;
 
 // The cells that cannot be reached from outside without crossing the surface.
 template <class Ccdt> auto cells_inside(const Ccdt& ccdt) {
@@ -47,10 +42,10 @@ template <class Ccdt> auto cells_inside(const Ccdt& ccdt) {
   return inside;
 }
 
-template <class Ccdt> Steiner_points_inside to_arrays(const Ccdt& ccdt, const Ccdt_surface& surface) {
+template <class Ccdt> Steiner_points_inside to_arrays(const Ccdt& ccdt, const Surface& surface) {
   typedef typename Ccdt::Triangulation::Vertex_handle Vertex_handle;
   Steiner_points_inside arrays;
-  std::map<Ccdt_kernel::Point_3, std::uint32_t> number;
+  std::map<Point_3, std::uint32_t> number;
   for (auto v : surface.vertices()) {
     number[surface.point(v)] = std::uint32_t(arrays.points.size());
     arrays.points.emplace_back(surface.point(v));
@@ -78,10 +73,10 @@ template <class Ccdt> Steiner_points_inside to_arrays(const Ccdt& ccdt, const Cc
  * Delaunay triangulation, whose points on the surface are brought inside. Returns 0 or, in TetGen's numbers, what went
  * wrong. */
 inline int run_ccdt(const Boundary_arrays& boundary, Recovered_boundary& recovered) {
-  Ccdt_surface surface;
-  std::vector<Ccdt_surface::Vertex_index> vertex;
+  Surface surface;
+  std::vector<Surface::Vertex_index> vertex;
   for (const auto& p : boundary.points)
-    vertex.push_back(surface.add_vertex(Ccdt_kernel::Point_3(p[0], p[1], p[2])));
+    vertex.push_back(surface.add_vertex(Point_3(p.x, p.y, p.z)));
   for (const auto& t : boundary.triangles)
     surface.add_face(vertex[t[0]], vertex[t[1]], vertex[t[2]]);
   Steiner_points_inside arrays;
@@ -93,8 +88,7 @@ inline int run_ccdt(const Boundary_arrays& boundary, Recovered_boundary& recover
   const std::size_t own = boundary.points.size();
   if (!arrays.run(std::uint32_t(own)))
     return 4;
-  for (std::size_t i = own; i < arrays.points.size(); ++i)
-    recovered.inner_points.push_back({arrays.points[i].x, arrays.points[i].y, arrays.points[i].z});
+  recovered.inner_points.assign(arrays.points.begin() + std::ptrdiff_t(own), arrays.points.end());
   recovered.tetrahedra = arrays.tetrahedra;
   return 0;
 }

@@ -4,11 +4,10 @@
 #ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_KEPT_BOUNDARY_DELAUNAY_REFINEMENT_H
 #define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_KEPT_BOUNDARY_DELAUNAY_REFINEMENT_H
 
-#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Volume/internal/Tetrahedron_store.h>
+#include <CGAL/Tubular_meshing/base/Function_view.h>
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
-
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <algorithm>
 #include <array>
@@ -21,19 +20,19 @@ namespace CGAL {
 namespace Tubular_meshing {
 namespace internal {
 
-/* Adds points inside a mesh until no tetrahedron is larger than `size(Vector_3d)`, a length, allows, but for those that
+/* Adds points inside a mesh until no tetrahedron is larger than `size`, a length, allows, but for those that
  * only a point too near to the boundary could split: facets with a label, and all their vertices, stay [Shewchuk 1998].
  *
  * A tetrahedron too large is split by its circumcenter: the tetrahedra whose circumscribed spheres contain that point,
  * and which are reached from the first without crossing a labelled facet, make room for those between it and the facets
  * of the cavity. Predicates are exact, so that none is inverted. About linear in the number of tetrahedra made. */
-template <class Size> class Delaunay_refinement {
+class Delaunay_refinement {
 public:
   typedef Tetrahedron_store Store;
   typedef Store::Index Index;
 
   // `radius_bound`: the largest circumscribed radius, over the size there.
-  Delaunay_refinement(Store& store, const Size& size, double radius_bound)
+  Delaunay_refinement(Store& store, Length_function size, double radius_bound)
       : store_(store)
       , size_(size)
       , radius_bound_(radius_bound) {}
@@ -57,17 +56,12 @@ public:
   }
 
 private:
-  typedef Exact_predicates_inexact_constructions_kernel Kernel;
-  typedef Kernel::Point_3 Point;
-
   // of a new point from vertices and labelled facets, over the size
   static constexpr double least_spacing = 0.7;
   static constexpr double least_height = 0.5;
 
-  Point point(Index v) const {
-    const Vector_3d& p = store_.point(v);
-    return Point(p.x, p.y, p.z);
-  }
+  static Point_3 to_point(const Vector_3d& p) { return Point_3(p.x, p.y, p.z); }
+  Point_3 point(Index v) const { return to_point(store_.point(v)); }
 
   // By its circumcenter or, where the boundary is in the way and coarser than the inside, by its middle.
   bool split(Index t, Store::Index_list& come) {
@@ -75,7 +69,7 @@ private:
     const Vector_3d& p = store_.point(w[0]);
     const Vector_3d a = store_.point(w[1]) - p, b = store_.point(w[2]) - p, c = store_.point(w[3]) - p;
     const Vector_3d middle = p + 0.25 * (a + b + c);
-    const double h = size_(middle), denominator = 2 * dot(a, cross(b, c));
+    const double h = size_(to_point(middle)), denominator = 2 * dot(a, cross(b, c));
     if (!(denominator > 0))
       return false;
     const Vector_3d to_center = (1 / denominator) * (squared_norm(a) * cross(b, c) + squared_norm(b) * cross(c, a) +
@@ -87,21 +81,21 @@ private:
 
   // Puts a point that is in the circumscribed sphere of t, and no nearer than `spacing` to other vertices.
   bool insert(const Vector_3d& x, Index t, double spacing, double h, Store::Index_list& come) {
-    const Point p(x.x, x.y, x.z);
+    const Point_3 p = to_point(x);
     collect_cavity(p, t);
     if (!make_visible(p, t) || is_crowded(x, spacing) || encroaches(x, least_height * h))
       return false;
     const Index v = store_.add_vertex(x);
     cells_.clear();
     for (Index f : facets_) {
-      const auto w = vertices(f);
+      const auto w = store_.vertices(f);
       cells_.push_back({v, w[0], w[1], w[2]});
     }
     store_.replace(cavity_, cells_, std::array<Store::Labelled_facet, 0>(), come);
     return true;
   }
 
-  void collect_cavity(const Point& p, Index t) {
+  void collect_cavity(const Point_3& p, Index t) {
     cavity_.assign(1, t);
     for (std::size_t k = 0; k < cavity_.size(); ++k)
       for (int i = 0; i < 4; ++i) {
@@ -113,13 +107,12 @@ private:
 
   // The tetrahedron behind a facet that may be crossed.
   Index beyond(Index facet) const {
-    const auto& tet = store_[Store::tetrahedron_of(facet)];
-    const int i = Store::opposite_of(facet);
-    return tet.neighbor[i] == Store::none || tet.label[i] != 0 ? Store::none : Store::tetrahedron_of(tet.neighbor[i]);
+    const Index other = store_.other_side(facet);
+    return other == Store::none || store_.label(facet) != 0 ? Store::none : Store::tetrahedron_of(other);
   }
   bool is_in_cavity(Index t) const { return std::find(cavity_.begin(), cavity_.end(), t) != cavity_.end(); }
 
-  bool conflicts(const Point& p, Index t) const {
+  bool conflicts(const Point_3& p, Index t) const {
     const auto& v = store_[t].v;
     return Kernel().side_of_oriented_sphere_3_object()(point(v[0]), point(v[1]), point(v[2]), point(v[3]), p) ==
            ON_POSITIVE_SIDE;
@@ -127,7 +120,7 @@ private:
 
   /* Takes tetrahedra out of the cavity until p sees the inside of all of its facets: without the Delaunay property,
    * next to the boundary, it need not. False if the first one would have to go. */
-  bool make_visible(const Point& p, Index t) {
+  bool make_visible(const Point_3& p, Index t) {
     for (;;) {
       facets_.clear();
       Index hidden = Store::none;
@@ -137,7 +130,7 @@ private:
           if (n != Store::none && is_in_cavity(n))
             continue;
           facets_.push_back(f);
-          const auto w = vertices(f);
+          const auto w = store_.vertices(f);
           if (orientation(p, point(w[0]), point(w[1]), point(w[2])) != POSITIVE)
             hidden = c;
         }
@@ -151,7 +144,7 @@ private:
 
   bool is_crowded(const Vector_3d& x, double spacing) const {
     for (Index f : facets_)
-      for (Index v : vertices(f))
+      for (Index v : store_.vertices(f))
         if (squared_norm(store_.point(v) - x) < spacing * spacing)
           return true;
     return false;
@@ -161,9 +154,9 @@ private:
   // vertices and, as the facet may be larger than what is wanted inside, below a height.
   bool encroaches(const Vector_3d& x, double height) const {
     for (Index f : facets_) {
-      if (store_[Store::tetrahedron_of(f)].label[Store::opposite_of(f)] == 0)
+      if (store_.label(f) == 0)
         continue;
-      const auto w = vertices(f);
+      const auto w = store_.vertices(f);
       const Vector_3d& p = store_.point(w[0]);
       const Vector_3d a = store_.point(w[1]) - p, b = store_.point(w[2]) - p, n = cross(a, b);
       const Vector_3d to_center =
@@ -174,14 +167,8 @@ private:
     return false;
   }
 
-  Store::Facet_vertices vertices(Index facet) const {
-    const auto& v = store_[Store::tetrahedron_of(facet)].v;
-    const auto& c = Store::facet_corners(Store::opposite_of(facet));
-    return {v[c[0]], v[c[1]], v[c[2]]};
-  }
-
   Store& store_;
-  const Size& size_;
+  Length_function size_;
   double radius_bound_;
 
   // the cavity at hand
@@ -189,11 +176,6 @@ private:
   std::vector<Index> facets_; // each with its tetrahedron inside
   std::vector<Store::Vertices> cells_;
 };
-
-template <class Size>
-std::size_t refine_inside(Tetrahedron_store& store, const Size& size, double radius_bound, std::size_t most) {
-  return Delaunay_refinement<Size>(store, size, radius_bound)(most);
-}
 
 } // namespace internal
 } // namespace Tubular_meshing

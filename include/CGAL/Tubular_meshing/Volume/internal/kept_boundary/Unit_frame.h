@@ -5,12 +5,11 @@
 #define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_KEPT_BOUNDARY_UNIT_FRAME_H
 
 #include <CGAL/Tubular_meshing/base/Kernel.h>
+#include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
 #include <CGAL/Bbox_3.h>
-#include <CGAL/number_utils.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <vector>
 
@@ -23,32 +22,26 @@ namespace internal {
  * The scale is a power of two, so that nothing is rounded by it. */
 class Unit_frame {
 public:
-  typedef std::array<double, 3> Coordinates;
-
   explicit Unit_frame(const std::vector<Point_3>& points) {
     Bbox_3 box;
     for (const Point_3& p : points)
       box += p.bbox();
-    double extent = 0;
-    for (int k = 0; k < 3; ++k) {
-      middle_[k] = box.min(k) + (box.max(k) - box.min(k)) / 2;
-      extent = (std::max)(extent, box.max(k) - box.min(k));
-    }
+    const Vector_3d low(box.xmin(), box.ymin(), box.zmin()), size = Vector_3d(box.xmax(), box.ymax(), box.zmax()) - low;
+    middle_ = low + 0.5 * size;
+    const double extent = (std::max)({0., size.x, size.y, size.z});
     scale_ = extent > 0 ? std::exp2(std::ceil(std::log2(extent))) : 1;
   }
 
   double scale() const { return scale_; } // the length of the frame's unit
 
-  Coordinates to_frame(const Point_3& p) const {
-    return {(CGAL::to_double(p.x()) - middle_[0]) / scale_, (CGAL::to_double(p.y()) - middle_[1]) / scale_,
-            (CGAL::to_double(p.z()) - middle_[2]) / scale_};
-  }
-  Point_3 from_frame(const Coordinates& x) const {
-    return Point_3(middle_[0] + scale_ * x[0], middle_[1] + scale_ * x[1], middle_[2] + scale_ * x[2]);
+  Vector_3d to_frame(const Point_3& p) const { return (1 / scale_) * (Vector_3d(p) - middle_); }
+  Point_3 from_frame(const Vector_3d& x) const {
+    const Vector_3d p = middle_ + scale_ * x;
+    return Point_3(p.x, p.y, p.z);
   }
 
 private:
-  Coordinates middle_;
+  Vector_3d middle_;
   double scale_ = 1;
 };
 

@@ -19,7 +19,7 @@ namespace Tubular_meshing {
 namespace internal {
 
 /* Replaces a bad tetrahedron and some of those around it by the tetrahedra between a new vertex and the facets of the
- * cavity, if the worst of them is better: the way out where all vertices of a bad tetrahedron are fixed [Klingner and
+ * cavity, if the worst of them is better: what helps where all vertices of a bad tetrahedron are fixed [Klingner and
  * Shewchuk 2007]. The cavity starts as the ring of an edge of the tetrahedron, and grows through the facets that the
  * worst new tetrahedra stand on; the vertex goes where the worst is best. Facets with a label are never crossed, so
  * that the boundary stays; inner vertices that the cavity swallows are gone. */
@@ -47,12 +47,12 @@ public:
         }
         place(c);
         const double before = worst_of(c.tetrahedra);
-        if (c.worst > before + worth_it && c.worst > best.worst) {
+        if (c.worst > before + least_gain && c.worst > best.worst) {
           best = c;
           required = before;
         }
       }
-    if (!(best.worst > required + worth_it))
+    if (!(best.worst > required + least_gain))
       return false;
     commit(best, come);
     return true;
@@ -68,8 +68,8 @@ private:
 
   static constexpr int rounds = 3;
   static constexpr std::size_t most_tetrahedra = 60;
-  static constexpr double worth_it = 1e-2;
-  static constexpr int most_searches = 50; // in all directions; ten are usual
+  static constexpr double least_gain = 1e-2; // in quality
+  static constexpr int most_searches = 50;   // in all directions; ten are usual
 
   bool start(Index t, int i, int j, Candidate& c) {
     store_.ring(t, i, j, ring_);
@@ -91,16 +91,15 @@ private:
   }
 
   bool leads_into(const Candidate& c, Index facet) const {
-    const Index n = store_[Store::tetrahedron_of(facet)].neighbor[Store::opposite_of(facet)];
+    const Index n = store_.other_side(facet);
     return n != Store::none &&
            std::find(c.tetrahedra.begin(), c.tetrahedra.end(), Store::tetrahedron_of(n)) != c.tetrahedra.end();
   }
 
   // Of the tetrahedron between a facet and a point on the side of its tetrahedron.
   double quality(Index facet, const Vector_3d& p) const {
-    const auto& v = store_[Store::tetrahedron_of(facet)].v;
-    const auto& f = Store::facet_corners(Store::opposite_of(facet));
-    return tetrahedron_gamma(p, store_.point(v[f[0]]), store_.point(v[f[1]]), store_.point(v[f[2]]));
+    const auto v = store_.vertices(facet);
+    return tetrahedron_gamma(p, store_.point(v[0]), store_.point(v[1]), store_.point(v[2]));
   }
   // The worst over all facets; given up once it is below `least`.
   double worst_with(const Candidate& c, const Vector_3d& p, double least) const {
@@ -114,11 +113,8 @@ private:
   }
   double worst_of(const std::vector<Index>& tetrahedra) const {
     double worst = 1;
-    for (Index t : tetrahedra) {
-      const auto& v = store_[t].v;
-      worst = (std::min)(
-          worst, tetrahedron_gamma(store_.point(v[0]), store_.point(v[1]), store_.point(v[2]), store_.point(v[3])));
-    }
+    for (Index t : tetrahedra)
+      worst = (std::min)(worst, gamma_of(store_, store_[t].v));
     return worst;
   }
 
@@ -182,12 +178,11 @@ private:
   }
 
   bool grow_through(Index facet, double worst, Candidate& c) const {
-    const auto& inside = store_[Store::tetrahedron_of(facet)];
-    const Index n = inside.neighbor[Store::opposite_of(facet)];
-    if (n == Store::none || inside.label[Store::opposite_of(facet)] != 0)
+    const Index n = store_.other_side(facet);
+    if (n == Store::none || store_.label(facet) != 0)
       return false;
     const Index t = Store::tetrahedron_of(n);
-    if (store_.region(t) != inside.region)
+    if (store_.region(t) != store_.region(Store::tetrahedron_of(facet)))
       return false;
     std::array<Index, 3> opened, closed;
     std::size_t number_opened = 0, number_closed = 0;
@@ -200,7 +195,7 @@ private:
           return false;
         closed[number_closed++] = store_[t].neighbor[k];
       } else {
-        if (quality(f, c.vertex) <= worst + worth_it)
+        if (quality(f, c.vertex) <= worst + least_gain)
           return false;
         opened[number_opened++] = f;
       }
@@ -219,9 +214,8 @@ private:
     const Index v = store_.add_vertex(c.vertex);
     std::vector<Store::Vertices> cells;
     for (Index f : c.facets) {
-      const auto& w = store_[Store::tetrahedron_of(f)].v;
-      const auto& k = Store::facet_corners(Store::opposite_of(f));
-      cells.push_back({v, w[k[0]], w[k[1]], w[k[2]]});
+      const auto w = store_.vertices(f);
+      cells.push_back({v, w[0], w[1], w[2]});
     }
     store_.replace(c.tetrahedra, cells, std::array<Store::Labelled_facet, 0>(), come);
   }

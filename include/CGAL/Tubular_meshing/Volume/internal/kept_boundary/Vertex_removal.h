@@ -36,7 +36,7 @@ public:
   }
 
 private:
-  static constexpr double worth_it = 1e-2;
+  static constexpr double least_gain = 1e-2; // in quality
 
   bool remove(Index v, Store::Index_list& come) {
     store_.star(v, star_);
@@ -51,11 +51,11 @@ private:
           return false;
         neighbors.push_back(tet.v[i]);
       }
-      worst = (std::min)(worst, quality(tet.v));
+      worst = (std::min)(worst, gamma_of(store_, tet.v));
     }
     std::sort(neighbors.begin(), neighbors.end());
     neighbors.erase(std::unique(neighbors.begin(), neighbors.end()), neighbors.end());
-    double best = worst + worth_it;
+    double best = worst + least_gain;
     Index target = Store::none;
     for (Index u : neighbors) {
       const double q = worst_after(v, u, best);
@@ -80,7 +80,7 @@ private:
     for (Index s : star_) {
       if (has(store_[s].v, u))
         continue;
-      worst = (std::min)(worst, quality(moved(store_[s].v, v, u)));
+      worst = (std::min)(worst, gamma_of(store_, moved(store_[s].v, v, u)));
       if (worst <= least)
         break;
     }
@@ -91,9 +91,6 @@ private:
   static Store::Vertices moved(Store::Vertices w, Index v, Index u) {
     std::replace(w.begin(), w.end(), v, u);
     return w;
-  }
-  double quality(const Store::Vertices& w) const {
-    return tetrahedron_gamma(store_.point(w[0]), store_.point(w[1]), store_.point(w[2]), store_.point(w[3]));
   }
 
   Store& store_;

@@ -5,14 +5,14 @@
 #define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_KEPT_BOUNDARY_FAILURE_SENTENCE_H
 
 #include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/Child_process.h>
+#include <CGAL/Tubular_meshing/base/Kernel.h>
+#include <CGAL/Tubular_meshing/base/place_of.h>
 
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
-#include <CGAL/boost/graph/properties.h>
 
 #include <csignal>
 #include <cstring>
 #include <iterator>
-#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,8 +21,8 @@ namespace CGAL {
 namespace Tubular_meshing {
 namespace internal {
 
-// What befell a recovery of the boundary, as the second half of a sentence; the codes are TetGen's.
-inline std::string what_befell(const Child_ending& ending) {
+// What went wrong with a recovery of the boundary, as the second half of a sentence; the codes are TetGen's.
+inline std::string what_went_wrong(const Child_ending& ending) {
   const std::string code = std::to_string(ending.code);
   if (ending.kind == Child_ending::no_child)
     return std::string("no process could be started for it (") + std::strerror(ending.code) + ")";
@@ -55,27 +55,23 @@ inline std::string what_befell(const Child_ending& ending) {
 }
 
 // Where the surface crosses itself, as a clause that begins with a colon; empty if it does not.
-template <class TriangleMesh> std::string where_it_crosses_itself(const TriangleMesh& surface) {
-  typedef typename boost::graph_traits<TriangleMesh>::face_descriptor Face;
+inline std::string where_it_crosses_itself(const Surface& surface) {
+  typedef Surface::Face_index Face;
   std::vector<std::pair<Face, Face>> pairs;
   Polygon_mesh_processing::self_intersections(surface, std::back_inserter(pairs));
   if (pairs.empty())
     return std::string();
-  const auto& p = get(CGAL::vertex_point, surface, target(halfedge(pairs.front().first, surface), surface));
-  std::ostringstream s;
-  s << ": the surface crosses itself at " << pairs.size() << (pairs.size() == 1 ? " pair" : " pairs")
-    << " of triangles, the first at (" << p.x() << ", " << p.y() << ", " << p.z() << ")";
-  return s.str();
+  const Vector_3d place(surface.point(surface.target(surface.halfedge(pairs.front().first))));
+  return ": the surface crosses itself at " + std::to_string(pairs.size()) + (pairs.size() == 1 ? " pair" : " pairs") +
+         " of triangles, the first at " + place_of(place, 6);
 }
 
-/* What goes wrong is most often that the surface crosses itself, whatever the recovery says; `way_out` is what to do
- * else. */
-template <class TriangleMesh>
-std::string failure_sentence(const std::string& name, const Child_ending& ending, const TriangleMesh& surface,
-                             const std::string& way_out) {
+// What goes wrong is most often that the surface crosses itself, whatever the recovery says.
+inline std::string failure_sentence(const std::string& name, const Child_ending& ending, const Surface& surface,
+                                    const std::string& instead) {
   const std::string crossing = ending.kind == Child_ending::no_child ? std::string() : where_it_crosses_itself(surface);
-  return name + " could not fill this surface, " + what_befell(ending) + crossing +
-         (crossing.empty() ? ": " : "; mend it, or ") + way_out + ".";
+  return name + " could not fill this surface, " + what_went_wrong(ending) + crossing +
+         (crossing.empty() ? ": " : "; mend it, or ") + instead + ".";
 }
 
 } // namespace internal

@@ -17,15 +17,11 @@ namespace Tubular_meshing {
 namespace internal {
 
 /* Takes inner vertices away from the tetrahedra below `threshold`, or adds some, where that makes the worst of those
- * around better: for the few that flips and moves cannot mend. The boundary stays as it is. Returns the number of
+ * around better: for the few that flips and moves cannot improve. The boundary stays as it is. Returns the number of
  * changes. */
 inline std::size_t remesh_worst(Tetrahedron_store& store, double threshold) {
   typedef Tetrahedron_store::Index Index;
-  const auto is_bad = [&](Index t) {
-    const auto& v = store[t].v;
-    return store.is_alive(t) &&
-           tetrahedron_gamma(store.point(v[0]), store.point(v[1]), store.point(v[2]), store.point(v[3])) < threshold;
-  };
+  const auto is_bad = [&](Index t) { return store.is_alive(t) && gamma_of(store, store[t].v) < threshold; };
   std::vector<Index> todo;
   for (Index t = 0; t < store.number_of_slots(); ++t)
     if (is_bad(t))

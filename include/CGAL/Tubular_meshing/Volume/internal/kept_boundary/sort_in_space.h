@@ -4,12 +4,8 @@
 #ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_KEPT_BOUNDARY_SORT_IN_SPACE_H
 #define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_KEPT_BOUNDARY_SORT_IN_SPACE_H
 
+#include <CGAL/Tubular_meshing/Volume/internal/order_in_space.h>
 #include <CGAL/Tubular_meshing/base/Kernel.h>
-#include <CGAL/Tubular_meshing/base/Nearest_tree.h>
-
-#include <CGAL/Spatial_sort_traits_adapter_3.h>
-#include <CGAL/hilbert_sort.h>
-#include <CGAL/property_map.h>
 
 #include <array>
 #include <cstddef>
@@ -25,17 +21,15 @@ namespace internal {
 /* Sorts tetrahedra along a Hilbert curve through their centers. TetGen lists them in the order of its memory blocks;
  * sorted, they are optimized in two thirds of the time. O(n log n). */
 inline void sort_in_space(const std::vector<Point_3>& points, std::vector<std::array<std::uint32_t, 4>>& tetrahedra) {
-  typedef Double_kernel::Point_3 Center;
-  std::vector<Center> centers; // four times them
+  std::vector<Point_3> centers; // four times them
   centers.reserve(tetrahedra.size());
   for (const auto& t : tetrahedra) {
     const Point_3 &p = points[t[0]], &q = points[t[1]], &r = points[t[2]], &s = points[t[3]];
     centers.emplace_back(p.x() + q.x() + r.x() + s.x(), p.y() + q.y() + r.y() + s.y(), p.z() + q.z() + r.z() + s.z());
   }
-  auto center = make_property_map(centers);
   std::vector<std::size_t> order(tetrahedra.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
-  hilbert_sort(order.begin(), order.end(), Spatial_sort_traits_adapter_3<Double_kernel, decltype(center)>(center));
+  order_in_space(centers, order);
   std::vector<std::array<std::uint32_t, 4>> sorted;
   sorted.reserve(tetrahedra.size());
   for (std::size_t i : order)

@@ -46,14 +46,13 @@ private:
     Shape_energy here;
     if (!energy(v, old, true, here))
       return;
-    Vector_3d step = newton_step(here.hessian, here.gradient);
-    for (int attempt = 0; attempt < 4; ++attempt, step = 0.4 * step) {
+    backtrack(newton_step(here.hessian, here.gradient), [&](const Vector_3d& step) {
       Shape_energy there;
-      if (energy(v, old + step, false, there) && there.value < here.value) {
-        store_.move(v, old + step);
-        return;
-      }
-    }
+      if (!energy(v, old + step, false, there) || !(there.value < here.value))
+        return false;
+      store_.move(v, old + step);
+      return true;
+    });
   }
 
   bool energy(Index v, const Vector_3d& x, bool with_derivatives, Shape_energy& e) const {
@@ -64,10 +63,8 @@ private:
         return false;
     e.scale(0.5);
     for (Index s : stars_.facets(v)) {
-      const auto& tet = store_[Store::tetrahedron_of(s)];
-      const auto& c = Store::facet_corners(Store::opposite_of(s));
-      if (!e.add_tetrahedron(x, store_.point(tet.v[c[0]]), store_.point(tet.v[c[1]]), store_.point(tet.v[c[2]]),
-                             with_derivatives))
+      const auto f = store_.vertices(s);
+      if (!e.add_tetrahedron(x, store_.point(f[0]), store_.point(f[1]), store_.point(f[2]), with_derivatives))
         return false;
     }
     return true;

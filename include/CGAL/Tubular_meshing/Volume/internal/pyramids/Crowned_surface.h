@@ -12,7 +12,6 @@
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
-#include <CGAL/Surface_mesh.h>
 
 #include <algorithm>
 #include <array>
@@ -36,10 +35,8 @@ namespace internal {
  * them. As a pyramid that is lowered stays within what it was, only those that met another one can still meet any. */
 class Crowned_surface {
 public:
-  typedef CGAL::Surface_mesh<Point_3> Surface;
-  typedef typename Surface::Vertex_index Vertex;
-  typedef typename Surface::Face_index Face;
-  typedef typename Surface::template Property_map<Face, int> Face_patch_map;
+  typedef Surface::Vertex_index Vertex;
+  typedef Surface::Face_index Face;
   typedef std::vector<std::size_t> Quads; // sorted
 
   // Of the pyramids' sides in patch(): no label of a user's.
@@ -103,14 +100,13 @@ private:
   }
 
   // The apex of quad k comes behind the points of the quads themselves.
-  Vertex apex(std::size_t k) const { return Vertex(typename Surface::size_type(first_apex_ + k)); }
+  Vertex apex(std::size_t k) const { return Vertex(Surface::size_type(first_apex_ + k)); }
 
   void build(const Mixed_mesh& mesh) {
     const std::size_t n = crowns_.size();
     first_apex_ = mesh.points.size();
-    surface_.reserve(typename Surface::size_type(first_apex_ + n),
-                     typename Surface::size_type((3 * triangles_ + 12 * n) / 2),
-                     typename Surface::size_type(triangles_ + 4 * n));
+    surface_.reserve(Surface::size_type(first_apex_ + n), Surface::size_type((3 * triangles_ + 12 * n) / 2),
+                     Surface::size_type(triangles_ + 4 * n));
     patch_ = surface_.add_property_map<Face, int>("f:patch", side_label).first;
     for (const Point_3& p : mesh.points)
       surface_.add_vertex(p);
@@ -146,10 +142,10 @@ private:
   std::vector<Face> faces_of(const Quads& quads) const {
     std::vector<Face> faces;
     for (std::size_t i = 0; i < triangles_; ++i)
-      faces.push_back(Face(typename Surface::size_type(i)));
+      faces.push_back(Face(Surface::size_type(i)));
     for (std::size_t k : quads)
       for (std::size_t i = 0; i < 4; ++i)
-        faces.push_back(Face(typename Surface::size_type(triangles_ + 4 * k + i)));
+        faces.push_back(Face(Surface::size_type(triangles_ + 4 * k + i)));
     return faces;
   }
 

@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_PYRAMIDS_SIZE_NEAR_SURFACE_H
 #define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_PYRAMIDS_SIZE_NEAR_SURFACE_H
 
+#include <CGAL/Tubular_meshing/base/Function_view.h>
 #include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/base/Nearest_tree.h>
@@ -24,18 +25,16 @@ namespace CGAL {
 namespace Tubular_meshing {
 namespace internal {
 
-/* A sizing field, but no larger than the edges of a surface near it, from which sizes grow by a part of the distance.
+/* A size field, but no larger than the edges of a surface near it, from which sizes grow by a part of the distance.
  * Structured quads need not have the size that was asked for, and what is left by layers of cells does not know of it;
  * tetrahedra much larger than the facets that they stand on are bad ones. */
-template <class SizingField> class Size_near_surface {
+class Size_near_surface {
 public:
-  typedef double FT;
-
-  Size_near_surface(const SizingField& field, const Mixed_mesh& surface)
+  Size_near_surface(Length_function field, const Mixed_mesh& surface)
       : field_(field)
       , mean_edge_(surface.points.size(), 0)
       , points_(positions(surface.points))
-      , tree_(points_.begin(), points_.end(), typename Tree::Splitter(), Search_traits(position_map())) {
+      , tree_(points_.begin(), points_.end(), Tree::Splitter(), Search_traits(position_map())) {
     std::vector<double> edges(surface.points.size(), 0);
     const auto add = [&](const auto& block) {
       for (const auto& f : block.vertices)
@@ -57,11 +56,10 @@ public:
   Size_near_surface(const Size_near_surface&) = delete;
   Size_near_surface& operator=(const Size_near_surface&) = delete;
 
-  template <class Point_3, class Index> double operator()(const Point_3& p, int dimension, const Index& index) const {
+  double operator()(const Point_3& p) const {
     const Search search(tree_, to_double_point(p), 1, 0, true, distance());
     const auto& nearest = *search.begin();
-    return (std::min)(double(field_(p, dimension, index)),
-                      mean_edge_[nearest.first.vertex] + growth * std::sqrt(nearest.second));
+    return (std::min)(field_(p), mean_edge_[nearest.first.vertex] + growth * std::sqrt(nearest.second));
   }
 
 private:
@@ -81,8 +79,8 @@ private:
   };
   typedef CGAL::Search_traits_adapter<Entry, Position_map, CGAL::Search_traits_3<Double_kernel>> Search_traits;
   typedef CGAL::Orthogonal_k_neighbor_search<Search_traits> Search;
-  typedef typename Search::Tree Tree;
-  typedef typename Search::Distance Distance;
+  typedef Search::Tree Tree;
+  typedef Search::Distance Distance;
 
   static Position_map position_map() { return Position_map(); }
   static Distance distance() { return Distance(position_map()); }
@@ -94,7 +92,7 @@ private:
     return entries;
   }
 
-  const SizingField& field_;
+  Length_function field_;
   std::vector<double> mean_edge_; // at each vertex
   std::vector<Entry> points_;
   Tree tree_;

@@ -9,13 +9,14 @@
 #include <CGAL/Tubular_meshing/Volume/internal/pyramids/Crowned_surface.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
+#include <CGAL/Tubular_meshing/base/place_of.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <set>
-#include <sstream>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -24,14 +25,13 @@ namespace Tubular_meshing {
 namespace internal {
 
 [[noreturn]] inline void refuse_quads(const Crowned_surface& crowned, const std::vector<std::size_t>& quads) {
-  const Vector_3d& p = crowned.middle(quads.front());
-  std::ostringstream s;
-  s << "No pyramid fits on the quad at (" << p.x << ", " << p.y << ", " << p.z << ")";
+  std::string sentence = "No pyramid fits on the quad at " + place_of(crowned.middle(quads.front()), 6);
   if (quads.size() > 1)
-    s << ", and on " << quads.size() - 1 << (quads.size() == 2 ? " other" : " others");
-  s << ": it has a corner of 180 degrees or more, or is bent as much, as where two of its edges lie on the rim of an "
-       "opening, or the surface meets itself there; mend it, mesh it finer, or let such quads be split.";
-  throw Meshing_error(s.str());
+    sentence += ", and on " + std::to_string(quads.size() - 1) + (quads.size() == 2 ? " other" : " others");
+  throw Meshing_error(
+      sentence +
+      ": it has a corner of 180 degrees or more, or is bent as much, as where two of its edges lie on the rim of an "
+      "opening, or the surface meets itself there; mend it, mesh it finer, or let such quads be split.");
 }
 
 /* Makes two triangles of a quad: by the diagonal that makes them the better ones, and the flatter edge, unless it is an

@@ -4,15 +4,14 @@
 #ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_PYRAMIDS_OPTIMIZE_WITH_APEXES_H
 #define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_PYRAMIDS_OPTIMIZE_WITH_APEXES_H
 
-#include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/Volume/internal/Tetrahedron_store.h>
-#include <CGAL/Tubular_meshing/Volume/internal/Topology_optimizer.h>
 #include <CGAL/Tubular_meshing/Volume/internal/Vertex_optimizer.h>
 #include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/Kept_boundary.h>
 #include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/remesh_worst.h>
 #include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/write_inside.h>
+#include <CGAL/Tubular_meshing/Volume/internal/optimize_in_passes.h>
 #include <CGAL/Tubular_meshing/Volume/internal/pyramids/Apex_optimizer.h>
-#include <CGAL/Tubular_meshing/Volume/optimize_tetrahedra.h>
+#include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 
 namespace CGAL {
 namespace Tubular_meshing {
@@ -23,23 +22,20 @@ namespace internal {
 inline void optimize_with_apexes(Mixed_mesh& mesh, int passes, int threads) {
   const Kept_boundary boundary;
   Tetrahedron_store store(mesh);
-  Topology_optimizer<Kept_boundary>(store, boundary).improve_below(first_flips_below);
-  for (int pass = 0; pass < passes; ++pass) {
-    {
-      Apex_optimizer apexes(store, mesh.pyramids, threads);
-      Vertex_optimizer<Kept_boundary> vertices(store, boundary, threads);
-      for (int sweep = 0; sweep < 2; ++sweep) {
-        apexes.sweep();
-        vertices.sweep();
-      }
+  const auto move_vertices = [&](int) {
+    Apex_optimizer apexes(store, mesh.pyramids, threads);
+    Vertex_optimizer<Kept_boundary> vertices(store, boundary, threads);
+    for (int sweep = 0; sweep < 2; ++sweep) {
+      apexes.sweep();
+      vertices.sweep();
     }
-    Topology_optimizer<Kept_boundary>(store, boundary).improve_below(later_flips_below);
-    remesh_worst(store, remeshed_below);
-  }
+  };
+  optimize_in_passes(store, boundary, passes, move_vertices, [&] { remesh_worst(store, remeshed_below); });
   write_inside(store, mesh);
 }
 
 } // namespace internal
+
 } // namespace Tubular_meshing
 } // namespace CGAL
 

@@ -29,7 +29,7 @@ namespace internal {
  *
  * Follows the idea of the cavity operator [Loseille and Menier 2014].
  */
-template <class Mesh> class Cavity {
+class Cavity {
 public:
   typedef Tetrahedron_store Store;
   typedef Store::Index Index;
@@ -44,7 +44,7 @@ public:
   typedef boost::container::small_vector<Facet_cone, 64> Cones;
   typedef boost::container::small_vector<Store::Labelled_facet, 16> Facets;
 
-  explicit Cavity(const Mesh& mesh)
+  explicit Cavity(const Metric_mesh& mesh)
       : mesh_(mesh)
       , store_(mesh.store) {}
 
@@ -87,13 +87,13 @@ public:
     return q;
   }
 
-  /* Takes in tetrahedra behind facets with cones below `good_enough`, while each step makes the worst of the two sets
+  /* Takes in tetrahedra behind facets with cones below `wanted`, while each step makes the worst of the two sets
    * it exchanges better. */
-  template <class Quality> void enlarge(double good_enough, const Quality& quality_of) {
+  template <class Quality> void enlarge(double wanted, const Quality& quality_of) {
     for (int step = 0; step < most_steps; ++step) {
       Facet_cone* worst = nullptr;
       for (Facet_cone& c : cones_)
-        if (!c.settled && c.quality < good_enough && (worst == nullptr || c.quality < worst->quality))
+        if (!c.settled && c.quality < wanted && (worst == nullptr || c.quality < worst->quality))
           worst = &c;
       if (worst == nullptr)
         return;
@@ -183,7 +183,7 @@ private:
     return true;
   }
 
-  const Mesh& mesh_;
+  const Metric_mesh& mesh_;
   const Store& store_;
   Metric_point kernel_;
   Index vertex_ = Store::none; // of the kernel, if it is one

@@ -5,8 +5,9 @@
 #define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REMESHING_EDGE_COLLAPSER_H
 
 #include <CGAL/Tubular_meshing/Volume/internal/remeshing/Cavity.h>
-#include <CGAL/Tubular_meshing/Volume/internal/remeshing/Edge_splitter.h>
 #include <CGAL/Tubular_meshing/Volume/internal/remeshing/Link_condition.h>
+#include <CGAL/Tubular_meshing/Volume/internal/remeshing/Operation_bounds.h>
+#include <CGAL/Tubular_meshing/Volume/internal/remeshing/Remeshing_flips.h>
 
 #include <algorithm>
 #include <cmath>
@@ -21,12 +22,12 @@ namespace internal {
  * the same patch or its rim, and so on). On the surface that must not change the surface's shape or topology.
  *
  * First it is found whether that is possible, which only reads: several collapsers may do so at the same time. */
-template <class Mesh, class Flips> class Edge_collapser {
+class Edge_collapser {
 public:
   typedef Tetrahedron_store Store;
   typedef Store::Index Index;
 
-  Edge_collapser(const Mesh& mesh, const Flips& flips)
+  Edge_collapser(const Metric_mesh& mesh, const Remeshing_flips& flips)
       : mesh_(mesh)
       , flips_(flips)
       , cavity_(mesh)
@@ -53,14 +54,14 @@ public:
   }
 
   // Does what was found; the new tetrahedra are left in `come`.
-  void commit(Mesh& mesh, Flips& flips, Store::Index_list& come) const {
+  void commit(Metric_mesh& mesh, Remeshing_flips& flips, Store::Index_list& come) const {
     cavity_.commit(mesh.store, to_, come);
     mesh.store.remove_vertex(from_);
     flips.update_new(come);
   }
 
 private:
-  static constexpr double good_enough = 0.5;          // cones that need not be improved
+  static constexpr double wanted_quality = 0.5;       // of cones: those above need not be improved
   static constexpr std::size_t most_tetrahedra = 200; // around a vertex; of what is worth the work there are some 24
   static constexpr double least_cosine = 0.8;         // between a facet of the surface and what becomes of it
   static constexpr double deviation = 0.1;            // of new edges from the surface, in their length
@@ -82,7 +83,7 @@ private:
     if (at.dimension < 3 && (!add_facets(v, w) || !link_condition_.holds(v, w, ring_, star_)))
       return false;
     if (at.dimension == 3) // on the surface, vertices may come closer than tetrahedra allow for
-      cavity_.enlarge(good_enough, [this](Index t) { return flips_.quality(t); });
+      cavity_.enlarge(wanted_quality, [this](Index t) { return flips_.quality(t); });
     const double worst = cavity_.worst();
     if (!(worst > 0) || !bounds.allow(cavity_.worst_before(), worst))
       return false;
@@ -171,9 +172,9 @@ private:
     return length2 > 0 ? std::sqrt(squared_norm(mesh_.project(middle, on) - middle) / length2) : 0;
   }
 
-  const Mesh& mesh_;
-  const Flips& flips_;
-  Cavity<Mesh> cavity_;
+  const Metric_mesh& mesh_;
+  const Remeshing_flips& flips_;
+  Cavity cavity_;
   Link_condition link_condition_;
   Store::Ring ring_;
   std::vector<Index> star_;

@@ -5,6 +5,7 @@
 #define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REMESHING_EDGE_LIST_H
 
 #include <CGAL/Tubular_meshing/Volume/internal/Tetrahedron_store.h>
+#include <CGAL/Tubular_meshing/Volume/internal/remeshing/Metric_mesh.h>
 #include <CGAL/Tubular_meshing/base/parallel.h>
 
 #include <algorithm>
@@ -45,8 +46,8 @@ inline void sort_and_unite(Edge_list& edges) {
 
 /* The edges of the tetrahedra listed (some may be gone) that have a length of interest, each once, the longest first.
  * O(n log n) in the number of tetrahedra. */
-template <class Mesh, class IsOfInterest>
-Edge_list list_edges(const Mesh& mesh, const std::vector<Tetrahedron_store::Index>& tetrahedra,
+template <class IsOfInterest>
+Edge_list list_edges(const Metric_mesh& mesh, const std::vector<Tetrahedron_store::Index>& tetrahedra,
                      const IsOfInterest& is_of_interest) {
   // by pieces: what is near in the list is mostly near in space, so that few edges are left that are in two of them
   const std::size_t piece = 4096, pieces = (tetrahedra.size() + piece - 1) / piece;

@@ -5,6 +5,8 @@
 #define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REMESHING_EDGE_SPLITTER_H
 
 #include <CGAL/Tubular_meshing/Volume/internal/remeshing/Cavity.h>
+#include <CGAL/Tubular_meshing/Volume/internal/remeshing/Operation_bounds.h>
+#include <CGAL/Tubular_meshing/Volume/internal/remeshing/Remeshing_flips.h>
 
 #include <algorithm>
 #include <cmath>
@@ -13,27 +15,14 @@ namespace CGAL {
 namespace Tubular_meshing {
 namespace internal {
 
-/* What an operation has to keep to. */
-struct Operation_bounds {
-  double quality_floor;               // a cavity may become as bad as this,
-  double quality_factor;              // or as bad as this times what it was;
-  double shortest, longest;           // of the new edges
-  double urgent_floor, urgent_factor; // the same where it is urgent: neither may be passed
-
-  bool allow(double before, double after) const {
-    return after >= (std::min)(quality_floor, quality_factor * before) ||
-           (after >= urgent_floor && after >= urgent_factor * before);
-  }
-};
-
 /* Puts a vertex at the middle, in the metric, of an edge; on the surface, at the nearest point of the edge's patch or
  * rim. First it is found whether that is possible, which only reads: several splitters may do so at the same time. */
-template <class Mesh, class Flips> class Edge_splitter {
+class Edge_splitter {
 public:
   typedef Tetrahedron_store Store;
   typedef Store::Index Index;
 
-  Edge_splitter(const Mesh& mesh, const Flips& flips)
+  Edge_splitter(const Metric_mesh& mesh, const Remeshing_flips& flips)
       : mesh_(mesh)
       , flips_(flips)
       , cavity_(mesh) {}
@@ -62,7 +51,7 @@ public:
   }
 
   // Does what was found; the new tetrahedra are left in `come`.
-  void commit(Mesh& mesh, Flips& flips, Store::Index_list& come) {
+  void commit(Metric_mesh& mesh, Remeshing_flips& flips, Store::Index_list& come) {
     const Index v = mesh.add_vertex(cavity_.kernel(), location_, on_surface_);
     for (auto& f : cavity_.facets())
       std::replace(f.v.begin(), f.v.end(), Store::none, v);
@@ -71,7 +60,7 @@ public:
   }
 
 private:
-  static constexpr double good_enough = 0.7; // cones that need not be improved
+  static constexpr double wanted_quality = 0.7; // of cones: those above need not be improved
 
   static double middle_of(const Metric_point& p, const Metric_point& q) {
     const Vector_3d e = q.position - p.position;
@@ -92,7 +81,7 @@ private:
       cavity_.add_cone(t, mesh_.store.corner(t, ring_.b));
       add_facets(t);
     }
-    cavity_.enlarge(good_enough, [this](Index t) { return flips_.quality(t); });
+    cavity_.enlarge(wanted_quality, [this](Index t) { return flips_.quality(t); });
     const double worst = cavity_.worst();
     if (!(worst > 0) || !bounds.allow(cavity_.worst_before(), worst))
       return false;
@@ -121,9 +110,9 @@ private:
     }
   }
 
-  const Mesh& mesh_;
-  const Flips& flips_;
-  Cavity<Mesh> cavity_;
+  const Metric_mesh& mesh_;
+  const Remeshing_flips& flips_;
+  Cavity cavity_;
   Store::Ring ring_;
   Surface_location location_;
   bool on_surface_ = false;

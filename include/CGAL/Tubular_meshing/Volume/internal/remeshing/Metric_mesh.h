@@ -4,19 +4,16 @@
 #ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REMESHING_METRIC_MESH_H
 #define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REMESHING_METRIC_MESH_H
 
-#include <CGAL/Tubular_meshing/base/Kernel.h>
+#include <CGAL/Tubular_meshing/Fields/Metric_tensor_3.h>
 #include <CGAL/Tubular_meshing/Volume/internal/Patch_projection.h>
+#include <CGAL/Tubular_meshing/Volume/anisotropic_tetrahedral_remeshing.h>
 #include <CGAL/Tubular_meshing/Volume/internal/Tetrahedron_store.h>
+#include <CGAL/Tubular_meshing/Volume/internal/order_in_space.h>
 #include <CGAL/Tubular_meshing/Volume/internal/remeshing/Surface_locations.h>
 #include <CGAL/Tubular_meshing/Volume/internal/remeshing/Vertex_clock.h>
 #include <CGAL/Tubular_meshing/Volume/internal/remeshing/metric_quality.h>
 #include <CGAL/Tubular_meshing/Volume/internal/remeshing/remeshing_input.h>
 #include <CGAL/Tubular_meshing/base/parallel.h>
-
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/hilbert_sort.h>
-#include <CGAL/Spatial_sort_traits_adapter_3.h>
-#include <CGAL/property_map.h>
 
 #include <algorithm>
 #include <cmath>
@@ -42,15 +39,15 @@ inline bool is_positive(const Vector_3d& a, const Vector_3d& b, const Vector_3d&
 
 /* A mesh with the metric at its vertices, and where each of them lies: what all operations of the remesher work on.
  *
- * `Field` gives a Metric_tensor_3 at a Vector_3d. On `layer_patches` the height of elements counts as such. With
- * `keep_boundary` all vertices on labelled facets are fixed and so are the facets.
+ * On `layer_patches` the height of elements counts as such. With `keep_boundary` all vertices on labelled facets are
+ * fixed and so are the facets.
  */
-template <class Field> class Metric_mesh {
+class Metric_mesh {
 public:
   typedef Tetrahedron_store Store;
   typedef Store::Index Index;
 
-  Metric_mesh(Store& store, const Field& field, const Patch_projection& projection, bool keep_boundary,
+  Metric_mesh(Store& store, Metric_function field, const Patch_projection& projection, bool keep_boundary,
               std::vector<int> layer_patches, int threads)
       : store(store)
       , projection(projection)
@@ -83,7 +80,7 @@ public:
   const Surface_location& location(Index v) const { return location_[v]; }
   Metric_point at(Index v) const { return {store.point(v), metric_[v]}; }
   Metric_point at(const Vector_3d& p) const {
-    const Metric_point result = {p, field_(p)};
+    const Metric_point result = {p, field_(Point_3(p.x, p.y, p.z))};
     limits_.check(result.metric, p);
     return ratio_ < no_limit ? Metric_point{p, limited(result.metric)} : result;
   }
@@ -167,9 +164,7 @@ public:
 
   // Vertices and tetrahedra along a space-filling curve; the unused are gone.
   void renumber() {
-    typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
-    typedef CGAL::Pointer_property_map<Kernel::Point_3>::type Map;
-    std::vector<Kernel::Point_3> points;
+    std::vector<Point_3> points;
     std::vector<std::size_t> order;
     for (Index v = 0; v < store.number_of_vertices(); ++v) {
       const Vector_3d& p = store.point(v);
@@ -177,8 +172,7 @@ public:
       if (store.is_used(v))
         order.push_back(v);
     }
-    CGAL::hilbert_sort(order.begin(), order.end(),
-                       CGAL::Spatial_sort_traits_adapter_3<Kernel, Map>(CGAL::make_property_map(points)));
+    order_in_space(points, order);
     std::vector<Metric_tensor_3> metric;
     std::vector<Surface_location> location;
     std::vector<char> on_surface;
@@ -217,7 +211,8 @@ private:
       }
     return norm(high - low);
   }
-  const Field& field_;
+
+  Metric_function field_;
   const Metric_limits limits_;
   double ratio_ = no_limit;
   std::vector<Metric_tensor_3> metric_;

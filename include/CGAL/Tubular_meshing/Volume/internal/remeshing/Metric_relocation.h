@@ -128,13 +128,13 @@ private:
 /* Moves vertices, topology fixed, down Metric_energy by Newton steps with backtracking; a step is judged with the
  * metric that the field has at its end. Vertices on the surface move along it and are projected onto it. The result is
  * the same for any number of threads. */
-template <class Mesh> class Metric_relocation {
+class Metric_relocation {
 public:
   typedef Tetrahedron_store Store;
   typedef Store::Index Index;
 
   // `heights`: whether those of boundary layers count.
-  Metric_relocation(Mesh& mesh, double size, bool heights = true)
+  Metric_relocation(Metric_mesh& mesh, double size, bool heights = true)
       : mesh_(mesh)
       , size2_(size * size)
       , heights_(heights && !mesh.layer_patches.empty())
@@ -340,7 +340,7 @@ private:
     return keeps;
   }
 
-  Mesh& mesh_;
+  Metric_mesh& mesh_;
   const double size2_;
   const bool heights_;
   Store& store_;

@@ -5,6 +5,7 @@
 #define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REMESHING_LOCAL_VOLUMES_H
 
 #include <CGAL/Tubular_meshing/Volume/internal/Tetrahedron_store.h>
+#include <CGAL/Tubular_meshing/Volume/internal/remeshing/Metric_mesh.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -16,7 +17,7 @@ namespace internal {
 
 /* For each vertex, the mean volume in the metric of the tetrahedra around it, over that of the regular one, smoothed
  * once over the neighbors: whether vertices are too many there (below one) or too few. Linear. */
-template <class Mesh> std::vector<float> local_volumes(const Mesh& mesh) {
+inline std::vector<float> local_volumes(const Metric_mesh& mesh) {
   typedef Tetrahedron_store::Index Index;
   const Tetrahedron_store& store = mesh.store;
   std::vector<float> of_vertex(store.number_of_vertices()), number(store.number_of_vertices());

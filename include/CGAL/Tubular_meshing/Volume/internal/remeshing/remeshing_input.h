@@ -4,12 +4,12 @@
 #ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REMESHING_REMESHING_INPUT_H
 #define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REMESHING_REMESHING_INPUT_H
 
-#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Fields/Metric_tensor_3.h>
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/Quality/validity_report.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
+#include <CGAL/Tubular_meshing/base/place_of.h>
 
 #include <algorithm>
 #include <cmath>
@@ -30,7 +30,7 @@ inline void check_mesh_to_remesh(const Mixed_mesh& mesh) {
   for (std::size_t i = 0; i < mesh.points.size(); ++i) {
     const Vector_3d p(mesh.points[i]);
     if (!std::isfinite(p.x + p.y + p.z))
-      throw Input_error("Point_3 " + std::to_string(i) + " of the mesh is not finite; repair the mesh.");
+      throw Input_error("Point " + std::to_string(i) + " of the mesh is not finite; repair the mesh.");
   }
   const auto check_indices = [&mesh](const auto& block, const char* what) {
     for (std::size_t i = 0; i < block.size(); ++i)
@@ -98,8 +98,7 @@ private:
     return s.str();
   }
   [[noreturn]] static void refuse(const Vector_3d& at, const std::string& what, const std::string& remedy) {
-    throw Input_error("The metric at (" + number(at.x) + ", " + number(at.y) + ", " + number(at.z) + ") " + what +
-                      "; " + remedy + ".");
+    throw Input_error("The metric at " + place_of(at, 6) + " " + what + "; " + remedy + ".");
   }
 
   double extent_;

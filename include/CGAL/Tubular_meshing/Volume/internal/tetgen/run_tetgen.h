@@ -44,7 +44,8 @@ inline void give_to_tetgen(const Boundary_arrays& boundary, tetgenio& in) {
   in.pointlist = new double[3 * boundary.points.size()];
   double* coordinate = in.pointlist;
   for (const auto& p : boundary.points)
-    coordinate = std::copy(p.begin(), p.end(), coordinate);
+    for (double x : {p.x, p.y, p.z})
+      *coordinate++ = x;
   in.facetlist = new tetgenio::facet[boundary.triangles.size()];
   for (const auto& t : boundary.triangles) {
     tetgenio::facet& facet = in.facetlist[in.numberoffacets++];

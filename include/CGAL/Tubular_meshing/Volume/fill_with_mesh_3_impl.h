@@ -1,0 +1,77 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_VOLUME_FILL_WITH_MESH_3_IMPL_H
+#define CGAL_TUBULAR_MESHING_VOLUME_FILL_WITH_MESH_3_IMPL_H
+
+#include <CGAL/Tubular_meshing/Volume/fill_with_mesh_3.h>
+#include <CGAL/Tubular_meshing/Volume/internal/mesh_3/run_mesh_3.h>
+#include <CGAL/Tubular_meshing/base/exceptions.h>
+#include <CGAL/Tubular_meshing/base/labels.h>
+
+#include <CGAL/assertions.h>
+#include <CGAL/boost/graph/copy_face_graph.h>
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/tags.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#include <tbb/info.h>
+#endif
+
+#include <cstddef>
+#include <iterator>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Tubular_meshing {
+namespace internal {
+
+// Mesh_3 on one thread or on several, which are two meshers, and two instantiations.
+inline void run_mesh_3_on(int threads, Surface& labelled, const Watched_size& size, double facet_distance,
+                          Mixed_mesh& mesh) {
+#ifdef CGAL_LINKED_WITH_TBB
+  const std::size_t concurrency = threads > 0 ? std::size_t(threads) : std::size_t(tbb::info::default_concurrency());
+  if (concurrency > 1) {
+    tbb::global_control control(tbb::global_control::max_allowed_parallelism, concurrency);
+    return run_mesh_3<Parallel_tag>(labelled, size, facet_distance, mesh);
+  }
+#endif
+  static_cast<void>(threads);
+  run_mesh_3<Sequential_tag>(labelled, size, facet_distance, mesh);
+}
+
+CGAL_TUBULAR_MESHING_INLINE void fill_with_mesh_3(const Surface& surface, Face_patch_map patch, Length_function size,
+                                                  Mixed_mesh& mesh, const Fill_with_mesh_3_options& options) {
+  if (!is_triangle_mesh(surface))
+    throw Input_error("Only a surface of triangles can be filled with tetrahedra; this one has quads.");
+  Surface labelled;
+  std::vector<std::pair<Surface::Face_index, Surface::Face_index>> copies;
+  copy_face_graph(surface, labelled, CGAL::parameters::face_to_face_output_iterator(std::back_inserter(copies)));
+  auto patch_id = get(face_patch_id_t<int>(), labelled);
+  for (const auto& f : copies)
+    put(patch_id, f.second, get(patch, f.first));
+
+  mesh = Mixed_mesh();
+  const Watched_size watched(size, labelled, options.facet_distance);
+  try {
+    run_mesh_3_on(options.number_of_threads, labelled, watched, options.facet_distance, mesh);
+  } catch (const Failure_exception& e) {
+    throw Meshing_error("Mesh_3 cannot fill this surface (" + e.message() + " " + e.expression() +
+                        "): check that it does not intersect itself.");
+  }
+  if (watched.stop())
+    throw Meshing_error("Mesh_3 comes to no end on this surface: it was stopped at many times the points that the mesh "
+                        "size asks for. Check that the surface does not intersect itself, and has no sharp folds.");
+  if (mesh.tetrahedra.empty())
+    throw Meshing_error("Mesh_3 found no volume inside the surface: check that it is closed and larger than the mesh "
+                        "size.");
+  mesh.region_names = {{labels::lumen, "lumen"}};
+}
+
+} // namespace internal
+} // namespace Tubular_meshing
+} // namespace CGAL
+
+#endif // CGAL_TUBULAR_MESHING_VOLUME_FILL_WITH_MESH_3_IMPL_H

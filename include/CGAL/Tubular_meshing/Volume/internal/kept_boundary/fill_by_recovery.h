@@ -1,0 +1,158 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_KEPT_BOUNDARY_FILL_BY_RECOVERY_H
+#define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_KEPT_BOUNDARY_FILL_BY_RECOVERY_H
+
+#include <CGAL/Tubular_meshing/Patches/surface_to_mixed_mesh.h>
+#include <CGAL/Tubular_meshing/Quality/validity_report.h>
+#include <CGAL/Tubular_meshing/Volume/fill_keeping_boundary.h>
+#include <CGAL/Tubular_meshing/Volume/internal/Tetrahedron_store.h>
+#include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/Child_process.h>
+#include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/Delaunay_refinement.h>
+#include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/Unit_frame.h>
+#include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/boundary_recovery.h>
+#include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/failure_sentence.h>
+#include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/sort_in_space.h>
+#include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/write_inside.h>
+#include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
+#include <CGAL/Tubular_meshing/base/Vector_3d.h>
+#include <CGAL/Tubular_meshing/base/element_measures.h>
+#include <CGAL/Tubular_meshing/base/exceptions.h>
+#include <CGAL/Tubular_meshing/base/labels.h>
+
+#include <unistd.h>
+
+#include <cstddef>
+#include <mutex>
+#include <new>
+#include <string>
+#include <utility>
+
+namespace CGAL {
+namespace Tubular_meshing {
+namespace internal {
+
+// What a filling may take before it is given up, and what to do instead then.
+struct Filling_limits {
+  bool in_child_process;
+  double seconds; // of processor time, for a recovery of the boundary in a child process
+  std::string instead;
+  std::size_t most_points = in_memory();
+
+  Filling_limits(const Fill_keeping_boundary_options& options, const Surface& surface, std::string instead)
+      : in_child_process(options.in_child_process)
+      , seconds(options.time_limit > 0 ? options.time_limit : 600 + 0.01 * double(surface.number_of_faces()))
+      , instead(std::move(instead)) {}
+
+  // A point and the tetrahedra around it take about 1 kB while they are made.
+  static std::size_t in_memory() {
+    return std::size_t(double(sysconf(_SC_PHYS_PAGES)) * double(sysconf(_SC_PAGE_SIZE)) / 1000);
+  }
+};
+
+// The tetrahedra are turned alike, one way or the other.
+inline void orient_tetrahedra(Mixed_mesh& mesh) {
+  double volume = 0;
+  for (const auto& t : mesh.tetrahedra.vertices)
+    volume += signed_volume(Vector_3d(mesh.points[t[0]]), Vector_3d(mesh.points[t[1]]), Vector_3d(mesh.points[t[2]]),
+                            Vector_3d(mesh.points[t[3]]));
+  if (volume < 0)
+    for (auto& t : mesh.tetrahedra.vertices)
+      std::swap(t[0], t[1]);
+}
+
+// Whatever happens there, this process goes on.
+inline Child_ending recover_in_child_process(const Boundary_recovery& recovery, const Boundary_arrays& boundary,
+                                             double seconds, Recovered_boundary& recovered) {
+  const auto work = [&](const Pipe_writer& pipe) {
+    const int code = recovery.run(boundary, recovered);
+    return code != 0 ? code : pipe.write(recovered.inner_points) && pipe.write(recovered.tetrahedra) ? 0 : 255;
+  };
+  const auto read = [&](const Pipe_reader& pipe) {
+    return pipe.read(recovered.inner_points) && pipe.read(recovered.tetrahedra);
+  };
+  return run_in_child_process(work, read, seconds);
+}
+
+// One at a time: TetGen's predicates have global constants, which depend on the surface.
+inline Child_ending recover_in_this_process(const Boundary_recovery& recovery, const Boundary_arrays& boundary,
+                                            Recovered_boundary& recovered) {
+  static std::mutex mutex;
+  const std::lock_guard<std::mutex> lock(mutex);
+  int code = out_of_memory_code;
+  try {
+    code = recovery.run(boundary, recovered);
+  } catch (const std::bad_alloc&) {
+  }
+  return {code == 0 ? Child_ending::done : Child_ending::gave_up, code};
+}
+
+/* Adds the tetrahedra of a recovery to a mesh of nothing but a surface. Returns an empty string or, as a sentence, what
+ * went wrong. */
+inline std::string recover_boundary(const Surface& surface, const Boundary_recovery& recovery,
+                                    const Filling_limits& limits, Mixed_mesh& mesh) {
+  const Unit_frame frame(mesh.points);
+  Boundary_arrays boundary;
+  boundary.points.reserve(mesh.points.size());
+  for (const Point_3& p : mesh.points)
+    boundary.points.push_back(frame.to_frame(p));
+  boundary.triangles = mesh.triangles.vertices;
+  Recovered_boundary recovered;
+  const Child_ending ending = limits.in_child_process
+                                  ? recover_in_child_process(recovery, boundary, limits.seconds, recovered)
+                                  : recover_in_this_process(recovery, boundary, recovered);
+  if (ending.kind != Child_ending::done)
+    return failure_sentence(recovery.name, ending, surface, limits.instead);
+  for (const Vector_3d& x : recovered.inner_points)
+    mesh.points.push_back(frame.from_frame(x));
+  mesh.tetrahedra.label.assign(recovered.tetrahedra.size(), labels::lumen);
+  mesh.tetrahedra.vertices = std::move(recovered.tetrahedra);
+  orient_tetrahedra(mesh);
+
+  const Validity_report report = validity_report(mesh);
+  if (report.unlabelled_faces + report.misplaced_facets + report.overfull_faces > 0)
+    return recovery.name + " could not keep this surface (" + report.defects() + "): " + limits.instead + ".";
+  return std::string();
+}
+
+/* Where the circumscribed radius exceeds this part of h the circumcenter becomes a point: the mean edge inside is 1.05
+ * h then, as it is with Mesh_3. Bounds on volume or edges that give as many tetrahedra leave up to twice as many
+ * slivers. */
+constexpr double kept_boundary_radius_bound = 0.78;
+
+// Returns whether there was room for all points that the size asks for.
+inline bool add_points_inside(Length_function size, std::size_t most_points, Mixed_mesh& mesh) {
+  Tetrahedron_store store(mesh);
+  if (Delaunay_refinement(store, size, kept_boundary_radius_bound)(most_points) == most_points)
+    return false;
+  write_inside(store, mesh);
+  sort_in_space(mesh.points, mesh.tetrahedra.vertices); // all have the same label
+  return true;
+}
+
+/* Fills a closed surface, which stays as it is. Returns an empty string or, `result` being as it was, what went wrong,
+ * as a sentence. */
+inline std::string fill_by_recovery(const Surface& surface, Face_patch_map patch, Length_function size,
+                                    const Boundary_recovery& recovery, const Filling_limits& limits,
+                                    Mixed_mesh& result) {
+  Mixed_mesh mesh;
+  surface_to_mixed_mesh(surface, patch, mesh);
+  if (!mesh.quads.empty())
+    throw Input_error("Only a surface of triangles can be filled with tetrahedra; this one has quads.");
+  const std::string failure = recover_boundary(surface, recovery, limits, mesh);
+  if (!failure.empty())
+    return failure;
+  if (!add_points_inside(size, limits.most_points, mesh))
+    return "A mesh this fine would have more than " + std::to_string(limits.most_points) +
+           " points inside, more than the memory of this machine holds: make it coarser.";
+  mesh.region_names = {{labels::lumen, "lumen"}};
+  result = std::move(mesh);
+  return std::string();
+}
+
+} // namespace internal
+} // namespace Tubular_meshing
+} // namespace CGAL
+
+#endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_KEPT_BOUNDARY_FILL_BY_RECOVERY_H

@@ -1,0 +1,85 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_MESH_3_WATCHED_SIZE_H
+#define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_MESH_3_WATCHED_SIZE_H
+
+#include <CGAL/Tubular_meshing/base/Function_view.h>
+#include <CGAL/Tubular_meshing/base/Vector_3d.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstdint>
+#include <mutex>
+
+namespace CGAL {
+namespace Tubular_meshing {
+namespace internal {
+
+/* A size field that knows how often it is asked. Mesh_3 is proved to come to an end on smooth surfaces; where one
+ * crosses itself, or has sharp folds inside of a patch, it may put points closer and closer for ever. A mesh of sizes h
+ * has a number of points near V/h³ + A/h², with the means of h³ and h² over the points, and near that of the surface
+ * where h is large: when the field has been asked as often as it takes for many times as many, stop() is set, which
+ * Mesh_3 looks at after each point. Safe to call from several threads. */
+class Watched_size {
+public:
+  // `facet_distance`: see fill_with_mesh_3()
+  Watched_size(Length_function size, const Surface& surface, double facet_distance)
+      : size_(size)
+      , points_of_surface_(double(surface.number_of_vertices())) {
+    const Vector_3d origin(surface.number_of_vertices() > 0 ? surface.point(*surface.vertices().begin()) : Point_3());
+    for (auto f : surface.faces()) {
+      const auto h = surface.halfedge(f);
+      const Vector_3d p = Vector_3d(surface.point(surface.source(h))) - origin,
+                      q = Vector_3d(surface.point(surface.target(h))) - origin,
+                      r = Vector_3d(surface.point(surface.target(surface.next(h)))) - origin;
+      volume_ += dot(p, cross(q, r)) / 6;
+      area_ += norm(cross(q - p, r - p)) / 2;
+    }
+    // facets across an edge of the surface are as far from it as they are large
+    const double finer = (std::max)(1., usual_distance / facet_distance);
+    area_ *= finer * finer;
+  }
+  Watched_size(const Watched_size&) = delete;
+  Watched_size& operator=(const Watched_size&) = delete;
+
+  double operator()(const Point_3& p) const {
+    const double h = size_(p);
+    const std::uint64_t number = requests_.fetch_add(1, std::memory_order_relaxed);
+    if (number % sample_of == 0)
+      judge(double(number), h);
+    return h;
+  }
+
+  std::atomic<bool>& stop() const { return stop_; }
+
+private:
+  static constexpr std::uint64_t sample_of = 64;
+  static constexpr double usual_distance = 0.07;
+  static constexpr double requests_a_point = 150; // as measured
+  static constexpr double most_points = 20;       // times what is expected
+
+  void judge(double number, double h) const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    ++samples_;
+    square_ += h * h;
+    cube_ += h * h * h;
+    const double expected = samples_ * (std::abs(volume_) / cube_ + area_ / square_) + points_of_surface_;
+    if (number > most_points * requests_a_point * expected)
+      stop_ = true;
+  }
+
+  Length_function size_;
+  double points_of_surface_, volume_ = 0, area_ = 0;
+  mutable std::atomic<std::uint64_t> requests_{0};
+  mutable std::atomic<bool> stop_{false};
+  mutable std::mutex mutex_;
+  mutable double samples_ = 0, square_ = 0, cube_ = 0;
+};
+
+} // namespace internal
+} // namespace Tubular_meshing
+} // namespace CGAL
+
+#endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_MESH_3_WATCHED_SIZE_H

@@ -1,0 +1,75 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REMESHING_REMESHING_SCHEDULE_H
+#define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REMESHING_REMESHING_SCHEDULE_H
+
+#include <CGAL/Tubular_meshing/Volume/internal/remeshing/Operation_bounds.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace CGAL {
+namespace Tubular_meshing {
+namespace internal {
+
+/* How the remesher goes about it: what is done how often, from which quality on, and what each operation has to keep
+ * to. Lengths are those of the metric, where they should be one; qualities are those of (16), inverted: one is best.
+ */
+struct Remeshing_schedule {
+  static constexpr double sqrt_2 = 1.4142135623730951;
+
+  // Ratios of sizes that are brought about at once, and how many elements are left to those above.
+  static constexpr double ratio_at_once = 32;
+  static constexpr double negligible_share = 0.1;
+
+  // Sizes: edges longer than √2 of the size at hand are split, those shorter than 1/√2 of it collapsed.
+  static constexpr double coarse_sizes[2] = {4, 2};
+  static constexpr int rounds_at_coarse_size = 1;
+  static constexpr int rounds_at_full_size = 4;
+  static constexpr double longest_first = 0.6; // a round of splits goes down to this part of the longest edge
+  static constexpr int most_rounds_of_collapses = 20;
+
+  // Shapes: rounds of relocations and flips.
+  static constexpr int rounds_with_limited_ratio = 3;
+  static constexpr int rounds_of_improvement = 6;
+  static constexpr int rounds_of_repair = 3;
+  static constexpr int rounds_of_last_repair = 2;
+
+  // The qualities below which tetrahedra are flipped, and repaired.
+  static constexpr double flipped_after_splits = 0.4;
+  static constexpr double flipped_while_adapting = 0.5;
+  static constexpr double flipped_while_improving = 0.75;
+  static constexpr double flipped_at_the_end = 0.8;
+  static constexpr double repaired = 0.25;
+  static constexpr double repaired_at_last = 0.3;
+
+  // The mean volumes of tetrahedra, over the regular one's, at which vertices are too many or too few, and the edges
+  // that are collapsed or split there.
+  static constexpr double dense = 0.9, longest_collapsed = 1;
+  static constexpr double sparse = 1.08, shortest_split = 1.2;
+
+  /* Bad shapes may be split and collapsed as long as it does not make them much worse. Where an edge is many times too
+   * long, that it goes comes first, even if short ones come of it; but a bound there must be, as halves of bad shapes
+   * would be worse without end. */
+  static Operation_bounds split(double size, double length) {
+    const double excess = (std::max)(1., length / (sqrt_2 * size));
+    return Operation_bounds()
+        .quality(0.2, 0.8)
+        .lengths(0.65 * size * (std::min)(1., 2 / excess), 1e300)
+        .urgent_quality(0.002, 0.8 / std::sqrt(excess));
+  }
+  static Operation_bounds collapse(double size) {
+    return Operation_bounds().quality(0.2, 0.8).lengths(0, sqrt_2 * size);
+  }
+  static Operation_bounds collapse_where_dense() { return Operation_bounds().quality(0.15, 0.5).lengths(0, 1.75); }
+  static Operation_bounds split_where_sparse() { return Operation_bounds().quality(0.25, 0.8).lengths(0.6, 1e300); }
+  // The worst quality must get better.
+  static Operation_bounds repair() { return Operation_bounds().quality(1, 1.1).lengths(0.4, 2); }
+};
+
+} // namespace internal
+} // namespace Tubular_meshing
+} // namespace CGAL
+
+#endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REMESHING_REMESHING_SCHEDULE_H

@@ -1,0 +1,63 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_VOLUME_OPTIMIZE_TETRAHEDRA_IMPL_H
+#define CGAL_TUBULAR_MESHING_VOLUME_OPTIMIZE_TETRAHEDRA_IMPL_H
+
+#include <CGAL/Tubular_meshing/Volume/internal/Patch_projection.h>
+#include <CGAL/Tubular_meshing/Volume/internal/Surface_flip_guard.h>
+#include <CGAL/Tubular_meshing/Volume/internal/Tetrahedron_store.h>
+#include <CGAL/Tubular_meshing/Volume/internal/Vertex_optimizer.h>
+#include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/Kept_boundary.h>
+#include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/remesh_worst.h>
+#include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/write_inside.h>
+#include <CGAL/Tubular_meshing/Volume/internal/optimize_in_passes.h>
+#include <CGAL/Tubular_meshing/Volume/internal/reduce_deviation.h>
+#include <CGAL/Tubular_meshing/Volume/optimize_tetrahedra.h>
+
+namespace CGAL {
+namespace Tubular_meshing {
+namespace internal {
+
+inline void optimize_with_surface(Mixed_mesh& mesh, const Surface& surface, Face_patch_map patch, int passes,
+                                  int threads) {
+  const Patch_projection projection(surface, patch);
+  Tetrahedron_store store(mesh);
+  const Surface_flip_guard<Patch_projection> guard(store, projection);
+  const auto move_vertices = [&](int pass) {
+    Vertex_optimizer<Patch_projection> vertices(store, projection, threads);
+    vertices.sweep();
+    vertices.sweep();
+    if (pass + 1 == passes)
+      reduce_deviation(surface, patch, store, vertices, threads);
+  };
+  optimize_in_passes(store, guard, passes, move_vertices, [] {});
+  store.write_to(mesh);
+}
+
+inline void optimize_inside(Mixed_mesh& mesh, int passes, int threads) {
+  const Kept_boundary boundary;
+  Tetrahedron_store store(mesh);
+  const auto move_vertices = [&](int) {
+    Vertex_optimizer<Kept_boundary> vertices(store, boundary, threads);
+    vertices.sweep();
+    vertices.sweep();
+  };
+  optimize_in_passes(store, boundary, passes, move_vertices, [&] { remesh_worst(store, remeshed_below); });
+  write_inside(store, mesh);
+}
+
+CGAL_TUBULAR_MESHING_INLINE void optimize_tetrahedra(Mixed_mesh& mesh, const Surface& surface, Face_patch_map patch,
+                                                     const Optimize_tetrahedra_options& options) {
+  if (options.keep_boundary)
+    optimize_inside(mesh, options.optimization_passes, options.number_of_threads);
+  else
+    optimize_with_surface(mesh, surface, patch, options.optimization_passes, options.number_of_threads);
+}
+
+} // namespace internal
+
+} // namespace Tubular_meshing
+} // namespace CGAL
+
+#endif // CGAL_TUBULAR_MESHING_VOLUME_OPTIMIZE_TETRAHEDRA_IMPL_H
