@@ -12,6 +12,9 @@
 #include <CGAL/Tubular_meshing/IO/read_centerlines.h>
 #include <CGAL/Tubular_meshing/IO/read_surface.h>
 #include <CGAL/Tubular_meshing/Repair/repair_surface.h>
+#include <CGAL/Tubular_meshing/Patches/internal/remeshing/Metric_sizes.h>
+#include <CGAL/Tubular_meshing/Patches/internal/remeshing/Tangent_planes.h>
+#include <CGAL/Tubular_meshing/Patches/internal/remeshing/Triangle_piece_mesher.h>
 #include <CGAL/Tubular_meshing/Patches/metric_on_surface.h>
 #include <CGAL/Tubular_meshing/Patches/metric_surface_report.h>
 #include <CGAL/Tubular_meshing/Patches/surface_to_mixed_mesh.h>
@@ -300,9 +303,8 @@ TEST(Anisotropic_surface, Is_refined_piece_by_piece) {
   const auto cut = tubular::cut_by_centerlines(model.surface, model.centerlines, model.patch);
   const auto maps = tubular::parameterize_patches(model.surface, cut);
   const auto metric = tube_metric(thin_at_wall, 0.2, 0.8, straight);
-  typedef tubular::internal::Metric_sizes<decltype(metric)> Sizes;
-  const Sizes sizes(model.surface, cut, maps, metric);
-  tubular::internal::Piece_mesher<Sizes> mesher(model.surface, cut, maps, sizes, false, 1);
+  const tubular::internal::Metric_sizes sizes(model.surface, cut, maps, metric);
+  tubular::internal::Triangle_piece_mesher mesher(model.surface, cut, maps, sizes, false, 1);
   mesher.mesh_all();
   const std::size_t before = mesher.pieces()[0].triangles.size();
   mesher.mesh_finer({0});

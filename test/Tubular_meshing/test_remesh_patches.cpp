@@ -10,6 +10,10 @@
 #include <CGAL/Tubular_meshing/Generators/tubular_shapes.h>
 #include <CGAL/Tubular_meshing/Generators/tubular_surface.h>
 #include <CGAL/Tubular_meshing/IO/read_surface.h>
+#include <CGAL/Tubular_meshing/Patches/internal/remeshing/Isotropic_sizes.h>
+#include <CGAL/Tubular_meshing/Patches/internal/remeshing/Peak_finder.h>
+#include <CGAL/Tubular_meshing/Patches/internal/remeshing/Triangle_piece_mesher.h>
+#include <CGAL/Tubular_meshing/Patches/pieces/Curve_divider.h>
 #include <CGAL/Tubular_meshing/Repair/repair_surface.h>
 #include <CGAL/Tubular_meshing/base/element_measures.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
@@ -456,9 +460,8 @@ TEST(Remeshed_surface, Is_refined_piece_by_piece) {
   const auto maps = tubular::parameterize_patches(model.surface, cut);
   ASSERT_GE(maps.size(), 3u);
   const auto size = [](const Point&) { return 0.4; };
-  typedef tubular::internal::Isotropic_sizes<decltype(size)> Sizes;
-  const Sizes sizes(model.surface, cut, maps, size);
-  tubular::internal::Piece_mesher<Sizes> mesher(model.surface, cut, maps, sizes, false, 1);
+  const tubular::internal::Isotropic_sizes sizes(maps, size);
+  tubular::internal::Triangle_piece_mesher mesher(model.surface, cut, maps, sizes, false, 1);
   mesher.mesh_all();
   const auto before = mesher.pieces();
   const auto curves_before = mesher.curve_points();

@@ -180,7 +180,7 @@ private:
     std::size_t first = 0;
     for (std::size_t k = 0; k < polygons_.size(); ++k) {
       Face_handle f;
-      int side;
+      int side = 0;
       cdt_.is_edge(vertices_[first], vertices_[first + 1], f, side);
       const int depth = (std::min)(f->info().depth, f->neighbor(side)->info().depth);
       if (depth != (k == 0 ? 0 : 1))
