@@ -4,4 +4,5 @@
 #include <CGAL/Tubular_meshing/Quads/blossom_recombination_impl.h>
 #include <CGAL/Tubular_meshing/Quads/elliptic_grid_impl.h>
 #include <CGAL/Tubular_meshing/Quads/quadrangulate_annular_patches_impl.h>
+#include <CGAL/Tubular_meshing/Quads/quadrangulate_patches_impl.h>
 #include <CGAL/Tubular_meshing/Quads/recombine_triangles_impl.h>

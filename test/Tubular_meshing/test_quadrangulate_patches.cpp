@@ -14,6 +14,9 @@
 #include <CGAL/Tubular_meshing/Repair/repair_surface.h>
 #include <CGAL/Tubular_meshing/Quality/shape_measures.h>
 #include <CGAL/Tubular_meshing/Pipelines/make_mesh.h>
+#include <CGAL/Tubular_meshing/Patches/internal/remeshing/crossing_faces.h>
+#include <CGAL/Tubular_meshing/Quads/quadrangulate_patches.h>
+#include <CGAL/Tubular_meshing/Quads/internal/unstructured/Patch_quadrangulator.h>
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
@@ -314,15 +317,16 @@ TEST(Crossing_faces, Are_found_among_quads) {
 // --- clean-up ---
 
 // The plane as a sheet.
-struct Plane_sheet {
-  bool place(const Eigen::Vector2d& uv, int, internal::Sheet_place& result) const {
+struct Plane_sheet : internal::Sheet_over_plane {
+  bool place(const Eigen::Vector2d& uv, int, internal::Sheet_place& result) const override {
     result.uv = uv;
     result.triangle = 0;
     result.point = internal::Vector_3d(uv.x(), uv.y(), 0);
     result.normal = internal::Vector_3d(0, 0, 1);
     return true;
   }
-  bool move(const internal::Sheet_place& from, const internal::Vector_3d& step, internal::Sheet_place& to) const {
+  bool move(const internal::Sheet_place& from, const internal::Vector_3d& step,
+            internal::Sheet_place& to) const override {
     return place(from.uv + Eigen::Vector2d(step.x, step.y), 0, to);
   }
 };
@@ -379,11 +383,11 @@ int irregular_vertices(const internal::Quad_patch& mesh) {
 
 void clean(internal::Quad_patch& mesh) {
   const Plane_sheet sheet;
-  internal::Quad_smoother<Plane_sheet> smoother(mesh, sheet);
+  internal::Quad_smoother smoother(mesh, sheet);
   smoother.relax(smoother.inner_vertices(), 10);
   for (int round = 0; round < 3; ++round) {
-    internal::Quad_cleaner<Plane_sheet>(mesh, sheet).run();
-    internal::One_defect_remesher<Plane_sheet>(mesh, sheet).run();
+    internal::Quad_cleaner(mesh, sheet).run();
+    internal::One_defect_remesher(mesh, sheet).run();
   }
   smoother.relax(smoother.inner_vertices(), 30);
 }
@@ -420,7 +424,7 @@ TEST(Quad_smoother, Turns_quads_back) {
   for (std::size_t v = mesh.on_loops; v < mesh.places.size(); ++v)
     sheet.place(mesh.places[v].uv + Eigen::Vector2d(shift(random), shift(random)), 0, mesh.places[v]);
   ASSERT_LT(mesh.least_quality(), 0);
-  internal::Quad_smoother<Plane_sheet> smoother(mesh, sheet);
+  internal::Quad_smoother smoother(mesh, sheet);
   smoother.relax(smoother.inner_vertices(), 200);
   EXPECT_GT(mesh.least_quality(), 0.95);
 }

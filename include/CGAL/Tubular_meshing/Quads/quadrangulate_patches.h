@@ -4,25 +4,23 @@
 #ifndef CGAL_TUBULAR_MESHING_QUADS_QUADRANGULATE_PATCHES_H
 #define CGAL_TUBULAR_MESHING_QUADS_QUADRANGULATE_PATCHES_H
 
-#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Centerlines/Centerline_field.h>
 #include <CGAL/Tubular_meshing/Centerlines/Centerline_graph.h>
 #include <CGAL/Tubular_meshing/Centerlines/Wall_distance.h>
 #include <CGAL/Tubular_meshing/Fields/Centerline_sizing_field.h>
-#include <CGAL/Tubular_meshing/Patches/Surface_patch.h>
-#include <CGAL/Tubular_meshing/Patches/cut_by_centerlines.h>
-#include <CGAL/Tubular_meshing/Quads/internal/surface/Quad_piece_mesher.h>
-#include <CGAL/Tubular_meshing/Quads/internal/surface/make_quad_report.h>
 #include <CGAL/Tubular_meshing/Patches/Patch_parameterization.h>
 #include <CGAL/Tubular_meshing/Patches/Remeshed_surface.h>
-#include <CGAL/Tubular_meshing/Patches/pieces/mesh_by_pieces.h>
+#include <CGAL/Tubular_meshing/Patches/Surface_patch.h>
+#include <CGAL/Tubular_meshing/Patches/cut_by_centerlines.h>
 #include <CGAL/Tubular_meshing/Patches/parameterize_patch.h>
-#include <CGAL/Tubular_meshing/base/exceptions.h>
+#include <CGAL/Tubular_meshing/base/Function_view.h>
+#include <CGAL/Tubular_meshing/base/Kernel.h>
+#include <CGAL/Tubular_meshing/base/config.h>
+#include <CGAL/Tubular_meshing/base/convert_surface.h>
 #include <CGAL/Tubular_meshing/base/labels.h>
 #include <CGAL/Tubular_meshing/base/parameters.h>
 
-#include <CGAL/Surface_mesh.h>
-
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -30,8 +28,30 @@ namespace Tubular_meshing {
 
 /*! \ingroup PkgTubularMeshingRef
  *
- * meshes a cut surface anew with quads alone (section 2.5 of the paper): its wall; caps get triangles, unless quads are
- * wanted there too.
+ * The options of quadrangulate_patches(): its named parameters. */
+struct Quadrangulate_patches_options {
+  bool quad_caps = false;
+  int number_of_threads = 0;
+
+  Quadrangulate_patches_options() = default;
+  template <class NamedParameters>
+  explicit Quadrangulate_patches_options(const NamedParameters& np)
+      : quad_caps(internal::choose(np, internal_np::quad_caps, false))
+      , number_of_threads(internal::choose(np, internal_np::number_of_threads, 0)) {}
+};
+
+namespace internal {
+
+Remeshed_surface quadrangulate_patches(const Surface& surface, const Surface_cut& cut,
+                                       const std::vector<Patch_parameterization>& maps, Length_function size,
+                                       const Quadrangulate_patches_options& options);
+
+} // namespace internal
+
+/*! \ingroup PkgTubularMeshingRef
+ *
+ * meshes a cut surface again, with quads alone (section 2.5 of the paper): its wall; caps get triangles, unless quads
+ * are wanted there too.
  *
  * Annular patches are covered by structured grids, see elliptic_grid(), with the same even number of points all along a
  * branch, see quadrangulate_annular_patches(). The other patches, junctions first of all, and those whose grids would
@@ -52,10 +72,17 @@ namespace Tubular_meshing {
  * \param np an optional sequence of named parameters among the ones listed below
  *
  * \cgalNamedParamsBegin
- *   \cgalParamNBegin{quad_caps} \cgalParamDescription{whether caps are made of quads, too} \cgalParamDefault{`false`}
- *     \cgalParamNEnd
- *   \cgalParamNBegin{number_of_threads} \cgalParamDescription{threads that mesh patches at the same time; 0: as many as
- *     there are cores. The result does not depend on it} \cgalParamDefault{0} \cgalParamNEnd
+ *   \cgalParamNBegin{quad_caps}
+ *     \cgalParamDescription{whether caps are made of quads, too}
+ *     \cgalParamType{`bool`}
+ *     \cgalParamDefault{`false`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{number_of_threads}
+ *     \cgalParamDescription{threads that mesh patches at the same time; 0: as many as there are cores. The result does
+ *       not depend on it}
+ *     \cgalParamType{`int`}
+ *     \cgalParamDefault{0}
+ *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
  * \returns the surface with the labels of its patches; its member `quads` is the report on them
@@ -67,15 +94,11 @@ namespace Tubular_meshing {
  *   finer, or this program was built without LEMON, see has_lemon()
  */
 template <class SizingField, class NamedParameters = CGAL::parameters::Default_named_parameters>
-Remeshed_surface quadrangulate_patches(const CGAL::Surface_mesh<Point_3>& surface, const Surface_cut& cut,
+Remeshed_surface quadrangulate_patches(const Surface& surface, const Surface_cut& cut,
                                        const std::vector<Patch_parameterization>& maps, const SizingField& size,
                                        const NamedParameters& np = CGAL::parameters::default_values()) {
-  internal::Quad_piece_mesher mesher(surface, cut, maps, internal::Length_function(size),
-                                     internal::choose(np, internal_np::quad_caps, false),
-                                     internal::choose(np, internal_np::number_of_threads, 0));
-  Remeshed_surface result = internal::mesh_by_pieces(cut, maps, mesher);
-  result.quads = internal::make_quad_report(result, mesher.kinds());
-  return result;
+  return internal::quadrangulate_patches(surface, cut, maps, internal::Field_at_point<SizingField>(size),
+                                         Quadrangulate_patches_options(np));
 }
 
 /*! \ingroup PkgTubularMeshingRef
@@ -83,7 +106,8 @@ Remeshed_surface quadrangulate_patches(const CGAL::Surface_mesh<Point_3>& surfac
  * The same for a closed, labelled surface and its centerlines: cuts it, maps its patches, and meshes them, with the
  * mesh size h = 2 π r / N of a Centerline_sizing_field.
  *
- * \param surface of triangles, closed. It is cut: its faces are divided
+ * \param surface a model of `MutableFaceGraph`, of triangles, closed. It is cut: its faces are divided. What is no
+ *   Surface is replaced by a copy
  * \param patch a property map from its faces to `int`: `labels::wall`, or the label of an opening
  * \param graph its centerlines with their radii
  * \param np an optional sequence of named parameters: those of Centerline_sizing_field, of cut_by_centerlines(), and of
@@ -91,16 +115,27 @@ Remeshed_surface quadrangulate_patches(const CGAL::Surface_mesh<Point_3>& surfac
  *
  * \throws Input_error, Meshing_error, Parameter_error as these do
  */
-template <class NamedParameters = CGAL::parameters::Default_named_parameters>
-Remeshed_surface quadrangulate_patches(CGAL::Surface_mesh<Point_3>& surface, Face_patch_map patch,
-                                       const Centerline_graph& graph,
+template <class FaceGraph, class FacePatchMap, class NamedParameters = CGAL::parameters::Default_named_parameters>
+Remeshed_surface quadrangulate_patches(FaceGraph& surface, FacePatchMap patch, const Centerline_graph& graph,
                                        const NamedParameters& np = CGAL::parameters::default_values()) {
-  const Centerline_sizing_field size(Centerline_field(graph), Wall_distance(surface, patch, labels::wall), np);
-  const Surface_cut cut = cut_by_centerlines(surface, graph, patch, np);
-  return quadrangulate_patches(surface, cut, parameterize_patches(surface, cut, np), size, np);
+  if constexpr (internal::is_core_surface<FaceGraph, NamedParameters> &&
+                std::is_same<FacePatchMap, Face_patch_map>::value) {
+    const Centerline_sizing_field size(Centerline_field(graph), Wall_distance(surface, patch, labels::wall), np);
+    const Surface_cut cut = cut_by_centerlines(surface, graph, patch, np);
+    return quadrangulate_patches(surface, cut, parameterize_patches(surface, cut, np), size, np);
+  } else {
+    Labelled_surface copy = internal::labelled_copy(surface, patch, np);
+    Remeshed_surface result = quadrangulate_patches(copy.surface, copy.patch, graph, np);
+    internal::copy_from_core(copy.surface, copy.patch, surface, patch, np);
+    return result;
+  }
 }
 
 } // namespace Tubular_meshing
 } // namespace CGAL
+
+#ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
+#include <CGAL/Tubular_meshing/Quads/quadrangulate_patches_impl.h>
+#endif
 
 #endif // CGAL_TUBULAR_MESHING_QUADS_QUADRANGULATE_PATCHES_H

@@ -45,7 +45,7 @@ struct Recombined_triangles {
 namespace internal {
 
 // \param patches those of the faces, in their order
-Recombination_report recombine_triangles(Surface& surface, const std::vector<int>& patches);
+Recombination_report recombine_faces(Surface& surface, const std::vector<int>& patches);
 
 } // namespace internal
 
@@ -115,10 +115,10 @@ Recombination_report recombine_triangles(FaceGraph& surface, const CGAL::Named_f
   for (Face f : faces(surface))
     patches.push_back(int(get(patch, f)));
   if constexpr (internal::is_core_surface<FaceGraph, Parameters>)
-    return internal::recombine_triangles(surface, patches);
+    return internal::recombine_faces(surface, patches);
   else {
     Labelled_surface copy = internal::labelled_copy(surface, patch, np);
-    const Recombination_report report = internal::recombine_triangles(copy.surface, patches);
+    const Recombination_report report = internal::recombine_faces(copy.surface, patches);
     internal::copy_from_core(copy.surface, copy.patch, surface, patch, np);
     return report;
   }

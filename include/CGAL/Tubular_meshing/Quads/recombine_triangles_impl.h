@@ -100,8 +100,7 @@ inline Recombination_report report_of(const Triangle_recombiner& recombiner) {
           recombiner.splits().size(), recombiner.number_of_invalid_quads()};
 }
 
-CGAL_TUBULAR_MESHING_INLINE Recombination_report recombine_triangles(Surface& surface,
-                                                                     const std::vector<int>& patches) {
+CGAL_TUBULAR_MESHING_INLINE Recombination_report recombine_faces(Surface& surface, const std::vector<int>& patches) {
   const Surface_triangles own(surface);
   check_triangles(own.points, own.triangles, patches);
   const std::vector<Patch_triangle> indexed = patch_triangles(own.triangles);

@@ -96,7 +96,7 @@ protected:
     if (quad_caps_) {
       if (!bound_a_domain(polygons))
         return false;
-      if (fill(Cap_sheet<Cap_chart, Plane_point>(chart), chart, polygons, true, piece))
+      if (fill(Cap_sheet(chart), chart, polygons, true, piece))
         return true;
     }
     return triangulate_piece(chart, true, polygons, true, piece);
@@ -169,9 +169,9 @@ private:
   }
 
   // False if there are no quads alone.
-  template <class Sheet, class Chart>
-  static bool fill(const Sheet& sheet, const Chart& chart, const Plane_polygons& polygons, bool turn, Piece& piece) {
-    Patch_quadrangulator<Sheet, Chart, Plane_point> quadrangulator(sheet, chart, polygons);
+  static bool fill(const Sheet_over_plane& sheet, const Chart& chart, const Plane_polygons& polygons, bool turn,
+                   Piece& piece) {
+    Patch_quadrangulator quadrangulator(sheet, chart, polygons);
     if (!quadrangulator.run())
       return false;
     const Quad_patch& mesh = quadrangulator.mesh();
@@ -196,7 +196,7 @@ private:
 
   const Length_function size_;
   const bool quad_caps_;
-  const Curve_chains<Length_function> chains_;
+  const Curve_chains chains_;
   std::vector<Quad_piece_kind> kinds_;
 };
 

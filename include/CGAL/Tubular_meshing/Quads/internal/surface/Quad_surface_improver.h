@@ -24,12 +24,12 @@ namespace Tubular_meshing {
 namespace internal {
 
 /* Triangles in space as a sheet, see Patch_sheet: places move to the nearest ones. Normals are those that they had. */
-class Triangle_sheet {
+class Triangle_sheet final : public Sheet {
 public:
   explicit Triangle_sheet(Nearest_tree<Double_kernel::Triangle_3> tree)
       : tree_(std::move(tree)) {}
 
-  bool move(const Sheet_place& from, const Vector_3d& step, Sheet_place& to) const {
+  bool move(const Sheet_place& from, const Vector_3d& step, Sheet_place& to) const override {
     const double most_turn = 0.3; // cosine: not over to the other side of a gap
     const Vector_3d p = from.point + step;
     const auto nearest = tree_.nearest({p.x, p.y, p.z});
@@ -64,7 +64,7 @@ public:
     std::sort(vertices.begin(), vertices.end());
     vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
     const Triangle_sheet sheet(old_triangles(old_surface_, cut_, patches_below(good_quality)));
-    Quad_smoother<Triangle_sheet>(wall_.mesh, sheet).raise_worst(vertices, good_quality, rounds);
+    Quad_smoother(wall_.mesh, sheet).raise_worst(vertices, good_quality, rounds);
     for (int v : vertices) {
       const Vector_3d& p = wall_.mesh.point(v);
       result_.surface.point(wall_.vertices[std::size_t(v)]) = Point_3(p.x, p.y, p.z);

@@ -7,7 +7,8 @@
 #include <CGAL/Tubular_meshing/Plane/Metric_tensor_2.h>
 #include <CGAL/Tubular_meshing/Plane/Plane_triangle_tree.h>
 #include <CGAL/Tubular_meshing/Plane/Triangle_adjacency.h>
-#include <CGAL/Tubular_meshing/Plane/triangulate_in_metric.h>
+#include <CGAL/Tubular_meshing/Plane/Plane_triangulation.h>
+#include <CGAL/Tubular_meshing/base/constants.h>
 
 #include <Eigen/Core>
 
@@ -45,8 +46,7 @@ struct Metric_root {
  * directions in the metric: relaxed first without, then with unit length. O(n) for a fixed number of sweeps. */
 class Cross_field {
 public:
-  template <class Point_2, class Polygons, class Metric>
-  Cross_field(const Plane_triangulation<Point_2>& plane, const Polygons& polygons, const Metric& metric)
+  Cross_field(const Plane_triangulation<Plane_point>& plane, const Plane_polygons& polygons, Plane_field metric)
       : uv_(places(plane))
       , triangles_(corners(plane))
       , tree_(uv_, triangles_)
@@ -84,13 +84,13 @@ public:
   }
 
 private:
-  template <class Plane> static std::vector<Eigen::Vector2d> places(const Plane& plane) {
+  static std::vector<Eigen::Vector2d> places(const Plane_triangulation<Plane_point>& plane) {
     std::vector<Eigen::Vector2d> result;
     for (const auto& p : plane.points)
       result.emplace_back(p.x(), p.y());
     return result;
   }
-  template <class Plane> static std::vector<Patch_triangle> corners(const Plane& plane) {
+  static std::vector<Patch_triangle> corners(const Plane_triangulation<Plane_point>& plane) {
     std::vector<Patch_triangle> result;
     for (const auto& t : plane.triangles)
       result.push_back({{int(t[0]), int(t[1]), int(t[2])}});
@@ -117,7 +117,7 @@ private:
    * dimensions*, Comput. Aided Geom. Des. 25, 2008). */
   void set_sizes(const std::vector<std::size_t>& loop_ends) {
     const int sweeps = 150;
-    const double cotangent = 0.57735026918962576; // of the angles of T0's triangles
+    const double cotangent = root_of_3 / 3; // of the angles of T0's triangles
     sizes_.assign(uv_.size(), 0);
     std::size_t first = 0;
     double sum = 0;

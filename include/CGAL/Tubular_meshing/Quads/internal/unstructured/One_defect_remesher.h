@@ -21,14 +21,14 @@ namespace Tubular_meshing {
 namespace internal {
 
 /* Clean-up across many quads: regions with corners at which they have one quad, and two at all other vertices of their
- * border, are meshed anew with one irregular vertex, or with none: G. Bunin, *Non-local topological clean-up*, 15th
+ * border, are meshed again with one irregular vertex, or with none: G. Bunin, *Non-local topological clean-up*, 15th
  * International Meshing Roundtable, 2006. They grow from each irregular vertex, row by row. */
-template <class Sheet> class One_defect_remesher {
+class One_defect_remesher {
 public:
   typedef Quad_patch::Quad Quad;
   typedef std::vector<int> Vertices;
 
-  One_defect_remesher(Quad_patch& mesh, const Sheet& sheet)
+  One_defect_remesher(Quad_patch& mesh, const Sheet_over_plane& sheet)
       : mesh_(mesh)
       , sheet_(sheet)
       , exchange_(mesh, sheet) {}
@@ -322,8 +322,8 @@ private:
   }
 
   Quad_patch& mesh_;
-  const Sheet& sheet_;
-  Quad_exchange<Sheet> exchange_;
+  const Sheet_over_plane& sheet_;
+  Quad_exchange exchange_;
   std::vector<int> marks_, vertex_marks_; // of quads, and of vertices
   int stamp_ = 0;
 };

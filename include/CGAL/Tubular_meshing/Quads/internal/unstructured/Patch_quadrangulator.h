@@ -37,68 +37,75 @@ namespace internal {
 
 /* Fills a patch, or a cap, with quads between the points of its loops, an even number in all.
  *
- * `Chart` gives the metric of the wanted size over the plane, `Sheet` the surface over it. */
-template <class Sheet, class Chart, class Point_2> class Patch_quadrangulator {
+ * The chart gives the metric of the wanted size over the plane, the sheet the surface over it. */
+class Patch_quadrangulator {
 public:
-  typedef std::vector<std::vector<Point_2>> Polygons;
-
-  Patch_quadrangulator(const Sheet& sheet, const Chart& chart, const Polygons& polygons)
+  Patch_quadrangulator(const Sheet_over_plane& sheet, const Chart& chart, const Plane_polygons& polygons)
       : sheet_(sheet)
       , chart_(chart)
       , polygons_(polygons) {
     for (const auto& polygon : polygons)
-      for (const Point_2& p : polygon) {
+      for (const Plane_point& p : polygon) {
         loop_places_.emplace_back();
         sheet_.place(Eigen::Vector2d(p.x(), p.y()), -1, loop_places_.back());
       }
   }
 
-  /* False if there are no quads alone. Right triangles come first; where their quads are bad, isotropic ones of several
-   * sizes are tried. */
+  /* False if there are no quads alone, or the polygons do not bound a domain. Right triangles come first; where their
+   * quads are bad, isotropic ones of several sizes are tried. */
   bool run() {
-    const double factors[] = {1, 0.9, 1.12, 0.8};
-    const Plane_triangulation<Point_2> isotropic = isotropic_triangles(1);
-    try {
-      try_triangles(right_triangles(isotropic));
-    } catch (const Error&) { // isotropic ones do
-    }
-    for (std::size_t i = 0; i < 4 && best_quality_ < good_enough; ++i)
-      try_triangles(i == 0 ? isotropic : isotropic_triangles(factors[i]));
+    const auto isotropic = isotropic_triangles(1);
+    if (!isotropic)
+      return false;
+    if (const auto right = right_triangles(*isotropic))
+      try_triangles(*right);
+    for (double factor : {1., 0.9, 1.12, 0.8})
+      if (best_quality_ < tolerable_quality)
+        try_triangles(factor == 1 ? *isotropic : *isotropic_triangles(factor));
     return !best_.quads.empty();
   }
 
   const Quad_patch& mesh() const { return best_; }
 
 private:
-  static constexpr double good_enough = 0.1; // where all that is left to do is to move curves
+  typedef Plane_triangulation<Plane_point> Triangles;
+
+  static constexpr double tolerable_quality = 0.1; // where all that is left to do is to move curves
+  static constexpr double wanted_quality = 0.65;   // three quads at a vertex have 2/3 at most
   // An equilateral triangle with sides as long as this has half the area of a square of side one.
   static constexpr double triangle_side = 1.0746;
 
-  Plane_triangulation<Point_2> isotropic_triangles(double factor) const {
+  std::optional<Triangles> isotropic_triangles(double factor) const {
     const double s = 1 / (triangle_side * triangle_side * factor * factor);
-    const auto metric = [&](const Point_2& uv) {
+    const auto metric = [&](const Plane_point& uv) {
       const Metric_tensor_2 m = chart_.metric(uv);
       return Metric_tensor_2(s * m.xx, s * m.xy, s * m.yy);
     };
-    const auto image = [&](const Point_2& uv) { return chart_.point(uv); };
-    return triangulate_in_metric(polygons_, metric,
-                                 parameters::embedding(image).interior_points(chart_.hidden_places()));
+    const auto image = [&](const Plane_point& uv) { return Vector_3d(chart_.point(uv)); };
+    const Plane_embedding embedding(image);
+    std::string problem;
+    return mesh_plane(polygons_, metric, &embedding, chart_.hidden_places(), Plane_options(), problem);
   }
 
-  Plane_triangulation<Point_2> right_triangles(const Plane_triangulation<Point_2>& isotropic) const {
-    const auto field_of_chart = [this](const Point_2& uv) { return chart_.metric(uv); };
+  // None where the chart has no metric at a point that is asked for: isotropic ones ask for others.
+  std::optional<Triangles> right_triangles(const Triangles& isotropic) const {
+    const auto metric = [this](const Plane_point& uv) { return chart_.metric(uv); };
     std::string problem;
     std::optional<Plane_store> store = triangulate_polygons(polygons_, problem);
     if (!store)
-      throw Input_error(problem);
-    Metric_plane plane(*std::move(store), polygons_, field_of_chart);
-    Plane_flips(plane).make_delaunay();
-    const Cross_field field(isotropic, polygons_, field_of_chart);
-    Square_packer<Metric_plane>(plane, field).run();
-    return plane.triangulation();
+      return std::nullopt;
+    try {
+      Metric_plane plane(*std::move(store), polygons_, metric);
+      Plane_flips(plane).make_delaunay();
+      const Cross_field field(isotropic, polygons_, metric);
+      Square_packer(plane, field).run();
+      return plane.triangulation();
+    } catch (const Parameter_error&) {
+      return std::nullopt;
+    }
   }
 
-  void try_triangles(const Plane_triangulation<Point_2>& triangles) {
+  void try_triangles(const Triangles& triangles) {
     Quad_patch mesh;
     if (make_from(triangles, mesh)) {
       improve(mesh);
@@ -106,7 +113,7 @@ private:
     }
   }
 
-  bool make_from(const Plane_triangulation<Point_2>& plane, Quad_patch& mesh) const {
+  bool make_from(const Triangles& plane, Quad_patch& mesh) const {
     std::vector<Point_3> points;
     mesh.on_loops = loop_places_.size();
     int hint = -1;
@@ -149,18 +156,18 @@ private:
 
   void improve(Quad_patch& mesh) const {
     const int most_rounds = 3;
-    Quad_smoother<Sheet> smoother(mesh, sheet_);
+    Quad_smoother smoother(mesh, sheet_);
     set_loop_valences(mesh);
     smoother.relax(smoother.inner_vertices(), 8);
     for (int round = 0; round < most_rounds; ++round) {
-      const bool local = Quad_cleaner<Sheet>(mesh, sheet_).run();
-      const bool global = One_defect_remesher<Sheet>(mesh, sheet_).run();
+      const bool local = Quad_cleaner(mesh, sheet_).run();
+      const bool global = One_defect_remesher(mesh, sheet_).run();
       if (!local && !global)
         break;
     }
     const std::vector<int> inside = smoother.inner_vertices();
     smoother.relax(inside, 30);
-    smoother.raise_worst(inside, 0.65, 10);
+    smoother.raise_worst(inside, wanted_quality, 10);
   }
 
   // By the angles between the edges of the loops, on the surface.
@@ -189,9 +196,9 @@ private:
     }
   }
 
-  const Sheet& sheet_;
+  const Sheet_over_plane& sheet_;
   const Chart& chart_;
-  const Polygons& polygons_;
+  const Plane_polygons& polygons_;
   std::vector<Sheet_place> loop_places_;
   Quad_patch best_;
   double best_quality_ = 0;

@@ -19,11 +19,11 @@ namespace internal {
 /* Local clean-up: what a few quads can do for the vertices around. Doublets, two quads that share two edges, become
  * one; a diamond, a quad between two vertices with too few quads, goes; edges turn within their two quads; vertices
  * with too many quads become two. All as long as vertices become more regular. */
-template <class Sheet> class Quad_cleaner {
+class Quad_cleaner {
 public:
   typedef Quad_patch::Quad Quad;
 
-  Quad_cleaner(Quad_patch& mesh, const Sheet& sheet)
+  Quad_cleaner(Quad_patch& mesh, const Sheet_over_plane& sheet)
       : mesh_(mesh)
       , sheet_(sheet)
       , exchange_(mesh, sheet) {}
@@ -163,8 +163,8 @@ private:
   }
 
   Quad_patch& mesh_;
-  const Sheet& sheet_;
-  Quad_exchange<Sheet> exchange_;
+  const Sheet_over_plane& sheet_;
+  Quad_exchange exchange_;
 };
 
 } // namespace internal

@@ -20,7 +20,7 @@ namespace internal {
 /* Exchanges some quads of a patch for others with the same border, if that makes its vertices more regular: as many
  * quads at each as there should be, four inside. Vertices around are moved to their new best places; if quads are bad
  * even so, all is as it was. */
-template <class Sheet> class Quad_exchange {
+class Quad_exchange {
 public:
   typedef Quad_patch::Quad Quad;
 
@@ -71,8 +71,8 @@ public:
       for (std::size_t q = quads_before; q < mesh_.quads.size(); ++q)
         mean += mesh_.quality(int(q)) / double(added.size());
       const double worst = worst_at(movable, concerned);
-      const bool mends = worst_before < good_enough && worst > worst_before + much_better;
-      if (worst >= (std::min)(worst_before, good_enough) && (mends || mean > mean_before - worth_it))
+      const bool repairs = worst_before < cared_for_quality && worst > worst_before + least_gain_of_worst;
+      if (worst >= (std::min)(worst_before, cared_for_quality) && (repairs || mean > mean_before - most_loss_of_mean))
         return true;
     }
     for (const auto& p : places)
@@ -86,9 +86,9 @@ public:
   }
 
 private:
-  static constexpr double worth_it = 0.01;   // of the mean
-  static constexpr double much_better = 0.1; // of the worst
-  static constexpr double good_enough = 0.5; // before the worst quads are cared for
+  static constexpr double most_loss_of_mean = 0.01;
+  static constexpr double least_gain_of_worst = 0.1; // that makes up for any loss of the mean
+  static constexpr double cared_for_quality = 0.5;   // of the worst quad: above it may fall
 
   static int cost(int valence, int wanted, int least, int factor) {
     const int none = 40, d = valence - wanted;
@@ -146,7 +146,7 @@ private:
   }
 
   Quad_patch& mesh_;
-  Quad_smoother<Sheet> smoother_;
+  Quad_smoother smoother_;
 };
 
 } // namespace internal

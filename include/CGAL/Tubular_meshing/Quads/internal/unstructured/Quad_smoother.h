@@ -6,6 +6,7 @@
 
 #include <CGAL/Tubular_meshing/Quads/internal/unstructured/Quad_patch.h>
 #include <CGAL/Tubular_meshing/Quads/internal/unstructured/Sheet.h>
+#include <CGAL/Tubular_meshing/base/Plane_frame.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
 #include <Eigen/Core>
@@ -29,7 +30,7 @@ namespace internal {
  * before; where some do, J is made (J + √(J² + ε²)) / 2 first, with ε of their size, which turns them back.
  *
  * raise_worst() makes the worst quads better: Σ (1 − quality)^p about each vertex, with a large p. */
-template <class Sheet> class Quad_smoother {
+class Quad_smoother {
 public:
   Quad_smoother(Quad_patch& mesh, const Sheet& sheet)
       : mesh_(mesh)
@@ -55,12 +56,12 @@ public:
     }
   }
 
-  /* Of the vertices, those of quads that are worse than `good_enough`. */
-  void raise_worst(const std::vector<int>& vertices, double good_enough, int rounds) {
+  /* Of the vertices, those of quads that are worse than `quality`. */
+  void raise_worst(const std::vector<int>& vertices, double quality, int rounds) {
     for (int round = 0; round < rounds; ++round) {
       bool moved = false;
       for (int v : vertices)
-        if (!mesh_.is_fixed(v) && worst_at(v) < good_enough)
+        if (!mesh_.is_fixed(v) && worst_at(v) < quality)
           moved = search(v) || moved;
       if (!moved)
         break;
@@ -80,22 +81,13 @@ private:
     Eigen::Vector2d gradient = Eigen::Vector2d::Zero();
     Eigen::Matrix2d hessian = Eigen::Matrix2d::Zero();
   };
-  // The directions along the surface at a vertex.
-  struct Tangents {
-    Vector_3d first, second;
-    explicit Tangents(const Vector_3d& n) {
-      const Vector_3d axis = std::abs(n.x) < 0.6 ? Vector_3d(1, 0, 0) : Vector_3d(0, 1, 0);
-      first = normalized(cross(n, axis));
-      second = cross(n, first);
-    }
-    Eigen::Vector2d operator()(const Vector_3d& v) const { return Eigen::Vector2d(dot(v, first), dot(v, second)); }
-  };
   enum Role { is_corner, is_after, is_before };
 
   const Sheet_place& place(int v) const { return mesh_.places[std::size_t(v)]; }
 
   // The share of corner k of a quad, as a function of the vertex with the given role.
-  void add_corner(int q, std::size_t k, Role role, const Tangents& t, double epsilon, Energy& e) const {
+  void add_corner(int q, std::size_t k, Role role, const Plane_frame& along, double epsilon, Energy& e) const {
+    const auto t = [&](const Vector_3d& v) { return Eigen::Vector2d(dot(v, along.u), dot(v, along.v)); };
     const Quad_patch::Quad& c = mesh_.quad(q);
     const Sheet_place& at = place(c[k]);
     const Vector_3d a = place(c[(k + 1) % 4]).point - at.point, b = place(c[(k + 3) % 4]).point - at.point;
@@ -123,12 +115,12 @@ private:
 
   Energy energy(int v, double epsilon) const {
     Energy e;
-    const Tangents t(place(v).normal);
+    const Plane_frame along(place(v).point, place(v).normal);
     for (int q : mesh_.quads_at(v)) {
       const std::size_t k = mesh_.corner(q, v);
-      add_corner(q, k, is_corner, t, epsilon, e);
-      add_corner(q, (k + 3) % 4, is_after, t, epsilon, e);
-      add_corner(q, (k + 1) % 4, is_before, t, epsilon, e);
+      add_corner(q, k, is_corner, along, epsilon, e);
+      add_corner(q, (k + 3) % 4, is_after, along, epsilon, e);
+      add_corner(q, (k + 1) % 4, is_before, along, epsilon, e);
     }
     return e;
   }
@@ -176,9 +168,9 @@ private:
   // Moves a vertex along its tangents, if it stays in the patch and the test likes it there.
   template <class Test> bool try_step(int v, const Eigen::Vector2d& step, const Test& test) {
     const Sheet_place old = place(v);
-    const Tangents t(old.normal);
+    const Plane_frame along(old.point, old.normal);
     Sheet_place& now = mesh_.places[std::size_t(v)];
-    if (sheet_.move(old, step.x() * t.first + step.y() * t.second, now) && test())
+    if (sheet_.move(old, step.x() * along.u + step.y() * along.v, now) && test())
       return true;
     now = old;
     return false;
@@ -202,7 +194,7 @@ private:
     const double first = best;
     for (double length = 0.2 * std::sqrt(squared_size), end = length / 12; length > end; length /= 2)
       for (int k = 0; k < directions; ++k) {
-        const double angle = 6.283185307179586 * k / directions;
+        const double angle = 2 * CGAL_PI * k / directions;
         const auto is_better = [&] {
           const double now = badness(v);
           if (!(now < (1 - 1e-3) * best))

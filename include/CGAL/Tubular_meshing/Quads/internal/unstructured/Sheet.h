@@ -5,6 +5,7 @@
 #define CGAL_TUBULAR_MESHING_QUADS_INTERNAL_UNSTRUCTURED_SHEET_H
 
 #include <CGAL/Tubular_meshing/Patches/Patch_parameterization.h>
+#include <CGAL/Tubular_meshing/Patches/pieces/Chart.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
 #include <Eigen/Core>
@@ -25,11 +26,26 @@ struct Sheet_place {
   Vector_3d point, normal;
 };
 
-/* A patch as the mesher of quads sees it: a surface over the plane, with a normal that is continuous. */
-class Patch_sheet {
+/* A surface that vertices move on. */
+class Sheet {
+public:
+  virtual ~Sheet() = default;
+  /* Along the surface as nearly as possible by a vector. False if that leads where there is none. */
+  virtual bool move(const Sheet_place& from, const Vector_3d& step, Sheet_place& to) const = 0;
+};
+
+/* One over the plane. */
+class Sheet_over_plane : public Sheet {
+public:
+  /* `hint` is a triangle close by, or −1. False outside; the nearest place is found then. */
+  virtual bool place(const Eigen::Vector2d& uv, int hint, Sheet_place& result) const = 0;
+};
+
+/* A patch as the mesher of quads sees it, with a normal that is continuous. */
+class Patch_sheet final : public Sheet_over_plane {
 public:
   typedef Patch_parameterization Map;
-  typedef typename Map::Point_2 Point_2;
+  typedef Map::Point_2 Point_2;
 
   explicit Patch_sheet(const Map& map)
       : map_(map)
@@ -58,8 +74,7 @@ public:
     }
   }
 
-  /* False outside of the patch; the nearest place is found then. */
-  bool place(const Eigen::Vector2d& uv, int hint, Sheet_place& result) const {
+  bool place(const Eigen::Vector2d& uv, int hint, Sheet_place& result) const override {
     const double outside = 1e-24; // of the unit circle
     const Patch_location at = map_.locate(Point_2(uv.x(), uv.y()), hint);
     result = place(at);
@@ -79,8 +94,7 @@ public:
     return result;
   }
 
-  /* Along the surface as nearly as possible by a vector. False if that leaves the patch. */
-  bool move(const Sheet_place& from, const Vector_3d& step, Sheet_place& to) const {
+  bool move(const Sheet_place& from, const Vector_3d& step, Sheet_place& to) const override {
     const auto x = map_.derivatives(from.triangle);
     const Eigen::Vector3d d(step.x, step.y, step.z);
     const Eigen::Vector2d by = (x.transpose() * x).inverse() * (x.transpose() * d);
@@ -92,28 +106,26 @@ private:
   std::vector<Vector_3d> normals_;
 };
 
-/* The same for a cap, which is planar: its chart, see Cap_chart. */
-template <class Chart, class Point_2> class Cap_sheet {
+/* The same for a cap, which is planar. */
+class Cap_sheet final : public Sheet_over_plane {
 public:
-  explicit Cap_sheet(const Chart& chart)
-      : chart_(chart)
-      , origin_(chart.point(Point_2(0, 0)))
-      , first_(Vector_3d(chart.point(Point_2(1, 0))) - origin_)
-      , second_(Vector_3d(chart.point(Point_2(0, 1))) - origin_) {}
+  explicit Cap_sheet(const Cap_chart& chart)
+      : origin_(chart.point(Plane_point(0, 0)))
+      , first_(Vector_3d(chart.point(Plane_point(1, 0))) - origin_)
+      , second_(Vector_3d(chart.point(Plane_point(0, 1))) - origin_) {}
 
-  bool place(const Eigen::Vector2d& uv, int, Sheet_place& result) const {
+  bool place(const Eigen::Vector2d& uv, int, Sheet_place& result) const override {
     result.uv = uv;
     result.triangle = 0;
     result.point = origin_ + uv.x() * first_ + uv.y() * second_;
     result.normal = cross(first_, second_);
     return true;
   }
-  bool move(const Sheet_place& from, const Vector_3d& step, Sheet_place& to) const {
+  bool move(const Sheet_place& from, const Vector_3d& step, Sheet_place& to) const override {
     return place(from.uv + Eigen::Vector2d(dot(step, first_), dot(step, second_)), 0, to);
   }
 
 private:
-  const Chart& chart_;
   Vector_3d origin_, first_, second_;
 };
 

@@ -27,13 +27,13 @@ namespace internal {
  * along the four directions of a cross field, by one in the metric. A point is left out where it has no room.
  *
  * Sizes are the field's, as far as the metric does not want quite others. O(n log n). */
-template <class Plane> class Square_packer {
+class Square_packer {
 public:
   typedef Plane_store::Index Index;
   typedef Plane_node Node;
   typedef Point_insertion Insertion;
 
-  Square_packer(Plane& plane, const Cross_field& field)
+  Square_packer(Metric_plane& plane, const Cross_field& field)
       : plane_(plane)
       , field_(field)
       , insertion_(plane) {}
@@ -48,8 +48,8 @@ public:
   }
 
 private:
-  static constexpr double quarter = 1.57079632679489661923;
-  static constexpr double least_distance = 0.7; // of points
+  static constexpr double quarter = CGAL_PI / 2; // of a turn
+  static constexpr double least_distance = 0.7;  // of points
   static constexpr double most_points = 1e8;
   static constexpr double smallest = 0.5, largest = 1.6; // of the sizes, relative to the metric's
 
@@ -73,13 +73,13 @@ private:
       return;
     const double turn = field_(half).angle - angle;
     const Eigen::Vector2d end = start + step(half, angle + turn - quarter * std::round(turn / quarter));
-    const typename Insertion::Place place = find(v, point(end));
+    const Insertion::Place place = find(v, point(end));
     if (place.half_edge == Plane_store::none)
       return;
     const Node node = plane_.node_at(point(end));
     const double room = least_distance * size_in_metric(field_(end), node.metric);
     if (insertion_.all_neighbors(
-            place, node, [&](Index w) { return Plane::length(node, plane_.nodes[w]) >= room; },
+            place, node, [&](Index w) { return Metric_plane::length(node, plane_.nodes[w]) >= room; },
             [](Index) { return true; }))
       insertion_.insert(place, node);
   }
@@ -87,20 +87,20 @@ private:
   bool is_inside(Index v, const Eigen::Vector2d& p) { return find(v, point(p)).half_edge != Plane_store::none; }
 
   // Where a point lies that can be seen from v.
-  typename Insertion::Place find(Index v, const Plane_point& p) {
+  Insertion::Place find(Index v, const Plane_point& p) {
     star_.clear();
     plane_.store.for_each_outgoing(v, [&](Index h) { star_.push_back(h); });
     for (Index h : star_) {
       if (CGAL::orientation(plane_.origin(h).point, plane_.target(h).point, p) != CGAL::LEFT_TURN)
         continue;
-      const typename Insertion::Place place = insertion_.locate(h, p);
+      const Insertion::Place place = insertion_.locate(h, p);
       if (place.half_edge != Plane_store::none)
         return place;
     }
     return {};
   }
 
-  Plane& plane_;
+  Metric_plane& plane_;
   const Cross_field& field_;
   Insertion insertion_;
   std::vector<Index> star_;
