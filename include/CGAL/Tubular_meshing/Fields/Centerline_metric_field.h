@@ -178,6 +178,16 @@ public:
           centerlines, Centerline_metric_field_options(np));
   }
 
+  /*! The same, with options in a struct. */
+  Centerline_metric_field(const Surface& surface, Face_patch_map patches, const Centerline_graph& centerlines,
+                          const Centerline_metric_field_options& options) {
+    std::vector<Surface::Vertex_index> vertices;
+    build(internal::indexed_triangles(
+              surface, [&](Surface::Face_index f) { return patches[f] == labels::wall; },
+              CGAL::parameters::default_values(), vertices),
+          centerlines, options);
+  }
+
   /// The metric at a point; outside of the surface too. A point whose coordinates are not numbers has some metric.
   Metric_tensor_3 operator()(const Point_3& p) const;
 

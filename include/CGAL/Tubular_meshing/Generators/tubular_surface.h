@@ -17,7 +17,7 @@ namespace Tubular_meshing {
 /*! \ingroup PkgTubularMeshingRef
  *
  * The options of generate_tubular_surface(): its named parameters of the same names. */
-struct Tubular_surface_options {
+struct Generate_tubular_surface_options {
   double points_per_circumference = 24;
   bool capped_ends = false;
   double noise = 0; ///< of the radius
@@ -25,9 +25,9 @@ struct Tubular_surface_options {
   double sag = 0; ///< of the radius
   Sag_shape sag_shape = Sag_shape::saddle;
 
-  Tubular_surface_options() = default;
+  Generate_tubular_surface_options() = default;
   template <class NamedParameters>
-  explicit Tubular_surface_options(const NamedParameters& np)
+  explicit Generate_tubular_surface_options(const NamedParameters& np)
       : points_per_circumference(internal::choose(np, internal_np::points_per_circumference, 24.))
       , capped_ends(internal::choose(np, internal_np::capped_ends, false))
       , noise(internal::choose(np, internal_np::noise, 0.))
@@ -38,7 +38,7 @@ struct Tubular_surface_options {
 
 namespace internal {
 
-Surface generate_tubular_surface(const Tubular_skeleton& skeleton, const Tubular_surface_options& options);
+Surface generate_tubular_surface(const Tubular_skeleton& skeleton, const Generate_tubular_surface_options& options);
 
 } // namespace internal
 
@@ -103,7 +103,7 @@ Surface generate_tubular_surface(const Tubular_skeleton& skeleton, const Tubular
 template <class TriangleMesh, class NamedParameters = CGAL::parameters::Default_named_parameters>
 void generate_tubular_surface(const Tubular_skeleton& skeleton, TriangleMesh& out,
                               const NamedParameters& np = CGAL::parameters::default_values()) {
-  internal::copy_from_core(internal::generate_tubular_surface(skeleton, Tubular_surface_options(np)), out, np);
+  internal::copy_from_core(internal::generate_tubular_surface(skeleton, Generate_tubular_surface_options(np)), out, np);
 }
 
 } // namespace Tubular_meshing

@@ -22,7 +22,7 @@ inline void check_range(double value, double from, double to, const std::string&
 }
 
 CGAL_TUBULAR_MESHING_INLINE Surface generate_tubular_surface(const Tubular_skeleton& skeleton,
-                                                             const Tubular_surface_options& options) {
+                                                             const Generate_tubular_surface_options& options) {
   check_range(options.points_per_circumference, 8, 1000, "the number of points round the circumference");
   check_range(options.noise, 0, 1, "the noise, a fraction of the radius,");
   check_range(options.sag, 0, 0.5, "the sag, a fraction of the radius,");

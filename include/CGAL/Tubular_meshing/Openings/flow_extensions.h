@@ -20,14 +20,14 @@ namespace Tubular_meshing {
 /*! \ingroup PkgTubularMeshingRef
  *
  * The options of add_flow_extensions(): its named parameters of the same names. */
-struct Flow_extension_options {
+struct Add_flow_extensions_options {
   double extension_length = 5;                               ///< in radii
   std::optional<double> min_extension_length;                ///< none: the smaller of 1 and `extension_length`
   std::optional<std::vector<std::size_t>> extended_openings; ///< none: all
 
-  Flow_extension_options() = default;
+  Add_flow_extensions_options() = default;
   template <class NamedParameters>
-  explicit Flow_extension_options(const NamedParameters& np)
+  explicit Add_flow_extensions_options(const NamedParameters& np)
       : extension_length(internal::choose(np, internal_np::extension_length, 5.))
       , min_extension_length(internal::choose(np, internal_np::min_extension_length, std::optional<double>()))
       , extended_openings(
@@ -37,7 +37,7 @@ struct Flow_extension_options {
 namespace internal {
 
 std::vector<double> add_flow_extensions(Surface& surface, std::vector<Opening>& openings,
-                                        const Flow_extension_options& options);
+                                        const Add_flow_extensions_options& options);
 
 } // namespace internal
 
@@ -113,7 +113,7 @@ std::vector<double> add_flow_extensions(Surface& surface, std::vector<Opening>& 
 template <class TriangleMesh, class NamedParameters = CGAL::parameters::Default_named_parameters>
 std::vector<double> add_flow_extensions(TriangleMesh& surface, std::vector<Opening>& openings,
                                         const NamedParameters& np = CGAL::parameters::default_values()) {
-  const Flow_extension_options options(np);
+  const Add_flow_extensions_options options(np);
   if constexpr (internal::is_core_surface<TriangleMesh, NamedParameters>)
     return internal::add_flow_extensions(surface, openings, options);
   else {

@@ -32,7 +32,7 @@ inline void check_extension_lengths(double length, double min_length) {
 }
 
 /* By opening, whether it is to be extended. */
-inline std::vector<bool> wanted_extensions(std::size_t openings, const Flow_extension_options& options) {
+inline std::vector<bool> wanted_extensions(std::size_t openings, const Add_flow_extensions_options& options) {
   std::vector<bool> wanted(openings, !options.extended_openings);
   if (options.extended_openings)
     for (std::size_t i : *options.extended_openings) {
@@ -46,7 +46,7 @@ inline std::vector<bool> wanted_extensions(std::size_t openings, const Flow_exte
 }
 
 CGAL_TUBULAR_MESHING_INLINE std::vector<double> add_flow_extensions(Surface& surface, std::vector<Opening>& openings,
-                                                                    const Flow_extension_options& options) {
+                                                                    const Add_flow_extensions_options& options) {
   const double length = options.extension_length;
   const double min_length = options.min_extension_length.value_or((std::min)(1., length));
   check_extension_lengths(length, min_length);

@@ -13,18 +13,18 @@ namespace CGAL {
 namespace Tubular_meshing {
 /*! \ingroup PkgTubularMeshingRef
  * The named parameters of cut_by_centerlines(). */
-struct Cut_options {
+struct Cut_by_centerlines_options {
   double aspect_ratio = 4; ///< the largest one of a patch, length over mean diameter; 1 or more
 
-  Cut_options() = default;
+  Cut_by_centerlines_options() = default;
   template <class NamedParameters>
-  explicit Cut_options(const NamedParameters& np)
+  explicit Cut_by_centerlines_options(const NamedParameters& np)
       : aspect_ratio(internal::choose(np, internal_np::aspect_ratio, 4.)) {}
 };
 
 namespace internal {
 Surface_cut cut_by_centerlines(Surface& surface, const Centerline_graph& graph, Face_patch_map patch,
-                               const Cut_options& options);
+                               const Cut_by_centerlines_options& options);
 } // namespace internal
 
 /*! \ingroup PkgTubularMeshingRef
@@ -78,7 +78,7 @@ Surface_cut cut_by_centerlines(Surface& surface, const Centerline_graph& graph, 
 template <class NamedParameters = CGAL::parameters::Default_named_parameters>
 Surface_cut cut_by_centerlines(Surface& surface, const Centerline_graph& graph, Face_patch_map patch,
                                const NamedParameters& np = CGAL::parameters::default_values()) {
-  return internal::cut_by_centerlines(surface, graph, patch, Cut_options(np));
+  return internal::cut_by_centerlines(surface, graph, patch, Cut_by_centerlines_options(np));
 }
 
 } // namespace Tubular_meshing

@@ -132,7 +132,8 @@ private:
 };
 
 CGAL_TUBULAR_MESHING_INLINE Surface_cut cut_by_centerlines(Surface& surface, const Centerline_graph& graph,
-                                                           Face_patch_map patch, const Cut_options& options) {
+                                                           Face_patch_map patch,
+                                                           const Cut_by_centerlines_options& options) {
   if (surface.has_garbage())
     surface.collect_garbage();
   check_cut_input(surface, patch, graph, options.aspect_ratio);

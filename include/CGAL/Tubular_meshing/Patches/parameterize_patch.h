@@ -52,18 +52,18 @@ Patch_parameterization parameterize_patch(Indexed_patch patch,
 
 /*! \ingroup PkgTubularMeshingRef
  * The named parameters of parameterize_patches(). */
-struct Parameterization_options {
+struct Parameterize_patches_options {
   int number_of_threads = 0; ///< 0: as many as there are cores
 
-  Parameterization_options() = default;
+  Parameterize_patches_options() = default;
   template <class NamedParameters>
-  explicit Parameterization_options(const NamedParameters& np)
+  explicit Parameterize_patches_options(const NamedParameters& np)
       : number_of_threads(internal::choose(np, internal_np::number_of_threads, 0)) {}
 };
 
 namespace internal {
 std::vector<Patch_parameterization> parameterize_patches(const Surface& surface, const Surface_cut& cut,
-                                                         const Parameterization_options& options);
+                                                         const Parameterize_patches_options& options);
 } // namespace internal
 
 /*! \ingroup PkgTubularMeshingRef
@@ -87,7 +87,7 @@ template <class NamedParameters = CGAL::parameters::Default_named_parameters>
 std::vector<Patch_parameterization>
 parameterize_patches(const Surface& surface, const Surface_cut& cut,
                      const NamedParameters& np = CGAL::parameters::default_values()) {
-  return internal::parameterize_patches(surface, cut, Parameterization_options(np));
+  return internal::parameterize_patches(surface, cut, Parameterize_patches_options(np));
 }
 
 } // namespace Tubular_meshing

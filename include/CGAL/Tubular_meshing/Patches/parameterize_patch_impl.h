@@ -77,7 +77,7 @@ CGAL_TUBULAR_MESHING_INLINE Patch_parameterization parameterize_patch(Indexed_pa
 namespace internal {
 
 CGAL_TUBULAR_MESHING_INLINE std::vector<Patch_parameterization>
-parameterize_patches(const Surface& surface, const Surface_cut& cut, const Parameterization_options& options) {
+parameterize_patches(const Surface& surface, const Surface_cut& cut, const Parameterize_patches_options& options) {
   std::vector<Patch_parameterization> result(cut.patches.size());
   for_each_task(cut.patches.size(), options.number_of_threads, [&](std::size_t i) {
     result[i] = parameterize_patch(make_indexed_patch(surface, cut.patches[i], cut.curves));

@@ -21,13 +21,13 @@ namespace CGAL {
 namespace Tubular_meshing {
 /*! \ingroup PkgTubularMeshingRef
  * The named parameters of remesh_patches(). */
-struct Remeshing_options {
+struct Remesh_patches_options {
   bool even_curves = false;  ///< whether each curve gets an even number of points
   int number_of_threads = 0; ///< 0: as many as there are cores
 
-  Remeshing_options() = default;
+  Remesh_patches_options() = default;
   template <class NamedParameters>
-  explicit Remeshing_options(const NamedParameters& np)
+  explicit Remesh_patches_options(const NamedParameters& np)
       : even_curves(internal::choose(np, internal_np::even_curves, false))
       , number_of_threads(internal::choose(np, internal_np::number_of_threads, 0)) {}
 };
@@ -36,10 +36,10 @@ namespace internal {
 
 Remeshed_surface remesh_patches_by_size(const Surface& surface, const Surface_cut& cut,
                                         const std::vector<Patch_parameterization>& maps, Length_function size,
-                                        const Remeshing_options& options);
+                                        const Remesh_patches_options& options);
 Remeshed_surface remesh_patches_by_metric(const Surface& surface, const Surface_cut& cut,
                                           const std::vector<Patch_parameterization>& maps, Metric_function metric,
-                                          const Remeshing_options& options);
+                                          const Remesh_patches_options& options);
 
 template <class Field>
 using Is_metric_field =
@@ -101,9 +101,9 @@ Remeshed_surface remesh_patches(const Surface& surface, const Surface_cut& cut,
                                 const std::vector<Patch_parameterization>& maps, const Size& size,
                                 const NamedParameters& np = CGAL::parameters::default_values()) {
   if constexpr (internal::Is_metric_field<Size>::value)
-    return internal::remesh_patches_by_metric(surface, cut, maps, size, Remeshing_options(np));
+    return internal::remesh_patches_by_metric(surface, cut, maps, size, Remesh_patches_options(np));
   else
-    return internal::remesh_patches_by_size(surface, cut, maps, size, Remeshing_options(np));
+    return internal::remesh_patches_by_size(surface, cut, maps, size, Remesh_patches_options(np));
 }
 
 } // namespace Tubular_meshing

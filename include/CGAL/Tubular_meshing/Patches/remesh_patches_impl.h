@@ -21,7 +21,7 @@ namespace internal {
 CGAL_TUBULAR_MESHING_INLINE Remeshed_surface remesh_patches_by_size(const Surface& surface, const Surface_cut& cut,
                                                                     const std::vector<Patch_parameterization>& maps,
                                                                     Length_function size,
-                                                                    const Remeshing_options& options) {
+                                                                    const Remesh_patches_options& options) {
   const Isotropic_sizes sizes(maps, size);
   Triangle_piece_mesher mesher(surface, cut, maps, sizes, options.even_curves, options.number_of_threads);
   return mesh_by_pieces(cut, maps, mesher);
@@ -30,7 +30,7 @@ CGAL_TUBULAR_MESHING_INLINE Remeshed_surface remesh_patches_by_size(const Surfac
 CGAL_TUBULAR_MESHING_INLINE Remeshed_surface remesh_patches_by_metric(const Surface& surface, const Surface_cut& cut,
                                                                       const std::vector<Patch_parameterization>& maps,
                                                                       Metric_function metric,
-                                                                      const Remeshing_options& options) {
+                                                                      const Remesh_patches_options& options) {
   const Metric_sizes sizes(surface, cut, maps, metric);
   Triangle_piece_mesher mesher(surface, cut, maps, sizes, options.even_curves, options.number_of_threads);
   Remeshed_surface result = mesh_by_pieces(cut, maps, mesher);

@@ -14,6 +14,7 @@
 
 #include <memory>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -113,7 +114,7 @@ public:
 
   /// Of a surface alone: its centerlines are computed.
   template <class FaceGraph, class NamedParameters = CGAL::parameters::Default_named_parameters,
-            class = typename boost::graph_traits<FaceGraph>::face_descriptor>
+            class = std::enable_if_t<!std::is_same<FaceGraph, Tubular_model>::value>>
   explicit Mesher(const FaceGraph& surface, const NamedParameters& np = CGAL::parameters::default_values())
       : Mesher(make_tubular_model(surface, np), Mesher_options(np)) {}
 

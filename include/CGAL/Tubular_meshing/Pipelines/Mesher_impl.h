@@ -8,6 +8,7 @@
 #include <CGAL/Tubular_meshing/Fields/Centerline_metric_field.h>
 #include <CGAL/Tubular_meshing/Fields/Centerline_sizing_field.h>
 #include <CGAL/Tubular_meshing/Layers/append_mesh.h>
+#include <CGAL/Tubular_meshing/Layers/local_radius.h>
 #include <CGAL/Tubular_meshing/Pipelines/Mesher.h>
 #include <CGAL/Tubular_meshing/Pipelines/internal/Model_in_its_frame.h>
 #include <CGAL/Tubular_meshing/Pipelines/internal/check_mesh_of_model.h>
@@ -35,6 +36,22 @@ public:
   const Tubular_model& model() const { return *model_; }
   const Mesher_report& report() const { return report_; }
   Remeshed_surface take_kept_surface() { return std::exchange(kept_, Remeshed_surface()); }
+
+  /* Runs what makes a mesh in the frame, and brings the mesh back from there, or the places of what is thrown. */
+  template <class Make> auto made(const Make& make) {
+    report_ = Mesher_report();
+    kept_ = Remeshed_surface();
+    try {
+      auto mesh = make();
+      frame_.bring_back(mesh);
+      frame_.bring_back(kept_);
+      return mesh;
+    } catch (Error& e) {
+      e.transform_places([&](const Place& p) { return frame_.from_frame(p); });
+      e.set_stage(stage_);
+      throw;
+    }
+  }
 
   Mixed_mesh isotropic() {
     return made([&] {
@@ -79,7 +96,8 @@ public:
           });
       if (options_.wall) {
         stage("wall");
-        report_.wall = extrude_wall(mesh, Centerline_field(frame_.centerlines()), *options_.wall);
+        const Centerline_field centerlines(frame_.centerlines());
+        report_.wall = internal::extrude_wall(mesh, internal::radius_function(centerlines), *options_.wall);
         report_.wall.worst_place = frame_.from_frame(report_.wall.worst_place);
       }
       stage("check");
@@ -109,22 +127,6 @@ private:
     Surface_cut cut;
     std::vector<Patch_parameterization> maps;
   };
-
-  /* Runs what makes a mesh in the frame, and brings the mesh back from there, or the places of what is thrown. */
-  template <class Make> auto made(const Make& make) {
-    report_ = Mesher_report();
-    kept_ = Remeshed_surface();
-    try {
-      auto mesh = make();
-      frame_.bring_back(mesh);
-      frame_.bring_back(kept_);
-      return mesh;
-    } catch (Error& e) {
-      e.transform_places([&](const Place& p) { return frame_.from_frame(p); });
-      e.set_stage(stage_);
-      throw;
-    }
-  }
 
   void stage(const char* name) {
     stage_ = name;
@@ -241,8 +243,9 @@ private:
       return mesh;
     }
     stage("boundary layer");
+    const Centerline_field centerlines(frame_.centerlines());
     Boundary_layer layer = internal::extrude_boundary_layer(
-        surface.surface, surface.patch, Centerline_field(frame_.centerlines()), options_.boundary_layer);
+        surface.surface, surface.patch, internal::radius_function(centerlines), options_.boundary_layer);
     report_.boundary_layer = layer.report;
     report_.boundary_layer.worst_place = frame_.from_frame(layer.report.worst_place);
     try {

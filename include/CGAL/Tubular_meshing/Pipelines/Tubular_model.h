@@ -12,8 +12,6 @@
 #include <CGAL/Tubular_meshing/base/convert_surface.h>
 #include <CGAL/Tubular_meshing/base/parameters.h>
 
-#include <boost/graph/graph_traits.hpp>
-
 #include <optional>
 #include <utility>
 #include <vector>
@@ -145,8 +143,7 @@ Tubular_model make_tubular_model(const FaceGraph& surface, const Centerline_poly
  *
  * \throws Input_error if the surface is in pieces or intersects itself, or has fewer than two ends
  */
-template <class FaceGraph, class NamedParameters = CGAL::parameters::Default_named_parameters,
-          class = typename boost::graph_traits<FaceGraph>::face_descriptor>
+template <class FaceGraph, class NamedParameters = CGAL::parameters::Default_named_parameters>
 Tubular_model make_tubular_model(const FaceGraph& surface,
                                  const NamedParameters& np = CGAL::parameters::default_values()) {
   Tubular_model model;

@@ -15,6 +15,7 @@
 #include <CGAL/Tubular_meshing/Patches/follow_blind_vessels.h>
 #include <CGAL/Tubular_meshing/Pipelines/Tubular_model.h>
 #include <CGAL/Tubular_meshing/Pipelines/internal/check_meshable.h>
+#include <CGAL/Tubular_meshing/Rims/Opening_site.h>
 #include <CGAL/Tubular_meshing/base/labels.h>
 
 #include <cstddef>
@@ -34,6 +35,19 @@ inline void connect(Tubular_model& model, const std::vector<std::size_t>& node_o
   }
 }
 
+inline Find_openings_options opening_options(const Tubular_model_options& options, const Centerline_graph* graph) {
+  Find_openings_options result;
+  result.inlet = options.inlet;
+  result.centerline_graph = graph;
+  return result;
+}
+
+inline Build_centerline_graph_options graph_options(const Tubular_model_options& options) {
+  Build_centerline_graph_options result;
+  result.merge_tolerance = options.merge_tolerance;
+  return result;
+}
+
 // What the rest of the package relies on: one piece of triangles.
 inline void check_surface(Tubular_model& model) {
   check_tubular_surface(model.surface);
@@ -43,10 +57,9 @@ inline void check_surface(Tubular_model& model) {
 CGAL_TUBULAR_MESHING_INLINE void prepare(Tubular_model& model, const Centerline_polylines& lines,
                                          const Tubular_model_options& options) {
   check_surface(model);
-  build_centerline_graph(lines, Wall_distance(model.surface), model.centerlines,
-                         Build_centerline_graph_options{options.merge_tolerance});
+  build_centerline_graph(lines, Wall_distance(model.surface), model.centerlines, graph_options(options));
 
-  model.openings = find_openings(model.surface, Find_openings_options{options.inlet, &model.centerlines});
+  model.openings = find_openings(model.surface, opening_options(options, &model.centerlines));
   close_openings(model.surface, model.openings, model.patch);
   check_no_crossings(model.surface);
   const std::vector<std::size_t> nodes = clip_to_openings(model.centerlines, model.openings);
@@ -64,10 +77,10 @@ CGAL_TUBULAR_MESHING_INLINE void prepare(Tubular_model& model, const Centerline_
 
 CGAL_TUBULAR_MESHING_INLINE void prepare(Tubular_model& model, const Tubular_model_options& options) {
   check_surface(model);
-  model.openings = find_openings_or_seeds(model.surface, options.seeds, Find_openings_options{options.inlet, nullptr});
+  model.openings = find_openings_or_seeds(model.surface, options.seeds, opening_options(options, nullptr));
   close_openings(model.surface, model.openings, model.patch);
   check_no_crossings(model.surface);
-  const Build_centerline_graph_options merging{options.merge_tolerance};
+  const Build_centerline_graph_options merging = graph_options(options);
   Centerline_computation computation(model.surface, model.patch, ends_of_lines(model.openings, options.seeds),
                                      options.loops, options.blind_vessels);
   computation.make_graph(model.centerlines, merging);

@@ -27,12 +27,12 @@ namespace Tubular_meshing {
  *
  * What triangulate_in_metric() may be given beside the domain and the metric: its named parameters of the same names.
  */
-struct Plane_options {
+struct Triangulate_in_metric_options {
   int optimization_passes = 2; ///< not negative
 
-  Plane_options() = default;
+  Triangulate_in_metric_options() = default;
   template <class NamedParameters>
-  explicit Plane_options(const NamedParameters& np)
+  explicit Triangulate_in_metric_options(const NamedParameters& np)
       : optimization_passes(internal::choose(np, internal_np::optimization_passes, 2)) {}
 };
 
@@ -43,7 +43,8 @@ namespace internal {
 std::optional<Plane_triangulation<Plane_point>> mesh_plane(const Plane_polygons& polygons, Plane_field metric,
                                                            const Plane_embedding* embedding,
                                                            const std::vector<Plane_point>& interior_points,
-                                                           const Plane_options& options, std::string& problem);
+                                                           const Triangulate_in_metric_options& options,
+                                                           std::string& problem);
 
 template <class PointRange> std::vector<Plane_point> plane_points(const PointRange& points) {
   std::vector<Plane_point> result;
@@ -139,7 +140,7 @@ auto triangulate_in_metric(const PolygonRange& polygons, const MetricField_2& me
   const auto mesh = [&](const internal::Plane_embedding* embedding) {
     std::string problem;
     auto result = internal::mesh_plane(internal::plane_polygons(polygons), field, embedding,
-                                       internal::plane_points(given), Plane_options(np), problem);
+                                       internal::plane_points(given), Triangulate_in_metric_options(np), problem);
     if (!result)
       throw Input_error(problem);
     return *std::move(result);

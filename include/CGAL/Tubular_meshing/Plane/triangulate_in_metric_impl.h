@@ -65,7 +65,8 @@ inline void optimize_plane(Metric_plane& plane, int passes) {
 
 CGAL_TUBULAR_MESHING_INLINE std::optional<Plane_triangulation<Plane_point>>
 mesh_plane(const Plane_polygons& polygons, Plane_field metric, const Plane_embedding* embedding,
-           const std::vector<Plane_point>& interior_points, const Plane_options& options, std::string& problem) {
+           const std::vector<Plane_point>& interior_points, const Triangulate_in_metric_options& options,
+           std::string& problem) {
   if (options.optimization_passes < 0)
     throw Parameter_error("The number of optimization passes must not be negative, but is " +
                           std::to_string(options.optimization_passes) + ".");

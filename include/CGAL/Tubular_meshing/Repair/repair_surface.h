@@ -30,13 +30,13 @@ enum class Repair_mode {
 /*! \ingroup PkgTubularMeshingRef
  *
  * The options of repair_surface(): its named parameters of the same names. */
-struct Repair_options {
+struct Repair_surface_options {
   Repair_mode repair_mode = Repair_mode::automatic;
   bool smooth = false; ///< whether staircase noise is smoothed off at last
 
-  Repair_options() = default;
+  Repair_surface_options() = default;
   template <class NamedParameters>
-  explicit Repair_options(const NamedParameters& np)
+  explicit Repair_surface_options(const NamedParameters& np)
       : repair_mode(internal::choose(np, internal_np::repair_mode, Repair_mode::automatic))
       , smooth(internal::choose(np, internal_np::smooth, false)) {}
 };
@@ -44,9 +44,9 @@ struct Repair_options {
 namespace internal {
 
 Repair_report repair_soup(const std::vector<Point_3>& points, const std::vector<std::array<std::size_t, 3>>& triangles,
-                          Surface& mesh, const Repair_options& options);
+                          Surface& mesh, const Repair_surface_options& options);
 
-Repair_report repair_mesh(Surface& mesh, const Repair_options& options);
+Repair_report repair_mesh(Surface& mesh, const Repair_surface_options& options);
 
 } // namespace internal
 
@@ -119,7 +119,7 @@ Repair_report repair_mesh(Surface& mesh, const Repair_options& options);
 template <class Point, class TriangleMesh, class NamedParameters = CGAL::parameters::Default_named_parameters>
 Repair_report repair_surface(const std::vector<Point>& points, const std::vector<std::array<std::size_t, 3>>& triangles,
                              TriangleMesh& mesh, const NamedParameters& np = CGAL::parameters::default_values()) {
-  const Repair_options options(np);
+  const Repair_surface_options options(np);
   if constexpr (!std::is_same<Point, Point_3>::value) {
     std::vector<Point_3> converted;
     converted.reserve(points.size());
@@ -144,7 +144,7 @@ Repair_report repair_surface(const std::vector<Point>& points, const std::vector
  */
 template <class TriangleMesh, class NamedParameters = CGAL::parameters::Default_named_parameters>
 Repair_report repair_surface(TriangleMesh& mesh, const NamedParameters& np = CGAL::parameters::default_values()) {
-  const Repair_options options(np);
+  const Repair_surface_options options(np);
   if constexpr (internal::is_core_surface<TriangleMesh, NamedParameters>)
     return internal::repair_mesh(mesh, options);
   else {

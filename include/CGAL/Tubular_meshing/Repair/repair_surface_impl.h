@@ -23,7 +23,7 @@ namespace internal {
 
 CGAL_TUBULAR_MESHING_INLINE Repair_report repair_soup(const std::vector<Point_3>& points,
                                                       const std::vector<std::array<std::size_t, 3>>& triangles,
-                                                      Surface& mesh, const Repair_options& options) {
+                                                      Surface& mesh, const Repair_surface_options& options) {
   Triangle_soup soup;
   soup.points.reserve(points.size());
   for (const Point_3& p : points) {
@@ -50,7 +50,7 @@ CGAL_TUBULAR_MESHING_INLINE Repair_report repair_soup(const std::vector<Point_3>
   return report;
 }
 
-CGAL_TUBULAR_MESHING_INLINE Repair_report repair_mesh(Surface& mesh, const Repair_options& options) {
+CGAL_TUBULAR_MESHING_INLINE Repair_report repair_mesh(Surface& mesh, const Repair_surface_options& options) {
   check_tubular_surface(mesh);
   std::vector<Point_3> points(mesh.num_vertices());
   for (auto v : mesh.vertices())

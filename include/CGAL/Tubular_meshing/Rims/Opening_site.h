@@ -6,13 +6,13 @@
 
 #include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Rims/Rim_shape.h>
+#include <CGAL/Tubular_meshing/base/Sentence.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 
 #include <CGAL/boost/graph/iterator.h>
 
 #include <cmath>
 #include <cstddef>
-#include <sstream>
 #include <string>
 #include <unordered_set>
 #include <utility>
@@ -33,9 +33,7 @@ struct Opening_site {
 };
 
 inline std::string coordinates(const Point_3& p) {
-  std::ostringstream out;
-  out << "(" << p.x() << ", " << p.y() << ", " << p.z() << ")";
-  return out.str();
+  return place_of(p).str();
 }
 
 inline std::string vertex_name(Surface::Vertex_index v, const Surface& mesh) {

@@ -20,9 +20,9 @@ CGAL_TUBULAR_MESHING_INLINE void fill_keeping_boundary(const Surface& surface, F
                                                        const Fill_keeping_boundary_options& options) {
   const Boundary_recovery recovery = recovery_by(options.volume_mesher);
   const Filling_limits limits(options, surface, "use fill_with_mesh_3(), which makes the surface anew");
-  const std::string failure = fill_by_recovery(surface, patch, size, recovery, limits, mesh);
-  if (!failure.empty())
-    throw Meshing_error(failure);
+  const std::optional<Sentence> failure = fill_by_recovery(surface, patch, size, recovery, limits, mesh);
+  if (failure)
+    throw Meshing_error(*failure);
 }
 
 } // namespace internal

@@ -18,14 +18,14 @@ namespace Tubular_meshing {
 /*! \ingroup PkgTubularMeshingRef
  * The named parameters of fill_with_pyramids_and_tetrahedra(), as a struct: those of fill_keeping_boundary(), and more.
  */
-struct Fill_with_pyramids_options : Fill_keeping_boundary_options {
+struct Fill_with_pyramids_and_tetrahedra_options : Fill_keeping_boundary_options {
   bool split_quads = false;
   int optimization_passes = 2;
   int number_of_threads = 0;
 
-  Fill_with_pyramids_options() = default;
+  Fill_with_pyramids_and_tetrahedra_options() = default;
   template <class NamedParameters>
-  explicit Fill_with_pyramids_options(const NamedParameters& np)
+  explicit Fill_with_pyramids_and_tetrahedra_options(const NamedParameters& np)
       : Fill_keeping_boundary_options(np) {
     split_quads = internal::choose(np, internal_np::split_quads, split_quads);
     optimization_passes = internal::choose(np, internal_np::optimization_passes, optimization_passes);
@@ -39,7 +39,7 @@ namespace internal {
 void check_keeps_boundary(Volume_mesher mesher);
 
 void fill_with_pyramids_and_tetrahedra(const Surface& surface, Face_patch_map patch, Length_function size,
-                                       Mixed_mesh& mesh, const Fill_with_pyramids_options& options);
+                                       Mixed_mesh& mesh, const Fill_with_pyramids_and_tetrahedra_options& options);
 
 } // namespace internal
 
@@ -117,7 +117,7 @@ void fill_with_pyramids_and_tetrahedra(const FaceGraph& surface, FacePatchMap pa
                                        const NamedParameters& np = CGAL::parameters::default_values()) {
   const internal::Core_labelled_surface<FaceGraph, FacePatchMap, NamedParameters> core(surface, patch, np);
   internal::fill_with_pyramids_and_tetrahedra(core.surface(), core.patch(), internal::Field_at_point<SizingField>(size),
-                                              mesh, Fill_with_pyramids_options(np));
+                                              mesh, Fill_with_pyramids_and_tetrahedra_options(np));
 }
 
 } // namespace Tubular_meshing

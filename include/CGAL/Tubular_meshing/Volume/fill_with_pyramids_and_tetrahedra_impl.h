@@ -46,16 +46,16 @@ inline Element_block<5> pyramids_on(const Element_block<4>& quads, std::size_t f
 inline void fill_between_pyramids(Crowned_surface& crowned, Length_function size, const Boundary_recovery& recovery,
                                   const Filling_limits& limits, Mixed_mesh& mesh) {
   const auto fill = [&] { return fill_by_recovery(crowned.surface(), crowned.patch(), size, recovery, limits, mesh); };
-  std::string failure = fill();
-  if (!failure.empty() && crowned.make_way())
+  std::optional<Sentence> failure = fill();
+  if (failure && crowned.make_way())
     failure = fill();
-  if (!failure.empty())
-    throw Meshing_error(failure);
+  if (failure)
+    throw Meshing_error(*failure);
 }
 
-CGAL_TUBULAR_MESHING_INLINE void fill_with_pyramids_and_tetrahedra(const Surface& surface, Face_patch_map patch,
-                                                                   Length_function size, Mixed_mesh& mesh,
-                                                                   const Fill_with_pyramids_options& options) {
+CGAL_TUBULAR_MESHING_INLINE void
+fill_with_pyramids_and_tetrahedra(const Surface& surface, Face_patch_map patch, Length_function size, Mixed_mesh& mesh,
+                                  const Fill_with_pyramids_and_tetrahedra_options& options) {
   check_keeps_boundary(options.volume_mesher);
   Mixed_mesh boundary;
   surface_to_mixed_mesh(surface, patch, boundary);

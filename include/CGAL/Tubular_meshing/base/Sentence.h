@@ -44,7 +44,6 @@ public:
 
   std::string str() const {
     std::ostringstream s;
-    s.precision(9);
     s << text_;
     for (const Part& part : parts_)
       s << "(" << part.place[0] << ", " << part.place[1] << ", " << part.place[2] << ")" << part.text;

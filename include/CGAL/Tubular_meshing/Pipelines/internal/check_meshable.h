@@ -34,8 +34,8 @@ inline void check_no_crossings(const CGAL::Surface_mesh<Point_3>& surface) {
     const auto first = *std::min_element(crossings.begin(), crossings.end());
     throw Input_error("The surface intersects itself: " + std::to_string(crossings.size()) +
                       " pairs of its triangles cross, one of them at " +
-                      coordinates(surface.point(surface.target(surface.halfedge(first.first)))) +
-                      "; mend it there, or let repair_surface() do it.");
+                      place_of(surface.point(surface.target(surface.halfedge(first.first)))) +
+                      "; repair it there, or let repair_surface() do it.");
   }
 }
 
@@ -56,7 +56,7 @@ inline void check_one_piece(CGAL::Surface_mesh<Point_3>& surface) {
   surface.remove_property_map(piece);
   if (pieces > 1)
     throw Input_error("The surface is in " + std::to_string(pieces) + " pieces, one of them at " +
-                      coordinates(surface.point(surface.target(surface.halfedge(stray)))) +
+                      place_of(surface.point(surface.target(surface.halfedge(stray)))) +
                       ": keep one connected wall, or let repair_surface() choose it.");
 }
 

@@ -84,7 +84,7 @@ private:
     const auto image = [&](const Plane_point& uv) { return Vector_3d(chart_.point(uv)); };
     const Plane_embedding embedding(image);
     std::string problem;
-    return mesh_plane(polygons_, metric, &embedding, chart_.hidden_places(), Plane_options(), problem);
+    return mesh_plane(polygons_, metric, &embedding, chart_.hidden_places(), Triangulate_in_metric_options(), problem);
   }
 
   // None where the chart has no metric at a point that is asked for: isotropic ones ask for others.

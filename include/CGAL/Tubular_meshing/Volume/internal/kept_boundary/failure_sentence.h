@@ -6,7 +6,7 @@
 
 #include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/Child_process.h>
 #include <CGAL/Tubular_meshing/base/Kernel.h>
-#include <CGAL/Tubular_meshing/base/place_of.h>
+#include <CGAL/Tubular_meshing/base/Sentence.h>
 
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 
@@ -55,23 +55,23 @@ inline std::string what_went_wrong(const Child_ending& ending) {
 }
 
 // Where the surface crosses itself, as a clause that begins with a colon; empty if it does not.
-inline std::string where_it_crosses_itself(const Surface& surface) {
+inline Sentence where_it_crosses_itself(const Surface& surface) {
   typedef Surface::Face_index Face;
   std::vector<std::pair<Face, Face>> pairs;
   Polygon_mesh_processing::self_intersections(surface, std::back_inserter(pairs));
   if (pairs.empty())
-    return std::string();
+    return "";
   const Vector_3d place(surface.point(surface.target(surface.halfedge(pairs.front().first))));
-  return ": the surface crosses itself at " + std::to_string(pairs.size()) + (pairs.size() == 1 ? " pair" : " pairs") +
-         " of triangles, the first at " + place_of(place, 6);
+  return Sentence(": the surface crosses itself at ") + std::to_string(pairs.size()) +
+         (pairs.size() == 1 ? " pair" : " pairs") + " of triangles, the first at " + place_of(place);
 }
 
 // What goes wrong is most often that the surface crosses itself, whatever the recovery says.
-inline std::string failure_sentence(const std::string& name, const Child_ending& ending, const Surface& surface,
-                                    const std::string& instead) {
-  const std::string crossing = ending.kind == Child_ending::no_child ? std::string() : where_it_crosses_itself(surface);
-  return name + " could not fill this surface, " + what_went_wrong(ending) + crossing +
-         (crossing.empty() ? ": " : "; mend it, or ") + instead + ".";
+inline Sentence failure_sentence(const std::string& name, const Child_ending& ending, const Surface& surface,
+                                 const std::string& instead) {
+  const Sentence crossing = ending.kind == Child_ending::no_child ? Sentence("") : where_it_crosses_itself(surface);
+  return Sentence(name + " could not fill this surface, " + what_went_wrong(ending)) + crossing +
+         ((crossing.places().empty() ? ": " : "; repair it, or ") + instead + ".");
 }
 
 } // namespace internal

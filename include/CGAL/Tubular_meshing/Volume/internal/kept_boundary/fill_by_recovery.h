@@ -25,6 +25,7 @@
 
 #include <cstddef>
 #include <mutex>
+#include <optional>
 #include <new>
 #include <string>
 #include <utility>
@@ -88,10 +89,10 @@ inline Child_ending recover_in_this_process(const Boundary_recovery& recovery, c
   return {code == 0 ? Child_ending::done : Child_ending::gave_up, code};
 }
 
-/* Adds the tetrahedra of a recovery to a mesh of nothing but a surface. Returns an empty string or, as a sentence, what
- * went wrong. */
-inline std::string recover_boundary(const Surface& surface, const Boundary_recovery& recovery,
-                                    const Filling_limits& limits, Mixed_mesh& mesh) {
+/* Adds the tetrahedra of a recovery to a mesh of nothing but a surface. Returns what went wrong, if anything
+ * did. */
+inline std::optional<Sentence> recover_boundary(const Surface& surface, const Boundary_recovery& recovery,
+                                                const Filling_limits& limits, Mixed_mesh& mesh) {
   const Unit_frame frame(mesh.points);
   Boundary_arrays boundary;
   boundary.points.reserve(mesh.points.size());
@@ -112,8 +113,8 @@ inline std::string recover_boundary(const Surface& surface, const Boundary_recov
 
   const Validity_report report = validity_report(mesh);
   if (report.unlabelled_faces + report.misplaced_facets + report.overfull_faces > 0)
-    return recovery.name + " could not keep this surface (" + report.defects() + "): " + limits.instead + ".";
-  return std::string();
+    return Sentence(recovery.name + " could not keep this surface (" + report.defects() + "): " + limits.instead + ".");
+  return std::nullopt;
 }
 
 /* Where the circumscribed radius exceeds this part of h the circumcenter becomes a point: the mean edge inside is 1.05
@@ -133,22 +134,22 @@ inline bool add_points_inside(Length_function size, std::size_t most_points, Mix
 
 /* Fills a closed surface, which stays as it is. Returns an empty string or, `result` being as it was, what went wrong,
  * as a sentence. */
-inline std::string fill_by_recovery(const Surface& surface, Face_patch_map patch, Length_function size,
-                                    const Boundary_recovery& recovery, const Filling_limits& limits,
-                                    Mixed_mesh& result) {
+inline std::optional<Sentence> fill_by_recovery(const Surface& surface, Face_patch_map patch, Length_function size,
+                                                const Boundary_recovery& recovery, const Filling_limits& limits,
+                                                Mixed_mesh& result) {
   Mixed_mesh mesh;
   surface_to_mixed_mesh(surface, patch, mesh);
   if (!mesh.quads.empty())
     throw Input_error("Only a surface of triangles can be filled with tetrahedra; this one has quads.");
-  const std::string failure = recover_boundary(surface, recovery, limits, mesh);
-  if (!failure.empty())
+  const std::optional<Sentence> failure = recover_boundary(surface, recovery, limits, mesh);
+  if (failure)
     return failure;
   if (!add_points_inside(size, limits.most_points, mesh))
     return "A mesh this fine would have more than " + std::to_string(limits.most_points) +
            " points inside, more than the memory of this machine holds: make it coarser.";
   mesh.region_names = {{labels::lumen, "lumen"}};
   result = std::move(mesh);
-  return std::string();
+  return std::nullopt;
 }
 
 } // namespace internal

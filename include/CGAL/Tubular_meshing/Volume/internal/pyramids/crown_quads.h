@@ -9,7 +9,7 @@
 #include <CGAL/Tubular_meshing/Volume/internal/pyramids/Crowned_surface.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
-#include <CGAL/Tubular_meshing/base/place_of.h>
+#include <CGAL/Tubular_meshing/base/Sentence.h>
 
 #include <algorithm>
 #include <array>
@@ -25,13 +25,13 @@ namespace Tubular_meshing {
 namespace internal {
 
 [[noreturn]] inline void refuse_quads(const Crowned_surface& crowned, const std::vector<std::size_t>& quads) {
-  std::string sentence = "No pyramid fits on the quad at " + place_of(crowned.middle(quads.front()), 6);
+  Sentence sentence = "No pyramid fits on the quad at " + place_of(crowned.middle(quads.front()));
   if (quads.size() > 1)
     sentence += ", and on " + std::to_string(quads.size() - 1) + (quads.size() == 2 ? " other" : " others");
   throw Meshing_error(
       sentence +
       ": it has a corner of 180 degrees or more, or is bent as much, as where two of its edges lie on the rim of an "
-      "opening, or the surface meets itself there; mend it, mesh it finer, or let such quads be split.");
+      "opening, or the surface meets itself there; repair it, mesh it finer, or let such quads be split.");
 }
 
 /* Makes two triangles of a quad: by the diagonal that makes them the better ones, and the flatter edge, unless it is an

@@ -9,7 +9,7 @@
 #include <CGAL/Tubular_meshing/Quality/validity_report.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
-#include <CGAL/Tubular_meshing/base/place_of.h>
+#include <CGAL/Tubular_meshing/base/Sentence.h>
 
 #include <algorithm>
 #include <cmath>
@@ -98,7 +98,7 @@ private:
     return s.str();
   }
   [[noreturn]] static void refuse(const Vector_3d& at, const std::string& what, const std::string& remedy) {
-    throw Input_error("The metric at " + place_of(at, 6) + " " + what + "; " + remedy + ".");
+    throw Input_error("The metric at " + place_of(at) + " " + what + "; " + remedy + ".");
   }
 
   double extent_;
