@@ -6,6 +6,7 @@
 
 #include "Fuzzed_file.h"
 
+#include <CGAL/Tubular_meshing/IO/internal/element_kinds.h>
 #include <CGAL/Tubular_meshing/IO/read_centerlines.h>
 #include <CGAL/Tubular_meshing/IO/read_mesh.h>
 #include <CGAL/Tubular_meshing/IO/read_surface.h>
