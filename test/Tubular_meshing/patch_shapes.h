@@ -261,7 +261,7 @@ inline double anisotropy_at_vertices(const Map& map) {
       at.triangle = t;
       at.barycentric = {{0, 0, 0}};
       at.barycentric[i] = 1;
-      const tubular::Plane_metric m = map.induced_metric(at, 1.);
+      const tubular::Metric_tensor_2 m = map.induced_metric(at, 1.);
       const double mean = (m.xx + m.yy) / 2, radius = std::hypot((m.xx - m.yy) / 2, m.xy);
       worst = std::max(worst, std::sqrt((mean + radius) / (mean - radius)) - 1);
     }

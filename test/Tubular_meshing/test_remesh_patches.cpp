@@ -11,9 +11,9 @@
 #include <CGAL/Tubular_meshing/Generators/tubular_surface.h>
 #include <CGAL/Tubular_meshing/IO/read_surface.h>
 #include <CGAL/Tubular_meshing/Patches/internal/remeshing/Isotropic_sizes.h>
-#include <CGAL/Tubular_meshing/Patches/internal/remeshing/Peak_finder.h>
 #include <CGAL/Tubular_meshing/Patches/internal/remeshing/Triangle_piece_mesher.h>
 #include <CGAL/Tubular_meshing/Patches/pieces/Curve_divider.h>
+#include <CGAL/Tubular_meshing/Patches/pieces/Peak_finder.h>
 #include <CGAL/Tubular_meshing/Repair/repair_surface.h>
 #include <CGAL/Tubular_meshing/base/element_measures.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>

@@ -8,7 +8,7 @@
 #include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Patches/Indexed_patch.h>
 #include <CGAL/Tubular_meshing/Patches/Parameterization_method.h>
-#include <CGAL/Tubular_meshing/Plane/Plane_metric.h>
+#include <CGAL/Tubular_meshing/Plane/Metric_tensor_2.h>
 #include <CGAL/Tubular_meshing/Plane/Plane_triangle_tree.h>
 
 #include <Eigen/Core>
@@ -96,17 +96,18 @@ public:
   /// @{
 
   /// x,uᵀ M x,u on a triangle, for a 3 x 3 matrix M.
-  Plane_metric induced_metric(int triangle, const Eigen::Matrix3d& metric) const;
+  Metric_tensor_2 induced_metric(int triangle, const Eigen::Matrix3d& metric) const;
 
   /// The same for M = I / size², continuous: interpolated between vertices, which have the means of their triangles.
-  Plane_metric induced_metric(const Patch_location& at, double size) const;
+  Metric_tensor_2 induced_metric(const Patch_location& at, double size) const;
 
   /// A field of metrics, `metric(Point_3)` a 3 x 3 matrix, induced on the plane: one logarithm a vertex, of the means
   /// of its triangles' induced metrics, weighted by their areas on the surface. For interpolate().
-  std::vector<Plane_metric> log_vertex_metrics(internal::Function_view<Eigen::Matrix3d(const Point_3&)> metric) const;
+  std::vector<Metric_tensor_2>
+  log_vertex_metrics(internal::Function_view<Eigen::Matrix3d(const Point_3&)> metric) const;
 
   /// The metric between vertices, from log_vertex_metrics(): continuous.
-  Plane_metric interpolate(const std::vector<Plane_metric>& log_metrics, const Patch_location& at) const;
+  Metric_tensor_2 interpolate(const std::vector<Metric_tensor_2>& log_metrics, const Patch_location& at) const;
 
   /// @}
   /// \name Loops
@@ -150,7 +151,7 @@ private:
   std::size_t outer_loop_ = 0;
   std::vector<int> opposite_;
   internal::Plane_triangle_tree tree_;
-  std::vector<Plane_metric> log_of_shape_;      // of the vertices, for M = I
+  std::vector<Metric_tensor_2> log_of_shape_;   // of the vertices, for M = I
   std::vector<std::vector<double>> arc_length_; // of each loop, at its vertices and at its end
   std::vector<std::vector<int>> loop_halfedge_; // of each edge of each loop
 };

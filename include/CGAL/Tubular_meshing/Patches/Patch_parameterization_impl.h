@@ -7,6 +7,7 @@
 #include <CGAL/Tubular_meshing/Patches/Patch_parameterization.h>
 #include <CGAL/Tubular_meshing/Patches/internal/parameterization/Edge_halver.h>
 #include <CGAL/Tubular_meshing/Plane/Triangle_adjacency.h>
+#include <CGAL/Tubular_meshing/Plane/metric_logarithm.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
 #include <CGAL/Tubular_meshing/base/config.h>
 
@@ -84,21 +85,21 @@ CGAL_TUBULAR_MESHING_INLINE double Patch_parameterization::stretch_ratio(int tri
   return ratio;
 }
 
-CGAL_TUBULAR_MESHING_INLINE Plane_metric Patch_parameterization::induced_metric(int triangle,
-                                                                                const Eigen::Matrix3d& metric) const {
+CGAL_TUBULAR_MESHING_INLINE Metric_tensor_2
+Patch_parameterization::induced_metric(int triangle, const Eigen::Matrix3d& metric) const {
   const Derivatives x = derivatives(triangle);
   const Eigen::Matrix2d m = x.transpose() * metric * x;
   return {m(0, 0), (m(0, 1) + m(1, 0)) / 2, m(1, 1)};
 }
 
-CGAL_TUBULAR_MESHING_INLINE Plane_metric Patch_parameterization::induced_metric(const Patch_location& at,
-                                                                                double size) const {
+CGAL_TUBULAR_MESHING_INLINE Metric_tensor_2 Patch_parameterization::induced_metric(const Patch_location& at,
+                                                                                   double size) const {
   return 1 / (size * size) * interpolate(log_of_shape_, at);
 }
 
-CGAL_TUBULAR_MESHING_INLINE std::vector<Plane_metric>
+CGAL_TUBULAR_MESHING_INLINE std::vector<Metric_tensor_2>
 Patch_parameterization::log_vertex_metrics(internal::Function_view<Eigen::Matrix3d(const Point_3&)> metric) const {
-  std::vector<Plane_metric> sum(uv_.size());
+  std::vector<Metric_tensor_2> sum(uv_.size(), Metric_tensor_2(0, 0, 0));
   std::vector<double> weight(uv_.size(), 0.);
   for (int t = 0; t < int(patch_.triangles.size()); ++t) {
     const double area = (std::max)(area_of(t), (std::numeric_limits<double>::min)());
@@ -116,9 +117,9 @@ Patch_parameterization::log_vertex_metrics(internal::Function_view<Eigen::Matrix
   return sum;
 }
 
-CGAL_TUBULAR_MESHING_INLINE Plane_metric
-Patch_parameterization::interpolate(const std::vector<Plane_metric>& log_metrics, const Patch_location& at) const {
-  Plane_metric sum;
+CGAL_TUBULAR_MESHING_INLINE Metric_tensor_2
+Patch_parameterization::interpolate(const std::vector<Metric_tensor_2>& log_metrics, const Patch_location& at) const {
+  Metric_tensor_2 sum(0, 0, 0);
   for (std::size_t i = 0; i < 3; ++i)
     sum = sum + at.barycentric[i] * log_metrics[std::size_t(corner(at.triangle, i))];
   return internal::exponential(sum);

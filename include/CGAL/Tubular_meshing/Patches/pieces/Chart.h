@@ -9,9 +9,12 @@
 #include <CGAL/Tubular_meshing/Plane/Metric_tensor_2.h>
 #include <CGAL/Tubular_meshing/Plane/Plane_triangulation.h>
 #include <CGAL/Tubular_meshing/Patches/Patch_parameterization.h>
+#include <CGAL/Tubular_meshing/Patches/pieces/Peak_finder.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
@@ -34,19 +37,34 @@ public:
  * for. The functions of both charts must outlive them. */
 class Patch_chart final : public Chart {
 public:
-  typedef Function_view<Plane_metric(const Patch_location&)> Metric;
+  typedef Function_view<Metric_tensor_2(const Patch_location&)> Metric;
 
   Patch_chart(const Patch_parameterization& map, Metric metric)
       : map_(map)
       , metric_(metric) {}
 
-  Metric_tensor_2 metric(const Point_2& uv) const override {
-    const Plane_metric m = metric_(location(uv));
-    return {m.xx, m.xy, m.yy};
-  }
+  Metric_tensor_2 metric(const Point_2& uv) const override { return metric_(location(uv)); }
   Point_3 point(const Point_2& uv) const override { return map_.point(location(uv)); }
   // O(n log n) in the old triangles.
-  std::vector<Point_2> hidden_places() const override;
+  std::vector<Point_2> hidden_places() const override {
+    const double prominence = 16; // of an area: there, sizes are a quarter of those on the way
+    std::vector<double> density(map_.number_of_vertices(), -1);
+    for (int t = 0; t < int(map_.number_of_triangles()); ++t)
+      for (std::size_t i = 0; i < 3; ++i) {
+        double& d = density[std::size_t(map_.patch().triangles[std::size_t(t)][i])];
+        if (d >= 0)
+          continue;
+        Patch_location at;
+        at.triangle = t;
+        at.barycentric = {{0, 0, 0}};
+        at.barycentric[i] = 1;
+        d = std::sqrt((std::max)(metric_(at).determinant(), 0.));
+      }
+    std::vector<Point_2> places;
+    for (int v : Peak_finder(density, map_.patch().triangles, map_.patch().loops).find(prominence))
+      places.push_back(map_.uv(v));
+    return places;
+  }
 
 private:
   const Patch_location& location(const Point_2& uv) const {
@@ -68,7 +86,20 @@ class Cap_chart final : public Chart {
 public:
   typedef Function_view<Metric_tensor_2(const Point_3&, const Vector_3d&, const Vector_3d&)> Metric;
 
-  Cap_chart(const std::vector<Point_3>& rim, Metric metric);
+  Cap_chart(const std::vector<Point_3>& rim, Metric metric)
+      : metric_(metric)
+      , origin_(rim.front()) {
+    Vector_3d normal, reach;
+    for (std::size_t i = 0; i < rim.size(); ++i) {
+      const Vector_3d a = Vector_3d(rim[i]) - origin_, b = Vector_3d(rim[(i + 1) % rim.size()]) - origin_;
+      normal += cross(a, b);
+      if (squared_norm(a) > squared_norm(reach))
+        reach = a;
+    }
+    normal = normalized(normal);
+    first_ = normalized(reach - dot(reach, normal) * normal);
+    second_ = cross(normal, first_);
+  }
 
   Point_2 uv(const Point_3& p) const {
     const Vector_3d d = Vector_3d(p) - origin_;
@@ -88,9 +119,5 @@ private:
 } // namespace internal
 } // namespace Tubular_meshing
 } // namespace CGAL
-
-#ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
-#include <CGAL/Tubular_meshing/Patches/pieces/Chart_impl.h>
-#endif
 
 #endif // CGAL_TUBULAR_MESHING_PATCHES_PIECES_CHART_H

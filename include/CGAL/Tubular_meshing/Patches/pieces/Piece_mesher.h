@@ -8,16 +8,37 @@
 #include <CGAL/Tubular_meshing/Patches/Patch_parameterization.h>
 #include <CGAL/Tubular_meshing/Patches/Remeshed_surface.h>
 #include <CGAL/Tubular_meshing/Patches/Surface_patch.h>
+#include <CGAL/Tubular_meshing/Patches/pieces/Chart.h>
 #include <CGAL/Tubular_meshing/Patches/pieces/Curve_divider.h>
-#include <CGAL/Tubular_meshing/Patches/pieces/Remeshed_piece.h>
+#include <CGAL/Tubular_meshing/Plane/triangulate_in_metric.h>
+#include <CGAL/Tubular_meshing/base/exceptions.h>
+#include <CGAL/Tubular_meshing/base/parallel.h>
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Tubular_meshing {
 namespace internal {
+
+/* A piece of the surface in its new faces. Its points are those of its curves, one curve after another, then those
+ * inside. */
+struct Remeshed_piece {
+  struct Side {
+    std::size_t curve;
+    bool forward;
+  };
+  std::vector<Side> sides; // in the order of their points
+  std::vector<Point_3> inner_points;
+  std::vector<std::array<std::size_t, 3>> triangles;
+  std::vector<std::array<std::size_t, 4>> quads;
+
+  bool empty() const { return triangles.empty() && quads.empty(); }
+};
 
 /* Meshes the pieces of a cut surface, each on its own: the patches and, after them, the caps. Each can be meshed again
  * with smaller sizes. What faces they get is up to the class derived. */
@@ -29,7 +50,25 @@ public:
   typedef std::size_t size_type;
 
   /* Throws Input_error if there is not one parameterization a patch. */
-  Piece_mesher(const Surface& surface, const Surface_cut& cut, const std::vector<Map>& maps, int threads);
+  Piece_mesher(const Surface& surface, const Surface_cut& cut, const std::vector<Map>& maps, int threads)
+      : surface_(surface)
+      , cut_(cut)
+      , maps_(maps)
+      , threads_(threads)
+      , curve_points_(cut.curves.size()) {
+    if (maps.size() != cut.patches.size())
+      throw Input_error("There are " + std::to_string(maps.size()) + " parameterizations of " +
+                        std::to_string(cut.patches.size()) + " patches; pass what parameterize_patches() returns.");
+    for (size_type c = 0; c < cut.curves.size(); ++c) {
+      polylines_.emplace_back();
+      for (auto v : cut.curves[c].vertices)
+        polylines_.back().push_back(surface.point(v));
+      if (cut.curves[c].is_rim())
+        rims_.push_back(c);
+    }
+    pieces_.resize(cut.patches.size() + rims_.size());
+    fineness_.assign(pieces_.size(), 1);
+  }
   virtual ~Piece_mesher() = default;
   Piece_mesher(const Piece_mesher&) = delete;
   Piece_mesher& operator=(const Piece_mesher&) = delete;
@@ -37,7 +76,15 @@ public:
   void mesh_all() { mesh(std::vector<char>(pieces_.size(), 1)); }
 
   /* Meshes some pieces finer, and with them their curves and the pieces beyond these. */
-  void mesh_finer(const std::vector<size_type>& pieces);
+  void mesh_finer(const std::vector<size_type>& pieces) {
+    const double finer = 0.7;
+    std::vector<char> concerned(pieces_.size(), 0);
+    for (size_type k : pieces) {
+      fineness_[k] *= finer;
+      concerned[k] = 1;
+    }
+    mesh(std::move(concerned));
+  }
 
   /* Raises the worst faces of a surface made of the pieces, of which `piece_of_face` tells where each face is from.
    * Returns the pieces where faces are turned over even so. */
@@ -51,8 +98,12 @@ public:
   bool is_cap(size_type piece) const { return piece >= maps_.size(); }
   // The label of the opening that a piece is the cap of; 0 for a patch.
   int opening(size_type piece) const { return is_cap(piece) ? cut_.curves[rim_of_cap(piece)].opening : 0; }
-  size_type number_of_refined_pieces() const;
-  std::string name_of(size_type piece) const;
+  size_type number_of_refined_pieces() const {
+    return size_type(std::count_if(fineness_.begin(), fineness_.end(), [](double f) { return f < 1; }));
+  }
+  std::string name_of(size_type piece) const {
+    return is_cap(piece) ? "the cap of opening " + std::to_string(opening(piece)) : "patch " + std::to_string(piece);
+  }
 
 protected:
   /* Sets curve_points_ again: of the curves beside concerned pieces at least, and marks the pieces beside all others
@@ -63,14 +114,72 @@ protected:
   virtual bool mesh_cap(size_type cap, Piece& piece) = 0;
 
   size_type rim_of_cap(size_type piece) const { return rims_[piece - maps_.size()]; }
-  size_type piece_on_the_right(size_type curve) const;
+  size_type piece_on_the_right(size_type curve) const {
+    if (!cut_.curves[curve].is_rim())
+      return cut_.curves[curve].right_patch;
+    return maps_.size() + size_type(std::lower_bound(rims_.begin(), rims_.end(), curve) - rims_.begin());
+  }
   // What the size on a curve is multiplied by.
-  double fineness_of_curve(size_type curve) const;
+  double fineness_of_curve(size_type curve) const {
+    return (std::min)(fineness_[cut_.curves[curve].left_patch], fineness_[piece_on_the_right(curve)]);
+  }
 
   /* The loops of a patch in the plane, the outer one first; the piece gets its sides. */
-  Plane_polygons patch_polygons(size_type patch, Piece& piece) const;
+  Plane_polygons patch_polygons(size_type patch, Piece& piece) const {
+    const Map& map = maps_[patch];
+    Plane_polygons polygons;
+    const auto add_loop = [&](size_type l) {
+      const Patch_loop& loop = cut_.patches[patch].loops[l];
+      const size_type edges = polylines_[loop.curve].size();
+      piece.sides.push_back({loop.curve, loop.forward});
+      polygons.emplace_back();
+      for (const Curve_position& p : curve_points_[loop.curve])
+        polygons.back().push_back(
+            map.uv(loop.forward ? map.on_loop_edge(l, p.edge, p.t) : map.on_loop_edge(l, edges - 1 - p.edge, 1 - p.t)));
+      if (!loop.forward)
+        std::reverse(polygons.back().begin(), polygons.back().end());
+    };
+    add_loop(map.outer_loop());
+    for (size_type l = 0; l < map.number_of_loops(); ++l)
+      if (l != map.outer_loop())
+        add_loop(l);
+    return polygons;
+  }
   /* The points of a rim in the plane of its cap, counterclockwise; the piece gets its side. */
-  Plane_polygons cap_polygons(size_type cap, const Cap_chart& chart, Piece& piece) const;
+  Plane_polygons cap_polygons(size_type cap, const Cap_chart& chart, Piece& piece) const {
+    const size_type rim = rim_of_cap(cap);
+    Plane_polygons polygons(1);
+    piece.sides.push_back({rim, false});
+    for (const Curve_position& p : curve_points_[rim])
+      polygons[0].push_back(chart.uv(p.point));
+    std::reverse(polygons[0].begin(), polygons[0].end());
+    return polygons;
+  }
+
+  /* Fills polygons of the plane with triangles, which are judged in space, or in the metric. A rim runs with the wall
+   * on its left: seen along its normal, as the cap's chart is, the cap is turned inwards, which `turn` sets right.
+   * False if the polygons do not bound a domain, as they touch each other. */
+  static bool triangulate(const Chart& chart, bool judged_in_space, const Plane_polygons& polygons, bool turn,
+                          Piece& piece) {
+    const auto metric = [&](const Plane_point& uv) { return chart.metric(uv); };
+    const auto image = [&](const Plane_point& uv) { return chart.point(uv); };
+    const Plane_embedding embedding(image);
+    std::string problem;
+    auto plane = mesh_plane(polygons, metric, judged_in_space ? &embedding : nullptr, chart.hidden_places(),
+                            Plane_options(), problem);
+    if (!plane)
+      return false;
+    std::size_t on_boundary = 0;
+    for (const auto& polygon : polygons)
+      on_boundary += polygon.size();
+    for (std::size_t i = on_boundary; i < plane->points.size(); ++i)
+      piece.inner_points.push_back(chart.point(plane->points[i]));
+    if (turn)
+      for (auto& t : plane->triangles)
+        std::swap(t[1], t[2]);
+    piece.triangles = std::move(plane->triangles);
+    return true;
+  }
 
   const Surface& surface_;
   const Surface_cut& cut_;
@@ -83,15 +192,20 @@ protected:
   std::vector<double> fineness_; // of pieces: what their sizes are multiplied by
 
 private:
-  void mesh(std::vector<char> concerned);
+  void mesh(std::vector<char> concerned) {
+    divide_curves(concerned);
+    for_each_task(pieces_.size(), threads_, [&](size_type k) {
+      if (!concerned[k])
+        return;
+      pieces_[k] = Piece();
+      if (!(is_cap(k) ? mesh_cap(k, pieces_[k]) : mesh_patch(k, pieces_[k])))
+        pieces_[k] = Piece();
+    });
+  }
 };
 
 } // namespace internal
 } // namespace Tubular_meshing
 } // namespace CGAL
-
-#ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
-#include <CGAL/Tubular_meshing/Patches/pieces/Piece_mesher_impl.h>
-#endif
 
 #endif // CGAL_TUBULAR_MESHING_PATCHES_PIECES_PIECE_MESHER_H

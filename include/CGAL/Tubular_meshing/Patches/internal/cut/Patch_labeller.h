@@ -41,8 +41,6 @@ public:
       , partition_(cutter)
       , result_(result) {}
 
-  const Graph_partition& partition() const { return partition_; }
-
   void label() {
     result_.patch_of_face = mesh_.add_property_map<Face, int>("f:surface_patch", -1).first;
     for (Face f : mesh_.faces())

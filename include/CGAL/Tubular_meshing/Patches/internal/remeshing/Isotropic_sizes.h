@@ -25,7 +25,7 @@ public:
 
   double along_curve(std::size_t, const Curve_position& at) const override { return size_(at.point); }
 
-  Plane_metric on_patch(std::size_t patch, const Patch_location& at, double fineness) const override {
+  Metric_tensor_2 on_patch(std::size_t patch, const Patch_location& at, double fineness) const override {
     const Map& map = maps_[patch];
     return map.induced_metric(at, fineness * size_(map.point(at)));
   }

@@ -53,11 +53,11 @@ public:
   }
 
   /* (11) with the derivative R U, of which Tangent_planes has the rotation, and the metric of space in that plane. */
-  Plane_metric on_patch(size_type patch, const Patch_location& at, double fineness) const override {
+  Metric_tensor_2 on_patch(size_type patch, const Patch_location& at, double fineness) const override {
     const Map& map = maps_[patch];
     const Plane_axes axes = axes_[patch].at(at);
     const Metric_tensor_2 m = metric_shadow(checked_metric(map.point(at)), axes.first, axes.second);
-    const Plane_metric u = with_eigenvalues(map.induced_metric(at, fineness), [](double& larger, double& smaller) {
+    const Metric_tensor_2 u = with_eigenvalues(map.induced_metric(at, fineness), [](double& larger, double& smaller) {
       larger = std::sqrt(larger);
       smaller = std::sqrt(smaller);
     });

@@ -9,7 +9,7 @@
 #include <CGAL/Tubular_meshing/Patches/internal/remeshing/triangle_shapes.h>
 #include <CGAL/Tubular_meshing/Patches/pieces/Curve_divider.h>
 #include <CGAL/Tubular_meshing/Plane/Metric_tensor_2.h>
-#include <CGAL/Tubular_meshing/Plane/Plane_metric.h>
+#include <CGAL/Tubular_meshing/Plane/metric_logarithm.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
 #include <cstddef>
@@ -24,7 +24,7 @@ class Surface_sizes {
 public:
   virtual ~Surface_sizes() = default;
   virtual double along_curve(std::size_t curve, const Curve_position& at) const = 0;
-  virtual Plane_metric on_patch(std::size_t patch, const Patch_location& at, double fineness) const = 0;
+  virtual Metric_tensor_2 on_patch(std::size_t patch, const Patch_location& at, double fineness) const = 0;
   virtual Metric_tensor_2 in_plane(const Point_3& p, const Vector_3d& first, const Vector_3d& second,
                                    double fineness) const = 0;
   // Then triangles are as good as they look, in the plane and afterwards; else they are good in the metric.

@@ -73,7 +73,7 @@ protected:
   bool mesh_patch(size_type k, Piece& piece) override {
     const auto metric = [&](const Patch_location& at) { return sizes_.on_patch(k, at, fineness_[k]); };
     const Patch_chart chart(maps_[k], metric);
-    return triangulate_piece(chart, sizes_.are_isotropic(), patch_polygons(k, piece), false, piece);
+    return triangulate(chart, sizes_.are_isotropic(), patch_polygons(k, piece), false, piece);
   }
 
   bool mesh_cap(size_type k, Piece& piece) override {
@@ -81,7 +81,7 @@ protected:
       return sizes_.in_plane(p, first, second, fineness_[k]);
     };
     const Cap_chart chart(polylines_[rim_of_cap(k)], metric);
-    return triangulate_piece(chart, sizes_.are_isotropic(), cap_polygons(k, chart, piece), true, piece);
+    return triangulate(chart, sizes_.are_isotropic(), cap_polygons(k, chart, piece), true, piece);
   }
 
 private:

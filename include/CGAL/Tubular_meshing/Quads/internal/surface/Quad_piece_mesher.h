@@ -18,7 +18,6 @@
 #include <CGAL/Tubular_meshing/Patches/Remeshed_surface.h>
 #include <CGAL/Tubular_meshing/Patches/pieces/Chart.h>
 #include <CGAL/Tubular_meshing/Patches/pieces/Piece_mesher.h>
-#include <CGAL/Tubular_meshing/Patches/pieces/Remeshed_piece.h>
 #include <CGAL/Tubular_meshing/Plane/triangulate_polygons.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
@@ -99,7 +98,7 @@ protected:
       if (fill(Cap_sheet(chart), chart, polygons, true, piece))
         return true;
     }
-    return triangulate_piece(chart, true, polygons, true, piece);
+    return triangulate(chart, true, polygons, true, piece);
   }
 
 private:

@@ -1,8 +1,10 @@
 // Copyright (c) 2026 The Tubular_meshing authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_TUBULAR_MESHING_PLANE_PLANE_METRIC_H
-#define CGAL_TUBULAR_MESHING_PLANE_PLANE_METRIC_H
+#ifndef CGAL_TUBULAR_MESHING_PLANE_METRIC_LOGARITHM_H
+#define CGAL_TUBULAR_MESHING_PLANE_METRIC_LOGARITHM_H
+
+#include <CGAL/Tubular_meshing/Plane/Metric_tensor_2.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,29 +13,10 @@
 namespace CGAL {
 namespace Tubular_meshing {
 
-/*! \ingroup PkgTubularMeshingRef
- *
- * A symmetric 2 x 2 tensor: a metric of the parametric plane, by which the vector (du, dv) has the squared length
- * xx du² + 2 xy du dv + yy dv².
- */
-struct Plane_metric {
-  double xx = 0, xy = 0, yy = 0;
-
-  double squared_length(double du, double dv) const { return xx * du * du + 2 * xy * du * dv + yy * dv * dv; }
-  double determinant() const { return xx * yy - xy * xy; }
-};
-
-inline Plane_metric operator+(const Plane_metric& a, const Plane_metric& b) {
-  return {a.xx + b.xx, a.xy + b.xy, a.yy + b.yy};
-}
-inline Plane_metric operator*(double s, const Plane_metric& m) {
-  return {s * m.xx, s * m.xy, s * m.yy};
-}
-
 namespace internal {
 
 /* The tensor with the same axes whose eigenvalues are a function of those of m; f(larger, smaller) changes both. */
-template <class Function> Plane_metric with_eigenvalues(const Plane_metric& m, const Function& f) {
+template <class Function> Metric_tensor_2 with_eigenvalues(const Metric_tensor_2& m, const Function& f) {
   const double mean = (m.xx + m.yy) / 2, d = (m.xx - m.yy) / 2, radius = std::hypot(d, m.xy);
   double larger = mean + radius, smaller = radius < mean ? m.determinant() / larger : mean - radius;
   const double cosine = radius > 0 ? d / radius : 1, sine = radius > 0 ? m.xy / radius : 0; // of twice the axis' angle
@@ -45,7 +28,7 @@ template <class Function> Plane_metric with_eigenvalues(const Plane_metric& m, c
 /* Logarithms of metrics are averaged and interpolated, not metrics: a scale that grows exponentially, as on a ring, is
  * then met, and no mean is larger than what it is the mean of. Eigenvalues below 1e-12 of the larger one, of triangles
  * without an area, count as that. */
-inline Plane_metric logarithm(const Plane_metric& m) {
+inline Metric_tensor_2 logarithm(const Metric_tensor_2& m) {
   return with_eigenvalues(m, [](double& larger, double& smaller) {
     larger = (std::max)(larger, (std::numeric_limits<double>::min)());
     smaller = (std::max)(smaller, 1e-12 * larger);
@@ -53,7 +36,7 @@ inline Plane_metric logarithm(const Plane_metric& m) {
     smaller = std::log(smaller);
   });
 }
-inline Plane_metric exponential(const Plane_metric& m) {
+inline Metric_tensor_2 exponential(const Metric_tensor_2& m) {
   return with_eigenvalues(m, [](double& larger, double& smaller) {
     larger = std::exp(larger);
     smaller = std::exp(smaller);
@@ -64,4 +47,4 @@ inline Plane_metric exponential(const Plane_metric& m) {
 } // namespace Tubular_meshing
 } // namespace CGAL
 
-#endif // CGAL_TUBULAR_MESHING_PLANE_PLANE_METRIC_H
+#endif // CGAL_TUBULAR_MESHING_PLANE_METRIC_LOGARITHM_H
