@@ -22,7 +22,7 @@ namespace internal {
 class Annular_chart {
 public:
   typedef Patch_parameterization Map;
-  typedef typename Map::Point_2 Point_2;
+  typedef Map::Point_2 Point_2;
   static constexpr double period = 2 * CGAL_PI;
 
   explicit Annular_chart(const Map& map)

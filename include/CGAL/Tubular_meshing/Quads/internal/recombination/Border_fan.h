@@ -39,7 +39,7 @@ public:
   int last_triangle() const { return triangle_of(halfedges_.back()); }
 
   /* Looks for the place of the new vertex, on the triangles between: where the worse one of the two quads is best, and
-   * nothing turns over. `on_border` tells so of the ends of the halfedges: from there, another vertex may come. */
+   * nothing turns over. `on_border` says so of the ends of the halfedges: from there, another vertex may come. */
   void place_new_vertex(const std::vector<char>& on_border) {
     const double parts[] = {1. / 2, 1. / 3, 1. / 6};
     new_vertex_ = v_ + (1. / 6) * (ring_[ring_.size() / 2] - v_);
