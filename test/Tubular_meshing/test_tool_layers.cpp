@@ -22,10 +22,6 @@ namespace {
 
 using namespace tool_test;
 
-#define NEEDS(library, is_there)                                                                                       \
-  if (!(is_there))                                                                                                     \
-  GTEST_SKIP() << "needs " library
-
 void expect_valid(const Mesh& mesh) {
   const auto validity = tubular::validity_report(mesh);
   EXPECT_TRUE(validity.is_valid()) << validity.defects();
@@ -37,7 +33,7 @@ template <class Labels> std::size_t count(const Labels& labels, int label) {
 
 TEST_F(Tool, Makes_a_mixed_mesh_with_a_wall) {
   NEEDS("LEMON", tubular::has_lemon());
-  NEEDS("TetGen", tubular::has_tetgen());
+  NEEDS_FILLING();
   const std::string input = make("y.off", bifurcation().surface);
   const Outcome outcome =
       succeed({input, "-t", "mixed", "-n", "12", "--wall", "0.2", "-o", out("mesh.vtu"), "--report", out("r.json")});
@@ -80,7 +76,7 @@ TEST_F(Tool, Grows_walls_of_prisms_and_of_tetrahedra) {
 }
 
 TEST_F(Tool, Grows_layers_inside_the_lumen) {
-  NEEDS("TetGen", tubular::has_tetgen());
+  NEEDS_FILLING();
   const std::string input = make("tube.off", tube().surface);
   succeed({input, "-n", "14", "--boundary-layer-prisms", "5", "--first-height", "0.02", "--growth", "1.3", "-o",
            out("mesh.vtu"), "--report", out("r.json")});

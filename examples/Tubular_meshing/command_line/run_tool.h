@@ -8,7 +8,10 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
+#include <cctype>
 #include <csignal>
+#include <cstddef>
 #include <cstdio>
 #include <exception>
 #include <new>
@@ -24,9 +27,36 @@ inline const char* exit_statuses() {
          "used, 4 failed.";
 }
 
-inline int fail(const CLI::App& app, const std::string& sentence, Exit_status status) {
+// Prints one line, whatever the sentence holds.
+inline int fail(const CLI::App& app, std::string sentence, Exit_status status) {
+  std::replace(sentence.begin(), sentence.end(), '\n', ' ');
   std::fprintf(stderr, "%s: %s\n", app.get_name().c_str(), sentence.c_str());
   return status;
+}
+
+inline void replace_first(std::string& text, const std::string& words, const std::string& by) {
+  const std::size_t at = text.find(words);
+  if (at != std::string::npos)
+    text.replace(at, words.size(), by);
+}
+
+// What the option parser says, in plain words, as a sentence.
+inline std::string sentence_of(const CLI::ParseError& e) {
+  std::string text = e.what();
+  if (e.get_name() == "ArgumentMismatch") {
+    const bool too_many = text.find("At Most") != std::string::npos;
+    text = text.substr(0, text.find(':')) + (too_many ? " is given more than once" : " needs a value");
+  } else if (e.get_name() == "RequiresError") {
+    replace_first(text, " requires ", " needs ");
+  } else if (e.get_name() == "ExcludesError") {
+    replace_first(text, " excludes ", " cannot go with ");
+  } else if (e.get_name() == "ValidationError") {
+    replace_first(text, ": Value ", ": ");
+    replace_first(text, " not in ", " is not in ");
+  }
+  if (!text.empty())
+    text[0] = char(std::toupper(static_cast<unsigned char>(text[0])));
+  return text + "; see --help.";
 }
 
 /* Parses the command line and runs; whatever is thrown becomes one sentence and the right exit status. */
@@ -38,7 +68,9 @@ template <class Run> int run_tool(CLI::App& app, int argc, char* argv[], const R
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
-    return app.exit(e) == 0 ? done : wrong_usage;
+    if (e.get_exit_code() == 0) // --help and --version
+      return app.exit(e);
+    return fail(app, sentence_of(e), wrong_usage);
   }
   try {
     run();

@@ -42,11 +42,8 @@ struct Options {
   // of the layers inside the lumen, in local radii
   double first_layer() const { return first_height > 0 ? first_height : boundary_layer / 20; }
   bool has_wall() const { return wall.thickness > 0; }
-  // Patch by patch, on the surface that is kept then.
-  bool meshes_patches() const {
-    return makes_surface_only() || is_mixed() ||
-           (!is_anisotropic() && (surface_mesher == "parametric" || boundary_layer_prisms > 0));
-  }
+  // Patch by patch; else surface and volume at once, by Mesh_3.
+  bool meshes_patches() const;
 
   std::vector<std::string> outputs() const {
     std::vector<std::string> files = {output};

@@ -18,6 +18,11 @@ namespace tubular = CGAL::Tubular_meshing;
 
 namespace {
 
+bool fills_by_mesh_3(const Options& o) {
+  return o.volume_mesher == "mesh_3" ||
+         (o.volume_mesher.empty() && tubular::default_volume_mesher() == tubular::Volume_mesher::mesh_3);
+}
+
 // Why a volume mesher is not there; empty if it is.
 std::string why_not_filled_by(const std::string& volume_mesher) {
   if (volume_mesher == "tetgen" && !tubular::has_tetgen())
@@ -41,10 +46,10 @@ void check_mesher(const Options& o) {
   if (o.is_mixed() && (o.surface_mesher == "mesh_3" || o.volume_mesher == "mesh_3"))
     throw tubular::Parameter_error("Mesh_3 makes no quads, and would not keep them: mixed meshes are made by "
                                    "--surface-mesher parametric and --volume-mesher tetgen or ccdt.");
-  if (keeps_surface && !o.meshes_patches() && !o.is_anisotropic())
-    throw tubular::Parameter_error(
-        "--volume-mesher " + o.volume_mesher +
-        " keeps the surface mesh that --surface-mesher parametric makes: give that as well.");
+  if (keeps_surface && !o.meshes_patches())
+    throw tubular::Parameter_error("--volume-mesher " + o.volume_mesher +
+                                   " fills the surface mesh of --surface-mesher parametric, but --surface-mesher "
+                                   "mesh_3 fills its own: leave one of the two out.");
   const std::string why_not = why_not_filled_by(o.volume_mesher);
   if (!why_not.empty())
     throw tubular::Parameter_error(why_not);
@@ -61,7 +66,7 @@ void check_output(const Options& o) {
   }
   if (!o.surface_output.empty() && !tubular::IO::is_supported_surface_format(o.surface_output))
     throw tubular::Parameter_error("The surface cannot be written to \"" + o.surface_output +
-                                   "\": give a .vtp, .stl, .off, .obj or .ply file.");
+                                   "\": give a .stl, .vtp, .msh, .ply, .off, .obj or .vtk file.");
 }
 
 void check_layers(const Options& o) {
@@ -78,9 +83,18 @@ void check_layers(const Options& o) {
         std::string(o.is_anisotropic() ? "; anisotropic tetrahedra are layers already." : "."));
   if (o.boundary_layer_prisms > 0 && o.surface_mesher == "mesh_3")
     throw tubular::Parameter_error("Layers inside the lumen grow from the mesh of --surface-mesher parametric.");
+  if (o.boundary_layer_prisms > 0 && o.volume_mesher == "mesh_3")
+    throw tubular::Parameter_error("Mesh_3 would not keep the sides of layers inside the lumen: these need "
+                                   "--volume-mesher tetgen or ccdt.");
 }
 
 } // namespace
+
+bool Options::meshes_patches() const {
+  if (type != "isotropic" || boundary_layer_prisms > 0)
+    return true;
+  return surface_mesher.empty() ? !fills_by_mesh_3(*this) : surface_mesher == "parametric";
+}
 
 void check(const Options& o) {
   const std::set<std::string> types = {"isotropic", "anisotropic", "mixed", "surface"};

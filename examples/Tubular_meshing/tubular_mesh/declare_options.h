@@ -17,11 +17,12 @@ using command_line::in_range;
 
 inline void declare_mesher_options(CLI::App& app, Options& o) {
   app.add_option("--surface-mesher", o.surface_mesher,
-                 "mesh_3, with the volume, or parametric: patch by patch, on the surface itself (default: mesh_3)")
+                 "parametric: patch by patch, on the surface itself, Mesh_3 where that fails; or mesh_3, with the "
+                 "volume (default: parametric, unless --volume-mesher is mesh_3)")
       ->check(CLI::IsMember({"mesh_3", "parametric"}).description(""));
   app.add_option("--volume-mesher", o.volume_mesher,
-                 "mesh_3; or, after the parametric surface mesher, whose triangles they keep, tetgen, or ccdt of CGAL "
-                 "6.1 (default: one of these, if it is there, else mesh_3)")
+                 "tetgen, or ccdt of CGAL 6.1, which keep the triangles of the parametric surface mesher; or mesh_3 "
+                 "(default: the first of these that is there)")
       ->check(CLI::IsMember({"mesh_3", "tetgen", "ccdt"}).description(""));
 }
 
@@ -89,7 +90,7 @@ inline void declare_metric_options(CLI::App& app, Options& o) {
 
 inline void declare_surface_options(CLI::App& app, Options& o) {
   app.add_option("--repair", o.repair,
-                 "off, auto: mend what is amiss, or wrap: replace the surface by one wrapped around it")
+                 "off, auto: repair what is amiss, or wrap: replace the surface by one wrapped around it")
       ->capture_default_str()
       ->check(CLI::IsMember({"off", "auto", "wrap"}).description(""));
   app.add_flag("--smooth", o.smooth, "smooth staircase noise off the surface, keeping its volume");
@@ -155,10 +156,12 @@ inline void declare_options(CLI::App& app, Options& o, const std::string& versio
   declare_centerline_options(app, o);
   app.add_option("--report", o.report, "write the summary to this .json file");
   app.add_option("--write-surface", o.surface_output,
-                 "write the closed, labelled surface, as it is meshed by the parametric mesher, else as it came: .vtp "
-                 ".stl .off .ply");
+                 "write the closed, labelled surface, as it is meshed by the parametric mesher, else as it came: .stl "
+                 ".vtp .msh .ply .off .obj .vtk");
   app.add_option("--write-centerlines", o.centerlines_output, "write the branches and their radii: .vtp .vtk");
-  app.add_option("--threads", o.threads, "number of threads; 1 makes results reproducible (default: all cores)")
+  app.add_option("--threads", o.threads,
+                 "number of threads; results by Mesh_3 are reproducible with 1, those by patches with any number "
+                 "(default: all cores)")
       ->check(CLI::Range(0, 1024));
   auto* verbose = app.add_flag("-v,--verbose", o.verbose, "say more: the branches, a histogram of the quality");
   app.add_flag("-q,--quiet", o.quiet, "print errors only")->excludes(verbose);

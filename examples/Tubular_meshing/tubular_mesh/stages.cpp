@@ -73,8 +73,7 @@ auto mesher_parameters(const Options& o, Stage_clock& clock) {
       .min_size(o.min_size)
       .max_size(o.max_size)
       .gradation(o.gradation)
-      .surface_mesher(o.surface_mesher == "mesh_3" ? tubular::Surface_mesher::mesh_3
-                                                   : tubular::Surface_mesher::parametric)
+      .surface_mesher(o.meshes_patches() ? tubular::Surface_mesher::parametric : tubular::Surface_mesher::mesh_3)
       .volume_mesher(volume_mesher(o))
       .in_child_process(true)
       .boundary_layer_prisms(o.is_anisotropic() ? 0 : o.boundary_layer_prisms)

@@ -1,0 +1,174 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The command-line tool and the ends of vessels: openings, inlets, seeds, extensions; centerlines, given or computed.
+
+#include "test_tool_bad_files.h"
+#include "test_tool_helpers.h"
+#include "test_tool_report.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#ifdef TUBULAR_MESH_TOOL
+
+namespace {
+
+using namespace tool_test;
+
+TEST_F(Tool, Takes_the_opening_at_the_point_for_the_inlet) {
+  const Sample s = bifurcation();
+  const Arguments arguments = {make("y.off", s.surface),
+                               "-c",
+                               make("lines.vtk", s.lines),
+                               "-n",
+                               "10",
+                               "-o",
+                               out("mesh.vtu"),
+                               "--report",
+                               out("r.json")};
+  const auto inlet_z = [&](const Arguments& inlet) {
+    succeed(arguments + inlet);
+    const Json report = json_in(out("r.json"));
+    expect_report_of(report, mesh_in(out("mesh.vtu")));
+    expect_by_patches(report);
+    EXPECT_EQ(report["openings"][0]["patch"], 2);
+    EXPECT_TRUE(report["branches"][report["openings"][0]["branch"].get<std::size_t>()]["parents"].empty());
+    return report["openings"][0]["center"][2].get<double>();
+  };
+  EXPECT_NEAR(inlet_z({}), 0, 0.01); // where the lines begin
+  EXPECT_NEAR(inlet_z({"--inlet", "3.2,0,12"}), 12, 0.2);
+  EXPECT_NEAR(inlet_z({"--inlet", "-30,0,110"}), 11, 0.2);
+  EXPECT_NEAR(inlet_z({"--inlet=-1,-1,-1"}), 0, 0.01);
+}
+
+// --- without centerlines ---
+
+// The largest difference between branches' lengths, in the order of their lengths, of the longest.
+double difference_of_lengths(const Json& a, const Json& b) {
+  std::vector<double> lengths[2];
+  for (const Json& branch : a["branches"])
+    lengths[0].push_back(branch["length"]);
+  for (const Json& branch : b["branches"])
+    lengths[1].push_back(branch["length"]);
+  if (lengths[0].size() != lengths[1].size())
+    return 1;
+  double difference = 0;
+  for (auto& l : lengths)
+    std::sort(l.begin(), l.end());
+  for (std::size_t i = 0; i < lengths[0].size(); ++i)
+    difference = (std::max)(difference, std::abs(lengths[0][i] - lengths[1][i]));
+  return difference / lengths[0].back();
+}
+
+TEST_F(Tool, Needs_no_centerlines) {
+  const Sample s = bifurcation();
+  const Arguments common =
+      Arguments{make("y.off", s.surface), "-n", "12", "-o", out("mesh.vtu"), "--report", out("r.json")};
+  succeed(common + Arguments{"-c", make("lines.vtk", s.lines)});
+  const Json given = json_in(out("r.json"));
+  succeed(common);
+  const Json computed = json_in(out("r.json"));
+  expect_report_of(computed, mesh_in(out("mesh.vtu")));
+  expect_by_patches(computed);
+  EXPECT_TRUE(computed["centerlines"].is_null());
+  EXPECT_LT(difference_of_lengths(computed, given), 0.05); // where lines part is a matter of definition
+  EXPECT_NEAR(computed["points"].get<double>(), given["points"].get<double>(), 0.05 * given["points"].get<double>());
+  for (const Json& opening : computed["openings"])
+    EXPECT_FALSE(opening["branch"].is_null());
+  EXPECT_TRUE(computed["branches"][computed["openings"][0]["branch"].get<std::size_t>()]["parents"].empty());
+
+  const Json first_outlet = computed["openings"][1];
+  std::ostringstream point;
+  point << first_outlet["center"][0] << "," << first_outlet["center"][1] << "," << first_outlet["center"][2];
+  succeed(common + Arguments{"--inlet", point.str()});
+  const Json turned = json_in(out("r.json"));
+  EXPECT_EQ(turned["openings"][0]["center"], first_outlet["center"]);
+  EXPECT_TRUE(turned["branches"][turned["openings"][0]["branch"].get<std::size_t>()]["parents"].empty());
+}
+
+std::string cigar() { // closed, and round at its ends
+  Surface surface;
+  std::istringstream in(sphere_off());
+  CGAL::IO::read_OFF(in, surface);
+  for (auto v : surface.vertices())
+    surface.point(v) = Point(surface.point(v).x(), surface.point(v).y(), 4 * surface.point(v).z());
+  std::ostringstream out;
+  CGAL::IO::write_OFF(out, surface);
+  return out.str();
+}
+
+TEST_F(Tool, Takes_points_for_the_ends_of_a_surface_without_any) {
+  const Arguments common =
+      Arguments{make("cigar.off", cigar()), "-o", out("mesh.vtu"), "--report", out("r.json")} + reproducibly;
+  std::string meshes[2];
+  int i = 0;
+  for (const Arguments& ends : {Arguments{"--inlet", "0,0,-4", "--outlet", "0,0,4"},
+                                Arguments{"--seeds", make("seeds.txt", "# from, to\n0,0,-4\n\n 0 0 4\n")}}) {
+    succeed(common + ends);
+    const Json report = json_in(out("r.json"));
+    EXPECT_TRUE(report["openings"].empty());
+    EXPECT_EQ(report["branches"].size(), 1u);
+    EXPECT_EQ(report["boundary_euler"], 2);
+    expect_by_patches(report);
+    EXPECT_NEAR(report["branches"][0]["max_radius"].get<double>(), 1, 0.02);
+    meshes[i++] = bytes_of(out("mesh.vtu"));
+  }
+  EXPECT_TRUE(meshes[0] == meshes[1]);
+}
+
+TEST_F(Tool, Keeps_all_branches_of_a_loop_where_asked_to) {
+  const Sample s = sample_of(tubular::willis_loop());
+  const Arguments common = {make("loop.off", s.surface), "-n", "10", "-o", out("mesh.vtu"), "--report", out("r.json")};
+  succeed(common + Arguments{"-c", make("lines.vtk", s.lines)});
+  const Json given = json_in(out("r.json"));
+  succeed(common + Arguments{"--loops"});
+  const Json computed = json_in(out("r.json"));
+  EXPECT_EQ(computed["branches"].size(), given["branches"].size());
+  EXPECT_EQ(computed["boundary_euler"], given["boundary_euler"]);
+  EXPECT_LT(computed["boundary_euler"], 2);
+  succeed(common);
+  EXPECT_LT(json_in(out("r.json"))["branches"].size(), given["branches"].size());
+}
+
+TEST_F(Tool, Extends_the_openings) {
+  const Sample s = bifurcation();
+  const Arguments common = {make("y.off", s.surface),
+                            "-n",
+                            "10",
+                            "-o",
+                            out("mesh.vtu"),
+                            "--report",
+                            out("r.json"),
+                            "--inlet",
+                            "3.2,0,12"}; // a twig's end
+  succeed(common);
+  const Json plain = json_in(out("r.json"));
+  EXPECT_TRUE(plain["flow_extensions"].empty());
+  succeed(common + Arguments{"--flow-extensions", "4"});
+  const Json extended = json_in(out("r.json"));
+  expect_report_of(extended, mesh_in(out("mesh.vtu")));
+  expect_by_patches(extended);
+  ASSERT_EQ(extended["openings"].size(), 3u);
+  ASSERT_EQ(extended["flow_extensions"].size(), 3u);
+  for (std::size_t i = 0; i < 3; ++i) { // in the same order
+    const double radius = plain["openings"][i]["radius"], length = extended["flow_extensions"][i];
+    EXPECT_NEAR(length, 4 * radius, 0.05 * radius);
+    double along = 0;
+    for (int k = 0; k < 3; ++k)
+      along += (extended["openings"][i]["center"][k].get<double>() - plain["openings"][i]["center"][k].get<double>()) *
+               plain["openings"][i]["normal"][k].get<double>();
+    EXPECT_NEAR(along, length, 0.1 * length);
+    EXPECT_NEAR(extended["openings"][i]["radius"].get<double>(), radius, 0.05 * radius);
+  }
+}
+
+} // namespace
+
+#endif // TUBULAR_MESH_TOOL
