@@ -166,7 +166,7 @@ protected:
     const Plane_embedding embedding(image);
     std::string problem;
     auto plane = mesh_plane(polygons, metric, judged_in_space ? &embedding : nullptr, chart.hidden_places(),
-                            Plane_options(), problem);
+                            Triangulate_in_metric_options(), problem);
     if (!plane)
       return false;
     std::size_t on_boundary = 0;

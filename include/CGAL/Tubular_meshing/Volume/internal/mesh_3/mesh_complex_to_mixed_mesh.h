@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tubular_meshing authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_MESH_COMPLEX_TO_MIXED_MESH_H
-#define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_MESH_COMPLEX_TO_MIXED_MESH_H
+#ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_MESH_3_MESH_COMPLEX_TO_MIXED_MESH_H
+#define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_MESH_3_MESH_COMPLEX_TO_MIXED_MESH_H
 
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 
@@ -55,4 +55,4 @@ template <class C3t3> void mesh_complex_to_mixed_mesh(const C3t3& c3t3, Mixed_me
 } // namespace Tubular_meshing
 } // namespace CGAL
 
-#endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_MESH_COMPLEX_TO_MIXED_MESH_H
+#endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_MESH_3_MESH_COMPLEX_TO_MIXED_MESH_H
