@@ -119,6 +119,7 @@ inline void settle_in_child(rlim_t seconds) {
 }
 
 constexpr int out_of_memory_code = 1; // TetGen's own
+constexpr int crossing_facets_code = 3;
 
 /* Runs `work(const Pipe_writer&)`, which returns 0 or a code from 1 to 255, in a copy of this process, and
  * `read(const Pipe_reader&)`, which returns whether it has got all, in this one. Whatever happens to the child, a
