@@ -47,8 +47,9 @@ void fill_keeping_boundary(const Surface& surface, Face_patch_map patch, Length_
  * The surface is handed over in a frame of unit extent: units and distance from the origin make no difference. One
  * thread; the result is reproducible. About linear in the number of tetrahedra.
  *
- * The mesher is foreign code, which can crash on surfaces that cross themselves, or run for very long, and take this
- * program with it. A program that must go on runs it in a child process: whatever happens there becomes an exception.
+ * The mesher is foreign code, which can crash, or run for very long, and take this program with it. It is not run on a
+ * surface that crosses itself, on which it may; a program that must go on all the same runs it in a child process:
+ * whatever happens there becomes an exception.
  *
  * \tparam FaceGraph a model of `FaceListGraph`
  * \tparam FacePatchMap a readable property map from its faces to `int`

@@ -28,7 +28,12 @@ namespace CGAL {
 namespace Tubular_meshing {
 namespace internal {
 
-// Mesh_3 on one thread or on several, which are two meshers, and two instantiations.
+// Mesh_3 on one thread or on several, which are two meshers: that for several is compiled in Mesh_3_parallel.cpp, as
+// one unit of both would take too much memory.
+#if defined(CGAL_LINKED_WITH_TBB) && !defined(CGAL_TUBULAR_MESHING_HEADER_ONLY)
+extern template void run_mesh_3<Parallel_tag>(Surface&, const Watched_size&, double, Mixed_mesh&);
+#endif
+
 inline void run_mesh_3_on(int threads, Surface& labelled, const Watched_size& size, double facet_distance,
                           Mixed_mesh& mesh) {
 #ifdef CGAL_LINKED_WITH_TBB

@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_VOLUME_OPTIMIZE_TETRAHEDRA_IMPL_H
 #define CGAL_TUBULAR_MESHING_VOLUME_OPTIMIZE_TETRAHEDRA_IMPL_H
 
+#include <CGAL/Tubular_meshing/Volume/internal/Deviation_reducer.h>
 #include <CGAL/Tubular_meshing/Volume/internal/Patch_projection.h>
 #include <CGAL/Tubular_meshing/Volume/internal/Surface_flip_guard.h>
 #include <CGAL/Tubular_meshing/Volume/internal/Tetrahedron_store.h>
@@ -12,7 +13,6 @@
 #include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/remesh_worst.h>
 #include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/write_inside.h>
 #include <CGAL/Tubular_meshing/Volume/internal/optimize_in_passes.h>
-#include <CGAL/Tubular_meshing/Volume/internal/reduce_deviation.h>
 #include <CGAL/Tubular_meshing/Volume/optimize_tetrahedra.h>
 
 namespace CGAL {
@@ -23,13 +23,13 @@ inline void optimize_with_surface(Mixed_mesh& mesh, const Surface& surface, Face
                                   int threads) {
   const Patch_projection projection(surface, patch);
   Tetrahedron_store store(mesh);
-  const Surface_flip_guard<Patch_projection> guard(store, projection);
+  const Surface_flip_guard guard(store, projection);
   const auto move_vertices = [&](int pass) {
     Vertex_optimizer<Patch_projection> vertices(store, projection, threads);
     vertices.sweep();
     vertices.sweep();
     if (pass + 1 == passes)
-      reduce_deviation(surface, patch, store, vertices, threads);
+      Deviation_reducer(surface, patch, store, vertices, threads).run();
   };
   optimize_in_passes(store, guard, passes, move_vertices, [] {});
   store.write_to(mesh);

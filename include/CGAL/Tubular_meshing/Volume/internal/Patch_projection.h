@@ -10,9 +10,6 @@
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
 #include <CGAL/Tubular_meshing/Rims/rim_corners.h>
 
-#include <CGAL/boost/graph/helpers.h>
-#include <CGAL/boost/graph/properties.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -34,19 +31,17 @@ public:
   Patch_projection(const Surface& surface, Face_patch_map patch) {
     Triangles triangles;
     Segments segments;
-    for (auto f : faces(surface)) {
-      const auto h = halfedge(f, surface);
-      triangles[get(patch, f)].emplace_back(point(surface, source(h, surface)), point(surface, target(h, surface)),
-                                            point(surface, target(next(h, surface), surface)));
+    const auto end_of = [&](Surface::Halfedge_index h) { return to_double_point(surface.point(surface.target(h))); };
+    for (auto f : surface.faces()) {
+      const auto h = surface.halfedge(f);
+      triangles[patch[f]].emplace_back(end_of(surface.prev(h)), end_of(h), end_of(surface.next(h)));
     }
-    for (auto e : edges(surface)) {
-      const auto h = halfedge(e, surface);
-      if (is_border(e, surface))
+    for (auto e : surface.edges()) {
+      const auto h = surface.halfedge(e), o = surface.opposite(h);
+      if (surface.is_border(e) || patch[surface.face(h)] == patch[surface.face(o)])
         continue;
-      const std::int32_t a = get(patch, face(h, surface)), b = get(patch, face(opposite(h, surface), surface));
-      if (a != b)
-        segments[{(std::min)(a, b), (std::max)(a, b)}].emplace_back(point(surface, source(h, surface)),
-                                                                    point(surface, target(h, surface)));
+      const auto patches = std::minmax(patch[surface.face(h)], patch[surface.face(o)]);
+      segments[{patches.first, patches.second}].emplace_back(end_of(o), end_of(h));
     }
     build(triangles, segments);
   }
@@ -128,9 +123,6 @@ private:
     }
   }
 
-  template <class Surface, class Vertex> static Double_kernel::Point_3 point(const Surface& surface, Vertex v) {
-    return to_double_point(get(CGAL::vertex_point, surface, v));
-  }
   static Double_kernel::Point_3 point(const Tetrahedron_store& mesh, Tetrahedron_store::Index v) {
     const Vector_3d& p = mesh.point(v);
     return Double_kernel::Point_3(p.x, p.y, p.z);

@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_SURFACE_FLIP_GUARD_H
 #define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_SURFACE_FLIP_GUARD_H
 
+#include <CGAL/Tubular_meshing/Volume/internal/Patch_projection.h>
 #include <CGAL/Tubular_meshing/Volume/internal/Tetrahedron_store.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
@@ -17,11 +18,11 @@ namespace internal {
 
 /* Says whether a flip on the surface keeps the surface's shape: it may neither fold it nor take it away from the
  * surface it approximates. */
-template <class Projection> class Surface_flip_guard {
+class Surface_flip_guard {
 public:
   typedef Tetrahedron_store::Index Index;
 
-  Surface_flip_guard(const Tetrahedron_store& store, const Projection& projection)
+  Surface_flip_guard(const Tetrahedron_store& store, const Patch_projection& projection)
       : store_(store)
       , projection_(projection) {}
 
@@ -44,7 +45,7 @@ private:
   double off_surface(const Vector_3d& p, std::int32_t patch) const { return norm(projection_.to_patch(p, patch) - p); }
 
   const Tetrahedron_store& store_;
-  const Projection& projection_;
+  const Patch_projection& projection_;
 };
 
 } // namespace internal

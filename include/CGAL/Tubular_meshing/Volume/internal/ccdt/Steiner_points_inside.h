@@ -23,7 +23,7 @@ namespace internal {
  * and between it and the boundary come tetrahedra on the facets that are there without it.
  *
  * Around such a point the boundary's facets lie in one triangle of the surface, or in the two at an edge of it; in each
- * of them those facets form a polygon, which is triangulated anew. */
+ * of them those facets form a polygon, which is triangulated again. */
 class Steiner_points_inside {
 public:
   typedef std::uint32_t Index;

@@ -119,10 +119,11 @@ inline void settle_in_child(rlim_t seconds) {
 }
 
 constexpr int out_of_memory_code = 1; // TetGen's own
+constexpr int crossing_facets_code = 3;
 
 /* Runs `work(const Pipe_writer&)`, which returns 0 or a code from 1 to 255, in a copy of this process, and
  * `read(const Pipe_reader&)`, which returns whether it has got all, in this one. Whatever happens to the child, a
- * crash, exit(), `seconds` of processor time used up, this process lives and is told. */
+ * crash, exit(), `seconds` of processor time used up, this process goes on. */
 template <class Work, class Read>
 Child_ending run_in_child_process(const Work& work, const Read& read, double seconds) {
   int ends[2];

@@ -41,7 +41,7 @@ inline std::string what_went_wrong(const Child_ending& ending) {
     return "there was not enough memory";
   case 2:
     return "it met an error of its own";
-  case 3:
+  case crossing_facets_code:
     return "it found facets that cross or overlap";
   case 4:
     return "the surface has details too small for it";

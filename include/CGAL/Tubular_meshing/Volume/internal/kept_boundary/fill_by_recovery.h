@@ -21,6 +21,8 @@
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 #include <CGAL/Tubular_meshing/base/labels.h>
 
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
+
 #include <unistd.h>
 
 #include <cstddef>
@@ -76,9 +78,12 @@ inline Child_ending recover_in_child_process(const Boundary_recovery& recovery, 
   return run_in_child_process(work, read, seconds);
 }
 
-// One at a time: TetGen's predicates have global constants, which depend on the surface.
-inline Child_ending recover_in_this_process(const Boundary_recovery& recovery, const Boundary_arrays& boundary,
-                                            Recovered_boundary& recovered) {
+// One at a time: TetGen's predicates have global constants, which depend on the surface. What TetGen may crash on, a
+// surface that crosses itself, is not given to it.
+inline Child_ending recover_in_this_process(const Boundary_recovery& recovery, const Surface& surface,
+                                            const Boundary_arrays& boundary, Recovered_boundary& recovered) {
+  if (Polygon_mesh_processing::does_self_intersect(surface))
+    return {Child_ending::gave_up, crossing_facets_code};
   static std::mutex mutex;
   const std::lock_guard<std::mutex> lock(mutex);
   int code = out_of_memory_code;
@@ -102,7 +107,7 @@ inline std::optional<Sentence> recover_boundary(const Surface& surface, const Bo
   Recovered_boundary recovered;
   const Child_ending ending = limits.in_child_process
                                   ? recover_in_child_process(recovery, boundary, limits.seconds, recovered)
-                                  : recover_in_this_process(recovery, boundary, recovered);
+                                  : recover_in_this_process(recovery, surface, boundary, recovered);
   if (ending.kind != Child_ending::done)
     return failure_sentence(recovery.name, ending, surface, limits.instead);
   for (const Vector_3d& x : recovered.inner_points)

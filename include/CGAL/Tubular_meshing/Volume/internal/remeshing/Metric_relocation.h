@@ -178,7 +178,6 @@ public:
   }
 
 private:
-  static constexpr int most_attempts = 4;
   static constexpr double least_gain = 1e-4; // of the energy; less is not worth the visit
   static constexpr double most_loss = 1.5;   // for getting onto the surface
   static constexpr double negligible = 1e-9; // distance from the surface, in the metric
@@ -197,19 +196,19 @@ private:
     const double length2 = old.metric.squared_length(step);
     if (length2 > size2_) // further than to a neighbor
       step = std::sqrt(size2_ / length2) * step;
-    for (int attempt = 0; attempt < most_attempts; ++attempt, step = 0.4 * step) {
-      const Vector_3d moved = old.position + step, p = mesh_.project(moved, at);
+    backtrack(step, [&](const Vector_3d& s) {
+      const Vector_3d moved = old.position + s, p = mesh_.project(moved, at);
       // a projection longer than the step has landed on another part of the surface
-      if (at.dimension < 3 && squared_norm(p - moved) > squared_norm(step))
-        continue;
+      if (at.dimension < 3 && squared_norm(p - moved) > squared_norm(s))
+        return false;
       const Metric_point there = mesh_.at(p);
       Metric_energy e;
       e.size2 = size2_;
-      if (energy(v, there, false, e) && e.value < here.value && keeps_surface(v, p) && is_valid(v, p)) {
-        move(v, there, true);
-        return;
-      }
-    }
+      if (!energy(v, there, false, e) || !(e.value < here.value) || !keeps_surface(v, p) || !is_valid(v, p))
+        return false;
+      move(v, there, true);
+      return true;
+    });
   }
 
   void move(Index v, const Metric_point& there, bool on_surface) const {
@@ -257,12 +256,10 @@ private:
 
   bool energy(Index v, const Metric_point& x, bool with_derivatives, Metric_energy& e) const {
     for (Index s : stars_.facets(v)) {
-      const auto& tet = store_[Store::tetrahedron_of(s)].v;
-      const auto& c = Store::facet_corners(Store::opposite_of(s));
-      const Metric_tensor_3 mean =
-          0.25 * (x.metric + mesh_.metric(tet[c[0]]) + mesh_.metric(tet[c[1]]) + mesh_.metric(tet[c[2]]));
-      if (!e.add(store_.point(tet[c[0]]) - x.position, store_.point(tet[c[1]]) - x.position,
-                 store_.point(tet[c[2]]) - x.position, mean, with_derivatives) ||
+      const auto f = store_.vertices(s);
+      const Metric_tensor_3 mean = 0.25 * (x.metric + mesh_.metric(f[0]) + mesh_.metric(f[1]) + mesh_.metric(f[2]));
+      if (!e.add(store_.point(f[0]) - x.position, store_.point(f[1]) - x.position, store_.point(f[2]) - x.position,
+                 mean, with_derivatives) ||
           (has_layer(s) && !add_height(s, x.position, with_derivatives, e)))
         return false;
     }
@@ -272,24 +269,21 @@ private:
   bool has_layer(Index facet) const {
     if (!heights_)
       return false;
-    const std::int32_t label = store_[Store::tetrahedron_of(facet)].label[Store::opposite_of(facet)];
+    const std::int32_t label = store_.label(facet);
     return label != 0 &&
            std::find(mesh_.layer_patches.begin(), mesh_.layer_patches.end(), label) != mesh_.layer_patches.end();
   }
   bool add_height(Index facet, const Vector_3d& x, bool with_derivatives, Metric_energy& e) const {
-    const auto& tet = store_[Store::tetrahedron_of(facet)].v;
-    const auto& c = Store::facet_corners(Store::opposite_of(facet));
-    const Vector_3d &p = store_.point(tet[c[0]]), &q = store_.point(tet[c[1]]), &r = store_.point(tet[c[2]]);
-    const Metric_tensor_3 mean =
-        (1. / 3) * (mesh_.metric(tet[c[0]]) + mesh_.metric(tet[c[1]]) + mesh_.metric(tet[c[2]]));
+    const auto f = store_.vertices(facet);
+    const Vector_3d &p = store_.point(f[0]), &q = store_.point(f[1]), &r = store_.point(f[2]);
+    const Metric_tensor_3 mean = (1. / 3) * (mesh_.metric(f[0]) + mesh_.metric(f[1]) + mesh_.metric(f[2]));
     return e.add_height(normalized(cross(q - p, r - p)), p - x, mean, with_derivatives);
   }
 
   bool is_valid(Index v, const Vector_3d& p) const {
     for (Index s : stars_.facets(v)) {
-      const auto& tet = store_[Store::tetrahedron_of(s)].v;
-      const auto& c = Store::facet_corners(Store::opposite_of(s));
-      if (!is_positive(store_.point(tet[c[0]]), store_.point(tet[c[2]]), store_.point(tet[c[1]]), p))
+      const auto f = store_.vertices(s);
+      if (!is_positive(store_.point(f[0]), store_.point(f[2]), store_.point(f[1]), p))
         return false;
     }
     return true;

@@ -4,7 +4,6 @@
 #ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REMESHING_REMESHING_FLIPS_H
 #define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REMESHING_REMESHING_FLIPS_H
 
-#include <CGAL/Tubular_meshing/Volume/internal/Patch_projection.h>
 #include <CGAL/Tubular_meshing/Volume/internal/Surface_flip_guard.h>
 #include <CGAL/Tubular_meshing/Volume/internal/Topology_optimizer.h>
 #include <CGAL/Tubular_meshing/Volume/internal/remeshing/Metric_mesh.h>
@@ -17,7 +16,7 @@ namespace internal {
 
 /* Flips that change the surface are refused where it is to stay. */
 struct Remeshing_flip_guard {
-  Surface_flip_guard<Patch_projection> shape;
+  Surface_flip_guard shape;
   bool keep_boundary;
 
   bool operator()(Tetrahedron_store::Index a, Tetrahedron_store::Index b, Tetrahedron_store::Index c,

@@ -1,12 +1,14 @@
 // Copyright (c) 2026 The Tubular_meshing authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REDUCE_DEVIATION_H
-#define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REDUCE_DEVIATION_H
+#ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_DEVIATION_REDUCER_H
+#define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_DEVIATION_REDUCER_H
 
 #include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/base/Nearest_tree.h>
+#include <CGAL/Tubular_meshing/Volume/internal/Patch_projection.h>
 #include <CGAL/Tubular_meshing/Volume/internal/Tetrahedron_store.h>
+#include <CGAL/Tubular_meshing/Volume/internal/Vertex_optimizer.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
 #include <CGAL/Tubular_meshing/base/parallel.h>
 
@@ -24,12 +26,12 @@ namespace internal {
 /* Brings the mesh to the vertices of the surface that it has cut off: where one is further from the mesh than a part of
  * the facet there, the nearest vertex of that facet with the same patches is moved onto it, if the elements around
  * allow. A coarse input has few vertices, and each of them is a corner. O(n log n). */
-template <class Optimizer> class Deviation_reducer {
+class Deviation_reducer {
 public:
   typedef Tetrahedron_store::Index Index;
 
-  Deviation_reducer(const Surface& surface, Face_patch_map patch, Tetrahedron_store& store, Optimizer& vertices,
-                    int threads)
+  Deviation_reducer(const Surface& surface, Face_patch_map patch, Tetrahedron_store& store,
+                    Vertex_optimizer<Patch_projection>& vertices, int threads)
       : surface_(surface)
       , patch_(patch)
       , store_(store)
@@ -64,7 +66,7 @@ public:
   }
 
 private:
-  typedef typename boost::graph_traits<Surface>::vertex_descriptor Vertex;
+  typedef Surface::Vertex_index Vertex;
   typedef Double_kernel::Triangle_3 Triangle;
   typedef Tetrahedron_store::Facet_vertices Facet_vertices;
 
@@ -106,20 +108,14 @@ private:
   const Surface& surface_;
   Face_patch_map patch_;
   Tetrahedron_store& store_;
-  Optimizer& vertices_;
+  Vertex_optimizer<Patch_projection>& vertices_;
   int threads_;
   std::vector<Index> facets_;
   Nearest_tree<Triangle> tree_;
 };
 
-template <class Optimizer>
-void reduce_deviation(const Surface& surface, Face_patch_map patch, Tetrahedron_store& store, Optimizer& vertices,
-                      int threads) {
-  Deviation_reducer<Optimizer>(surface, patch, store, vertices, threads).run();
-}
-
 } // namespace internal
 } // namespace Tubular_meshing
 } // namespace CGAL
 
-#endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REDUCE_DEVIATION_H
+#endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_DEVIATION_REDUCER_H
