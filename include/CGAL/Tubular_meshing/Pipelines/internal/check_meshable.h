@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_PIPELINES_INTERNAL_CHECK_MESHABLE_H
 #define CGAL_TUBULAR_MESHING_PIPELINES_INTERNAL_CHECK_MESHABLE_H
 
+#include <CGAL/Tubular_meshing/Rims/Opening_site.h>
 #include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 
@@ -35,7 +36,7 @@ inline void check_no_crossings(const CGAL::Surface_mesh<Point_3>& surface) {
     throw Input_error("The surface intersects itself: " + std::to_string(crossings.size()) +
                       " pairs of its triangles cross, one of them at " +
                       coordinates(surface.point(surface.target(surface.halfedge(first.first)))) +
-                      "; mend it there, or let repair_surface() do it.");
+                      "; repair it there, or let repair_surface() do it.");
   }
 }
 
