@@ -6,6 +6,7 @@
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/Tubular_meshing/Generators/Tubular_distance_function.h>
 #include <CGAL/Tubular_meshing/Generators/bronchial_tree.h>
 #include <CGAL/Tubular_meshing/Generators/tubular_shapes.h>
 #include <CGAL/Tubular_meshing/Generators/tubular_surface.h>

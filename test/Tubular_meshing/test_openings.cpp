@@ -9,6 +9,7 @@
 #include <CGAL/Tubular_meshing/IO/read_surface.h>
 #include <CGAL/Tubular_meshing/Openings/close_openings.h>
 #include <CGAL/Tubular_meshing/Openings/openings.h>
+#include <CGAL/Tubular_meshing/Rims/Opening_site.h>
 
 #include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>

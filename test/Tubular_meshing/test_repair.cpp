@@ -223,7 +223,7 @@ INSTANTIATE_TEST_SUITE_P(All, Defect_matrix, testing::Range(std::size_t(0), defe
                            return name;
                          });
 
-// Three at once: in the seeds' loop nearly all are mended, and what is refused is refused at a place.
+// Three at once: in the seeds' loop nearly all are repaired, and what is refused is refused at a place.
 TEST(Repair_surface, Mends_three_defects_at_once) {
   std::size_t refused = 0, all = 0;
   for (const Clean_surface& clean : defects::clean_surfaces())

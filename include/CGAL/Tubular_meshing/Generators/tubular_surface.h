@@ -4,7 +4,6 @@
 #ifndef CGAL_TUBULAR_MESHING_GENERATORS_TUBULAR_SURFACE_H
 #define CGAL_TUBULAR_MESHING_GENERATORS_TUBULAR_SURFACE_H
 
-#include <CGAL/Tubular_meshing/Generators/Sag_shape.h>
 #include <CGAL/Tubular_meshing/Generators/Tubular_skeleton.h>
 #include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/base/config.h>
@@ -13,6 +12,13 @@
 
 namespace CGAL {
 namespace Tubular_meshing {
+
+/*! \ingroup PkgTubularMeshingRef
+ * How the rim of a generated opening leaves its plane. */
+enum class Sag_shape {
+  saddle, ///< twice up and twice down around the rim, by cos(2a)
+  tilt    ///< an oblique ellipse, by cos(a)
+};
 
 /*! \ingroup PkgTubularMeshingRef
  *

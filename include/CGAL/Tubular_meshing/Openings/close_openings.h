@@ -4,11 +4,13 @@
 #ifndef CGAL_TUBULAR_MESHING_OPENINGS_CLOSE_OPENINGS_H
 #define CGAL_TUBULAR_MESHING_OPENINGS_CLOSE_OPENINGS_H
 
+#include <CGAL/Tubular_meshing/Openings/openings.h>
 #include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/base/Labelled_surface.h>
 #include <CGAL/Tubular_meshing/base/Opening.h>
 #include <CGAL/Tubular_meshing/base/config.h>
 #include <CGAL/Tubular_meshing/base/convert_surface.h>
+#include <CGAL/Tubular_meshing/base/labels.h>
 #include <CGAL/Tubular_meshing/base/parameters.h>
 
 #include <vector>

@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_OPENINGS_FLOW_EXTENSIONS_H
 #define CGAL_TUBULAR_MESHING_OPENINGS_FLOW_EXTENSIONS_H
 
+#include <CGAL/Tubular_meshing/Openings/openings.h>
 #include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/base/Opening.h>
 #include <CGAL/Tubular_meshing/base/config.h>

@@ -11,6 +11,8 @@
 #include <CGAL/Tubular_meshing/base/convert_surface.h>
 #include <CGAL/Tubular_meshing/base/parameters.h>
 
+#include <functional>
+#include <memory>
 #include <optional>
 #include <type_traits>
 #include <vector>
@@ -26,16 +28,22 @@ struct Find_openings_options {
   std::optional<Point_3> inlet;                       ///< the nearest opening is the inlet
 
   Find_openings_options() = default;
-  /* The graph is not copied: where it is a parameter itself, the parameters must outlive these options. */
   template <class NamedParameters> explicit Find_openings_options(const NamedParameters& np) {
-    using CGAL::parameters::get_parameter_reference;
-    typedef std::decay_t<decltype(get_parameter_reference(np, internal_np::centerline_graph))> Graph;
-    if constexpr (std::is_pointer<Graph>::value)
-      centerline_graph = get_parameter_reference(np, internal_np::centerline_graph);
-    else if constexpr (!std::is_same<Graph, CGAL::internal_np::Param_not_found>::value)
-      centerline_graph = &get_parameter_reference(np, internal_np::centerline_graph);
+    using CGAL::parameters::get_parameter;
+    set_graph(get_parameter(np, internal_np::centerline_graph));
     inlet = internal::optional_point(np, internal_np::inlet);
   }
+
+private:
+  void set_graph(const Centerline_graph* graph) { centerline_graph = graph; }
+  template <class Graph> void set_graph(const std::reference_wrapper<Graph>& graph) { centerline_graph = &graph.get(); }
+  void set_graph(const Centerline_graph& graph) {
+    copy_ = std::make_shared<const Centerline_graph>(graph);
+    centerline_graph = copy_.get();
+  }
+  void set_graph(const CGAL::internal_np::Param_not_found&) {}
+
+  std::shared_ptr<const Centerline_graph> copy_; // where a graph itself is the parameter
 };
 
 namespace internal {
