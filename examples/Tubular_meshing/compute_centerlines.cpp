@@ -76,9 +76,8 @@ Graph centerlines_between_seeds(const Options& o, Surface& surface, const std::v
 
 Graph centerlines_between_openings(const Options& o, Surface& surface) {
   std::vector<tubular::Opening> openings =
-      o.inlet.empty()
-          ? tubular::find_openings(surface)
-          : tubular::find_openings(surface, tubular::parameters::inlet(command_line::point_of(o.inlet)));
+      o.inlet.empty() ? tubular::find_openings(surface)
+                      : tubular::find_openings(surface, tubular::parameters::inlet(command_line::point_of(o.inlet)));
   const auto patch = surface.add_property_map<Surface::Face_index, int>("f:patch", 0).first;
   tubular::close_openings(surface, openings, patch);
   Graph graph;

@@ -90,7 +90,7 @@ void expect_unit_mesh(const Mesh& m, double ideal) {
   EXPECT_NEAR(double(m.tetrahedra.size()) / ideal, 1, 0.15);
 }
 
-TEST(Anisotropic_remeshing, IsotropicCube) {
+TEST(Anisotropic_remeshing, Isotropic_cube) {
   for (double h : {0.12, 0.09}) {
     const Field field = [h](const Point&) { return Metric::isotropic(h); };
     const Mesh input = make_cube(5), m = remeshed(input, field);
@@ -104,7 +104,7 @@ TEST(Anisotropic_remeshing, IsotropicCube) {
   }
 }
 
-TEST(Anisotropic_remeshing, CoarsensAFineCube) {
+TEST(Anisotropic_remeshing, Coarsens_a_fine_cube) {
   const Field field = [](const Point&) { return Metric::isotropic(0.2); };
   const Mesh input = make_cube(14), m = remeshed(input, field);
   expect_valid(m, 1);
@@ -112,14 +112,14 @@ TEST(Anisotropic_remeshing, CoarsensAFineCube) {
   EXPECT_GE(tubular::quality_report(m).efficiency, 0.85);
 }
 
-TEST(Anisotropic_remeshing, UniformOneToHundred) {
+TEST(Anisotropic_remeshing, Uniform_one_to_hundred) {
   const Field field = [](const Point&) { return sizes(0.007, 0.07, 0.7); };
   const Mesh input = make_cube(5), m = remeshed(input, field);
   expect_valid(m, 1);
   expect_unit_mesh(m, ideal_number(input, field));
 }
 
-TEST(Anisotropic_remeshing, UniformRatiosOfHundredsAndThousands) {
+TEST(Anisotropic_remeshing, Uniform_ratios_of_hundreds_and_thousands) {
   for (double ratio : {100., 1e3}) {
     const Field field = [=](const Point&) { return sizes(0.6 / ratio, 0.6, 0.6); };
     const Mesh input = make_cube(4), m = remeshed(input, field);
@@ -128,7 +128,7 @@ TEST(Anisotropic_remeshing, UniformRatiosOfHundredsAndThousands) {
   }
 }
 
-TEST(Anisotropic_remeshing, LayersWithRatiosOfThousands) {
+TEST(Anisotropic_remeshing, Layers_with_ratios_of_thousands) {
   const double h = 0.4, first = 4e-5, slope = 0.3;
   const Field field = [=](const Point& p) { return sizes(h, h, first + slope * p.z()); };
   const Mesh m = remeshed(make_cube(4), field);
@@ -138,7 +138,7 @@ TEST(Anisotropic_remeshing, LayersWithRatiosOfThousands) {
 
 // Uniform metrics that elements of a cube cannot follow, being longer than it: there is an end, and nothing is
 // inverted.
-TEST(Anisotropic_remeshing, RatiosOfThousandsComeToAnEnd) {
+TEST(Anisotropic_remeshing, Ratios_of_thousands_come_to_an_end) {
   for (double ratio : {1e3, 1e4}) {
     const double thin = std::sqrt(6e-3 / ratio);
     const Field field = [=](const Point&) { return sizes(thin, 0.6, ratio * thin); };
@@ -148,7 +148,7 @@ TEST(Anisotropic_remeshing, RatiosOfThousandsComeToAnEnd) {
   }
 }
 
-TEST(Anisotropic_remeshing, BoundaryLayer) {
+TEST(Anisotropic_remeshing, Boundary_layer) {
   const Field field = [](const Point& p) { return sizes(0.12, 0.12, (std::min)(0.01 + 0.26 * p.z(), 0.12)); };
   const Mesh input = make_cube(6), m = remeshed(input, field);
   expect_valid(m, 1);
@@ -156,7 +156,7 @@ TEST(Anisotropic_remeshing, BoundaryLayer) {
 }
 
 // The tetrahedra on a side whose layer counts are as high as the size across it; regular ones are 0.8 as high.
-TEST(Anisotropic_remeshing, HeightOfTheFirstLayer) {
+TEST(Anisotropic_remeshing, Height_of_the_first_layer) {
   const Field field = [](const Point& p) { return sizes(0.12, 0.12, (std::min)(0.01 + 0.3 * p.z(), 0.12)); };
   Mesh m = make_cube(6);
   tubular::anisotropic_tetrahedral_remeshing(
@@ -182,7 +182,7 @@ TEST(Anisotropic_remeshing, HeightOfTheFirstLayer) {
   EXPECT_GE(q.efficiency, 0.86);
 }
 
-TEST(Anisotropic_remeshing, RotatingMetric) {
+TEST(Anisotropic_remeshing, Rotating_metric) {
   const Field field = [](const Point& p) {
     const Vector_3d u = normalized(Vector_3d(p.x() + 0.3, p.y() + 0.3, 0));
     return sizes(0.024, 0.19, 0.07, u, {-u.y, u.x, 0});
@@ -204,7 +204,7 @@ TEST(Anisotropic_remeshing, Shock) {
 }
 
 // Seen by no vertex of the input: none lies within ten times the feature's thickness.
-TEST(Anisotropic_remeshing, FindsASmallFeature) {
+TEST(Anisotropic_remeshing, Finds_a_small_feature) {
   const Field field = [](const Point& p) {
     return sizes((std::min)(0.01 + 0.3 * std::abs(p.x() - 0.375), 0.2), 0.2, 0.2);
   };
@@ -224,7 +224,7 @@ Metric tube_metric(const Point& p) {
   return sizes(h_n, around, 0.5, out, {-out.y, out.x, 0});
 }
 
-TEST(Anisotropic_remeshing, TubeOnItsOwnSurface) {
+TEST(Anisotropic_remeshing, Tube_on_its_own_surface) {
   const Mesh input = make_tube(8), m = remeshed(input, tube_metric);
   expect_valid(m, volume(input), 0.01);
   expect_unit_mesh(m, ideal_number(input, tube_metric));
@@ -259,7 +259,7 @@ struct Cylinder {
   }
 };
 
-TEST(Anisotropic_remeshing, TubeOnAGivenSurface) {
+TEST(Anisotropic_remeshing, Tube_on_a_given_surface) {
   const Cylinder cylinder(128);
   Mesh m = make_tube(5); // a coarse polygon around
   tubular::anisotropic_tetrahedral_remeshing(m, cylinder.surface, cylinder.patch, &tube_metric);
@@ -277,7 +277,7 @@ TEST(Anisotropic_remeshing, TubeOnAGivenSurface) {
   EXPECT_EQ(far, 0u);
 }
 
-TEST(Anisotropic_remeshing, KeepsTheBoundary) {
+TEST(Anisotropic_remeshing, Keeps_the_boundary) {
   const Mesh input = make_cube(5);
   const Field field = [](const Point& p) {
     const double d = (std::min)({p.x(), p.y(), p.z(), 1 - p.x(), 1 - p.y(), 1 - p.z()});
@@ -300,7 +300,7 @@ TEST(Anisotropic_remeshing, KeepsTheBoundary) {
   EXPECT_EQ(m.triangles.size(), input.triangles.size());
 }
 
-TEST(Anisotropic_remeshing, KeepsRegionsAndTheirInterface) {
+TEST(Anisotropic_remeshing, Keeps_regions_and_their_interface) {
   Mesh input = make_cube(6);
   const auto middle = [&](std::uint32_t v) { return input.points[v].x() == 0.5; };
   for (std::size_t i = 0; i < input.tetrahedra.size(); ++i) {
@@ -324,7 +324,7 @@ TEST(Anisotropic_remeshing, KeepsRegionsAndTheirInterface) {
   EXPECT_NEAR(area(m, 9), 1, 1e-9);
 }
 
-TEST(Anisotropic_remeshing, ASecondRunChangesLittle) {
+TEST(Anisotropic_remeshing, A_second_run_changes_little) {
   const Mesh once = remeshed(make_tube(6), tube_metric), twice = remeshed(once, tube_metric);
   EXPECT_NEAR(double(twice.tetrahedra.size()) / double(once.tetrahedra.size()), 1, 0.03);
   const auto a = tubular::quality_report(once), b = tubular::quality_report(twice);
@@ -332,13 +332,13 @@ TEST(Anisotropic_remeshing, ASecondRunChangesLittle) {
   EXPECT_LE(b.Q_tau.mean(), a.Q_tau.mean() + 0.02);
 }
 
-TEST(Anisotropic_remeshing, IsTheSameForAnyNumberOfThreads) {
+TEST(Anisotropic_remeshing, Is_the_same_for_any_number_of_threads) {
   const Mesh a = remeshed(make_tube(6), tube_metric, 1), b = remeshed(make_tube(6), tube_metric, 2);
   EXPECT_EQ(a.points, b.points);
   EXPECT_EQ(a.tetrahedra.vertices, b.tetrahedra.vertices);
 }
 
-TEST(Anisotropic_remeshing, ScalesWithItsUnits) {
+TEST(Anisotropic_remeshing, Scales_with_its_units) {
   const double unit = std::ldexp(1., -20); // exact, so that roundings are the same
   Mesh small = make_tube(4);
   for (Point& p : small.points)
@@ -350,7 +350,7 @@ TEST(Anisotropic_remeshing, ScalesWithItsUnits) {
   EXPECT_EQ(a.tetrahedra.vertices, b.tetrahedra.vertices);
 }
 
-TEST(Anisotropic_remeshing, GivesTheMetricAtThePoints) {
+TEST(Anisotropic_remeshing, Gives_the_metric_at_the_points) {
   Mesh m = make_cube(4);
   m.point_arrays.push_back({"pressure", 1, std::vector<double>(m.points.size(), 1)});
   const Field field = [](const Point& p) { return sizes(0.1 + 0.1 * p.x(), 0.2, 0.2 + 0.1 * p.y()); };
@@ -378,7 +378,7 @@ void expect_refused(const Mesh& input, const Field& field, const std::string& wo
   EXPECT_TRUE(m.point_arrays.empty());
 }
 
-TEST(Anisotropic_remeshing, RefusesMetricsThatAreNone) {
+TEST(Anisotropic_remeshing, Refuses_metrics_that_are_none) {
   const Mesh cube = make_cube(3);
   const double nan = std::numeric_limits<double>::quiet_NaN();
   expect_refused(
@@ -402,7 +402,7 @@ TEST(Anisotropic_remeshing, RefusesMetricsThatAreNone) {
       "finite");
 }
 
-TEST(Anisotropic_remeshing, RefusesMeshesThatAreNotValid) {
+TEST(Anisotropic_remeshing, Refuses_meshes_that_are_not_valid) {
   const Field field = [](const Point&) { return Metric::isotropic(0.3); };
   Mesh m = make_cube(3);
   std::swap(m.tetrahedra.vertices[7][0], m.tetrahedra.vertices[7][1]);
@@ -428,7 +428,7 @@ TEST(Anisotropic_remeshing, RefusesMeshesThatAreNotValid) {
   expect_refused(Mesh(), field, "no tetrahedra");
 }
 
-TEST(Anisotropic_remeshing, LetsTheFieldsExceptionsThrough) {
+TEST(Anisotropic_remeshing, Lets_the_fields_exceptions_through) {
   Mesh m = make_cube(3);
   int calls = 0;
   const Field field = [&](const Point&) {

@@ -59,7 +59,7 @@ Graph line(bool branches_here = false) {
                {{0, 1}, {1, 2}, {1, 3}});
 }
 
-TEST(Boundary_layer_report, FirstHeightsAreThoseOfTheLayer) {
+TEST(Boundary_layer_report, First_heights_are_those_of_the_layer) {
   Mesh m = block();
   set_metric(m, along, around, height);
   const auto r = tubular::boundary_layer_report(m, line());
@@ -72,7 +72,7 @@ TEST(Boundary_layer_report, FirstHeightsAreThoseOfTheLayer) {
   EXPECT_NEAR(tubular::boundary_layer_report(m, line()).first_height.mean(), 2, 1e-12);
 }
 
-TEST(Boundary_layer_report, TellsWhereTheLayerIsTooHigh) {
+TEST(Boundary_layer_report, Tells_where_the_layer_is_too_high) {
   Mesh m = block(true);
   set_metric(m, along, around, height);
   const auto r = tubular::boundary_layer_report(m, line());
@@ -83,7 +83,7 @@ TEST(Boundary_layer_report, TellsWhereTheLayerIsTooHigh) {
   EXPECT_EQ(r.share_of_first_heights(1), 1);
 }
 
-TEST(Boundary_layer_report, LongEdgesAreMeasuredAgainstTheCenterline) {
+TEST(Boundary_layer_report, Long_edges_are_measured_against_the_centerline) {
   for (double degrees : {0., 10., 30.}) {
     Mesh m = block(false, degrees * std::acos(-1.) / 180);
     set_metric(m, along * 0.99, around, height);
@@ -96,7 +96,7 @@ TEST(Boundary_layer_report, LongEdgesAreMeasuredAgainstTheCenterline) {
   }
 }
 
-TEST(Boundary_layer_report, LeavesOutWhatHasNoDirection) {
+TEST(Boundary_layer_report, Leaves_out_what_has_no_direction) {
   Mesh m = block();
   set_metric(m, along, along / 1.9, height); // not even twice as long
   EXPECT_EQ(tubular::boundary_layer_report(m, line()).alignment.count(), 0u);
@@ -105,7 +105,7 @@ TEST(Boundary_layer_report, LeavesOutWhatHasNoDirection) {
   EXPECT_EQ(tubular::boundary_layer_report(m, line(true)).alignment.count(), 0u);
 }
 
-TEST(Boundary_layer_report, NeedsAMetric) {
+TEST(Boundary_layer_report, Needs_a_metric) {
   const Mesh m = block();
   EXPECT_THROW(tubular::boundary_layer_report(m, line()), tubular::Input_error);
   Mesh with = block();

@@ -117,7 +117,7 @@ Mesh tube(double height, bool closed) {
 
 // --- graph ---
 
-TEST(Centerline_graph, keeps_what_it_is_made_of) {
+TEST(Centerline_graph, Keeps_what_it_is_made_of) {
   const Graph g({Point(0, 0, 0), Point(3, 0, 0), Point(3, 4, 0), Point(3, 0, 2)}, {1, 2, 3, 0.5},
                 {{2, 1}, {0, 1}, {1, 3}});
   EXPECT_TRUE(g.is_consistent());
@@ -131,7 +131,7 @@ TEST(Centerline_graph, keeps_what_it_is_made_of) {
   EXPECT_EQ(g.branches()[1].points, (std::vector<std::size_t>{1, 0})); // turned, away from the root
 }
 
-TEST(Centerline_graph, is_directed_away_from_any_node) {
+TEST(Centerline_graph, Is_directed_away_from_any_node) {
   Graph g = graph_of(vmtk_like_fork(0));
   for (std::size_t n = 0; n < g.nodes().size(); ++n) {
     g.direct_from(n);
@@ -143,7 +143,7 @@ TEST(Centerline_graph, is_directed_away_from_any_node) {
   EXPECT_THROW(g.direct_from(99), Input_error);
 }
 
-TEST(Centerline_graph, refuses_parts_that_do_not_fit) {
+TEST(Centerline_graph, Refuses_parts_that_do_not_fit) {
   EXPECT_THROW(Graph({Point(0, 0, 0)}, {}, {}), Input_error);
   EXPECT_THROW(Graph({Point(0, 0, 0)}, {1}, {{0}}), Input_error);
   EXPECT_THROW(Graph({Point(0, 0, 0)}, {1}, {{0, 1}}), Input_error);
@@ -151,7 +151,7 @@ TEST(Centerline_graph, refuses_parts_that_do_not_fit) {
 
 // --- merging ---
 
-TEST(Build_centerline_graph, straight_line) {
+TEST(Build_centerline_graph, Straight_line) {
   Polylines p;
   add_line(p, {Point(0, 0, 0), Point(20, 0, 0)});
   const Graph g = graph_of(p);
@@ -161,7 +161,7 @@ TEST(Build_centerline_graph, straight_line) {
   EXPECT_EQ(g.number_of_ends(), 2u);
 }
 
-TEST(Build_centerline_graph, overlapping_lines_fork_once) {
+TEST(Build_centerline_graph, Overlapping_lines_fork_once) {
   for (double noise : {0., 0.01, 0.03}) {
     const Graph g = graph_of(vmtk_like_fork(noise));
     ASSERT_EQ(g.branches().size(), 3u) << noise;
@@ -174,7 +174,7 @@ TEST(Build_centerline_graph, overlapping_lines_fork_once) {
   }
 }
 
-TEST(Build_centerline_graph, does_not_depend_on_the_order_or_direction_of_lines) {
+TEST(Build_centerline_graph, Does_not_depend_on_the_order_or_direction_of_lines) {
   Polylines p = vmtk_like_fork(0.02), q = p;
   std::reverse(q.lines.begin(), q.lines.end());
   std::reverse(q.lines[0].begin(), q.lines[0].end());
@@ -184,7 +184,7 @@ TEST(Build_centerline_graph, does_not_depend_on_the_order_or_direction_of_lines)
     EXPECT_NEAR(a[i], b[i], 0.5);
 }
 
-TEST(Build_centerline_graph, scales_moves_and_turns_with_its_input) {
+TEST(Build_centerline_graph, Scales_moves_and_turns_with_its_input) {
   const Polylines p = vmtk_like_fork(0.02);
   const std::vector<double> expected = sorted_lengths(graph_of(p));
   for (double scale : {1e-6, 1e3, 1e6}) {
@@ -201,7 +201,7 @@ TEST(Build_centerline_graph, scales_moves_and_turns_with_its_input) {
   }
 }
 
-TEST(Build_centerline_graph, chains_loose_segments) {
+TEST(Build_centerline_graph, Chains_loose_segments) {
   Polylines p;
   add_loose_segments(p, path({trunk_start, fork}, 0.03));
   add_loose_segments(p, path({upper, fork}, 0.03)); // steps below the merge tolerance: unchained, they would vanish
@@ -212,7 +212,7 @@ TEST(Build_centerline_graph, chains_loose_segments) {
   EXPECT_NEAR(g.length(), 10 + std::sqrt(200.) + std::sqrt(244.), 1e-6);
 }
 
-TEST(Build_centerline_graph, overlapping_loose_segments_count_once) {
+TEST(Build_centerline_graph, Overlapping_loose_segments_count_once) {
   Polylines p;
   for (int copy = 0; copy < 3; ++copy)
     add_loose_segments(p, path({trunk_start, fork}, 0.3));
@@ -221,7 +221,7 @@ TEST(Build_centerline_graph, overlapping_loose_segments_count_once) {
   EXPECT_NEAR(g.length(), 10, 1e-9);
 }
 
-TEST(Build_centerline_graph, a_line_that_leaves_and_rejoins_is_a_loop) {
+TEST(Build_centerline_graph, A_line_that_leaves_and_rejoins_is_a_loop) {
   Polylines p;
   add_line(p, path({Point(0, 0, 0), Point(30, 0, 0)}, 0.2));
   add_line(p, path({Point(0, 0.01, 0), Point(10, 0.01, 0), Point(15, 6, 0), Point(20, 0, 0), Point(22, 0, 0)}, 0.2));
@@ -231,7 +231,7 @@ TEST(Build_centerline_graph, a_line_that_leaves_and_rejoins_is_a_loop) {
   EXPECT_EQ(g.number_of_ends(), 2u);
 }
 
-TEST(Build_centerline_graph, a_ring_is_one_closed_branch) {
+TEST(Build_centerline_graph, A_ring_is_one_closed_branch) {
   for (bool loose : {false, true}) {
     Polylines p;
     std::vector<Point> ring;
@@ -247,7 +247,7 @@ TEST(Build_centerline_graph, a_ring_is_one_closed_branch) {
   }
 }
 
-TEST(Build_centerline_graph, noise_is_no_branch) {
+TEST(Build_centerline_graph, Noise_is_no_branch) {
   Polylines p;
   add_line(p, path({Point(0, 0, 0), Point(30, 0, 0)}, 0.2));
   add_line(p, path({Point(0, 0, 0), Point(10, 0, 0), Point(11, 0.5, 0), Point(12, 0, 0), Point(25, 0, 0)}, 0.2));
@@ -255,14 +255,14 @@ TEST(Build_centerline_graph, noise_is_no_branch) {
   EXPECT_EQ(graph_of(p).branches().size(), 1u);
 }
 
-TEST(Build_centerline_graph, a_short_outlet_is_a_branch) {
+TEST(Build_centerline_graph, A_short_outlet_is_a_branch) {
   Polylines p;
   add_line(p, path({Point(0, 0, 0), Point(30, 0, 0)}, 0.2));
   add_line(p, path({Point(0, 0, 0), Point(10, 0, 0), Point(10.5, 1.5, 0)}, 0.2));
   EXPECT_EQ(graph_of(p).branches().size(), 3u);
 }
 
-TEST(Build_centerline_graph, repeated_and_zigzag_points_vanish) {
+TEST(Build_centerline_graph, Repeated_and_zigzag_points_vanish) {
   Polylines p;
   std::vector<Point> line;
   for (double x : {0., 0., 1., 1.001, 1.2, 1.1, 1.3, 2., 2., 3., 3.})
@@ -272,7 +272,7 @@ TEST(Build_centerline_graph, repeated_and_zigzag_points_vanish) {
   EXPECT_NEAR(g.length(), 3, 1e-9);
 }
 
-TEST(Build_centerline_graph, lines_end_to_end_with_a_gap_stay_connected_by_a_third) {
+TEST(Build_centerline_graph, Lines_end_to_end_with_a_gap_stay_connected_by_a_third) {
   Polylines p;
   add_line(p, path({Point(0, 0, 0), Point(10, 0, 0)}, 0.2));
   add_line(p, path({Point(10.4, 0, 0), Point(19, 0, 0)}, 0.2));
@@ -282,7 +282,7 @@ TEST(Build_centerline_graph, lines_end_to_end_with_a_gap_stay_connected_by_a_thi
   EXPECT_NEAR(g.length(), 19, 0.1);
 }
 
-TEST(Build_centerline_graph, hundreds_of_lines) {
+TEST(Build_centerline_graph, Hundreds_of_lines) {
   Polylines p; // a comb: 300 outlets, each line running along all the trunk before it
   for (int i = 1; i <= 300; ++i)
     add_line(p, path({Point(0, 0, 0), Point(4. * i, 0, 0), Point(4. * i, 20 + 0.01 * i, 0)}, 0.5));
@@ -291,7 +291,7 @@ TEST(Build_centerline_graph, hundreds_of_lines) {
   EXPECT_EQ(g.branches().size(), 599u);
 }
 
-TEST(Build_centerline_graph, refuses_what_it_cannot_use) {
+TEST(Build_centerline_graph, Refuses_what_it_cannot_use) {
   Polylines p;
   Graph g;
   EXPECT_THROW(build_centerline_graph(p, g), Input_error);
@@ -316,7 +316,7 @@ TEST(Build_centerline_graph, refuses_what_it_cannot_use) {
 
 // --- wall, openings ---
 
-TEST(Wall_distance, is_the_distance_to_faces_and_leaves_caps_out) {
+TEST(Wall_distance, Is_the_distance_to_faces_and_leaves_caps_out) {
   Mesh mesh = tube(10, true);
   const CGAL::Tubular_meshing::Wall_distance all(mesh);
   EXPECT_NEAR(all(Point(0, 0.25, 0)), 0.25, 1e-9); // the cap
@@ -334,7 +334,7 @@ TEST(Wall_distance, is_the_distance_to_faces_and_leaves_caps_out) {
   EXPECT_THROW(CGAL::Tubular_meshing::Wall_distance{Mesh()}, Input_error);
 }
 
-TEST(Check_centerlines, finds_those_of_another_geometry) {
+TEST(Check_centerlines, Finds_those_of_another_geometry) {
   const Mesh mesh = tube(10, true);
   const auto line = [&](double from, double to) {
     return Graph({Point(0, from, 0), Point(0, to, 0)}, {1, 1}, {{0, 1}});
@@ -344,7 +344,7 @@ TEST(Check_centerlines, finds_those_of_another_geometry) {
   EXPECT_THROW(CGAL::Tubular_meshing::check_centerlines_inside(line(-1000, 11000), mesh), Input_error);
 }
 
-TEST(Clip_to_openings, cuts_extensions_and_reaches_centres) {
+TEST(Clip_to_openings, Cuts_extensions_and_reaches_centres) {
   typedef CGAL::Tubular_meshing::Opening Opening;
   std::vector<Opening> openings(3);
   for (int i = 0; i < 3; ++i)
@@ -369,7 +369,7 @@ TEST(Clip_to_openings, cuts_extensions_and_reaches_centres) {
 
 // --- field ---
 
-TEST(Centerline_field, straight_tapered_line) {
+TEST(Centerline_field, Straight_tapered_line) {
   const Graph g({Point(0, 0, 0), Point(4, 0, 0), Point(10, 0, 0)}, {1, 1.4, 2}, {{0, 1, 2}});
   const Field field(g);
   const auto both = field.descriptors_and_frame(Point(7, 0.3, 0.4));
@@ -385,7 +385,7 @@ TEST(Centerline_field, straight_tapered_line) {
   EXPECT_THROW(Field{Graph()}, Input_error);
 }
 
-TEST(Centerline_field, frames_follow_an_arc) {
+TEST(Centerline_field, Frames_follow_an_arc) {
   Polylines p;
   std::vector<Point> arc;
   const double big = 10;
@@ -407,7 +407,7 @@ TEST(Centerline_field, frames_follow_an_arc) {
   }
 }
 
-TEST(Centerline_field, normals_on_the_centerline_are_continuous) {
+TEST(Centerline_field, Normals_on_the_centerline_are_continuous) {
   std::vector<Point> helix;
   for (int i = 0; i <= 2000; ++i)
     helix.emplace_back(3 * std::cos(0.01 * i), 3 * std::sin(0.01 * i), 0.01 * i);
@@ -428,7 +428,7 @@ TEST(Centerline_field, normals_on_the_centerline_are_continuous) {
     }
 }
 
-TEST(Centerline_field, nearest_is_what_brute_force_finds) {
+TEST(Centerline_field, Nearest_is_what_brute_force_finds) {
   Graph g = graph_of(vmtk_like_fork(0.03));
   const Field field(g);
   std::mt19937 random(5);
@@ -455,7 +455,7 @@ struct Expected {
 
 class Paper_centerlines : public testing::TestWithParam<Expected> {};
 
-TEST_P(Paper_centerlines, become_the_branches_of_the_anatomy) {
+TEST_P(Paper_centerlines, Become_the_branches_of_the_anatomy) {
 #ifndef TUBULAR_MESHING_SHARED_DATA
   GTEST_SKIP() << "needs shared/data/paper";
 #else

@@ -88,19 +88,19 @@ Graph expect_in_lumen(const Mesh& open, bool loops = false) {
 
 // --- generated shapes ---
 
-TEST(Centerlines_in_lumen, tight_bend) {
+TEST(Centerlines_in_lumen, Tight_bend) {
   expect_in_lumen(surface_of(tubular::curved_tube(1.5, CGAL_PI)));
 }
 
-TEST(Centerlines_in_lumen, noisy_bifurcation) {
+TEST(Centerlines_in_lumen, Noisy_bifurcation) {
   expect_in_lumen(surface_of(tubular::y_bifurcation(), 16, 0.1));
 }
 
-TEST(Centerlines_in_lumen, loop) {
+TEST(Centerlines_in_lumen, Loop) {
   expect_in_lumen(surface_of(tubular::willis_loop(), 16), true);
 }
 
-TEST(Centerlines_in_lumen, tree) {
+TEST(Centerlines_in_lumen, Tree) {
   expect_in_lumen(surface_of(tubular::bronchial_tree(61), 12));
 }
 
@@ -140,7 +140,7 @@ Mesh hairpin(double gap, int sides, double& length) {
   return mesh;
 }
 
-TEST(Centerlines_in_lumen, do_not_cross_between_vessels_that_nearly_touch) {
+TEST(Centerlines_in_lumen, Do_not_cross_between_vessels_that_nearly_touch) {
   for (double gap : {0.01, 0.001})
     for (int sides : {8, 16, 32}) {
       SCOPED_TRACE(::testing::Message() << "gap " << gap << ", " << sides << " sides");
@@ -161,32 +161,32 @@ void expect_real_one_in_lumen(const std::string& file, bool loops = false) {
   expect_in_lumen(surface, loops);
 }
 
-TEST(Centerlines_in_lumen, aorta) {
+TEST(Centerlines_in_lumen, Aorta) {
   expect_real_one_in_lumen("paper/aorta.stl");
 }
-TEST(Centerlines_in_lumen, carotid) {
+TEST(Centerlines_in_lumen, Carotid) {
   expect_real_one_in_lumen("paper/carotid.stl");
 }
-TEST(Centerlines_in_lumen, cerebral) {
+TEST(Centerlines_in_lumen, Cerebral) {
   expect_real_one_in_lumen("paper/cerebral.stl");
 }
-TEST(Centerlines_in_lumen, bypass_with_its_loop) {
+TEST(Centerlines_in_lumen, Bypass_with_its_loop) {
   expect_real_one_in_lumen("paper/bypass.stl", true);
 }
-TEST(Centerlines_in_lumen, cylinder) {
+TEST(Centerlines_in_lumen, Cylinder) {
   expect_real_one_in_lumen("paper/cylemi.stl");
 }
-TEST(Centerlines_in_lumen, coarse_coronary_tree) {
+TEST(Centerlines_in_lumen, Coarse_coronary_tree) {
   expect_real_one_in_lumen("trees/sofa_LCA.stl");
 }
-TEST(Centerlines_in_lumen, vessels_that_split_and_rejoin) {
+TEST(Centerlines_in_lumen, Vessels_that_split_and_rejoin) {
   expect_real_one_in_lumen("trees/sofa_phantom_network.obj", true);
 }
-TEST(Centerlines_in_lumen, airway) {
+TEST(Centerlines_in_lumen, Airway) {
   expect_real_one_in_lumen("trees/airway_lf_open.vtp");
 }
 
-TEST(Centerlines_in_lumen, noisy_carotid_bifurcation_repaired) {
+TEST(Centerlines_in_lumen, Noisy_carotid_bifurcation_repaired) {
   Mesh surface = shared_surface("trees/sofa_carotids.stl");
   if (surface.is_empty())
     GTEST_SKIP() << "needs shared/data/trees/sofa_carotids.stl";

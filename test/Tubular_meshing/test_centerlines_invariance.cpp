@@ -78,16 +78,16 @@ void expect_invariance_of(const std::string& file, bool loops = false) {
   expect_invariance(surface, loops);
 }
 
-TEST(Centerlines_invariance, arch) {
+TEST(Centerlines_invariance, Arch) {
   expect_invariance(surface_of(tubular::aortic_arch()));
 }
-TEST(Centerlines_invariance, loop) {
+TEST(Centerlines_invariance, Loop) {
   expect_invariance(surface_of(tubular::willis_loop(), 12), true);
 }
-TEST(Centerlines_invariance, carotid) {
+TEST(Centerlines_invariance, Carotid) {
   expect_invariance_of("paper/carotid.stl");
 }
-TEST(Centerlines_invariance, vessels_that_split_and_rejoin) {
+TEST(Centerlines_invariance, Vessels_that_split_and_rejoin) {
   expect_invariance_of("trees/sofa_phantom_network.obj", true);
 }
 

@@ -98,56 +98,56 @@ void expect_close_to_truth(const Skeleton& skeleton, double points = 24, double 
 
 // --- against the truth ---
 
-TEST(Compute_centerlines, straight_tube) {
+TEST(Compute_centerlines, Straight_tube) {
   const auto s = tubular::straight_tube();
   expect_close_to_truth(s);
 }
 
-TEST(Compute_centerlines, bend) {
+TEST(Compute_centerlines, Bend) {
   const auto s = tubular::curved_tube();
   expect_close_to_truth(s);
 }
 
-TEST(Compute_centerlines, tight_bend) {
+TEST(Compute_centerlines, Tight_bend) {
   const auto s = tubular::curved_tube(2.5, CGAL_PI);
   expect_close_to_truth(s);
 }
 
-TEST(Compute_centerlines, bifurcation) {
+TEST(Compute_centerlines, Bifurcation) {
   const auto s = tubular::y_bifurcation();
   expect_close_to_truth(s);
 }
 
-TEST(Compute_centerlines, arch) {
+TEST(Compute_centerlines, Arch) {
   const auto s = tubular::aortic_arch();
   expect_close_to_truth(s);
 }
 
-TEST(Compute_centerlines, noisy_surface) {
+TEST(Compute_centerlines, Noisy_surface) {
   const auto s = tubular::y_bifurcation();
   expect_close_to_truth(s, 24, 0.03);
 }
 
-TEST(Compute_centerlines, loop_keeps_all_branches_if_asked_to) {
+TEST(Compute_centerlines, Loop_keeps_all_branches_if_asked_to) {
   const auto s = tubular::willis_loop();
   expect_close_to_truth(s, 24, 0, true);
   EXPECT_EQ(centerlines_of(surface_of(s), &s.nodes[s.inlet]).branches().size(), 2 * s.number_of_openings() - 3);
 }
 
 // Its symmetry makes vertices of the Voronoi diagram coincide, among which a path may go round in circles.
-TEST(Compute_centerlines, smooth_loop) {
+TEST(Compute_centerlines, Smooth_loop) {
   const auto s = tubular::willis_loop();
   expect_close_to_truth(s, 30, 0, true);
 }
 
-TEST(Compute_centerlines, tree_of_305_branches) {
+TEST(Compute_centerlines, Tree_of_305_branches) {
   const auto s = tubular::bronchial_tree(305);
   expect_close_to_truth(s, 16);
 }
 
 // --- ends ---
 
-TEST(Compute_centerlines, ends_are_the_centres_of_the_caps_and_the_root_is_the_inlet) {
+TEST(Compute_centerlines, Ends_are_the_centres_of_the_caps_and_the_root_is_the_inlet) {
   const auto s = tubular::y_bifurcation();
   Closed closed(surface_of(s), &s.nodes[2]);
   Graph graph;
@@ -162,7 +162,7 @@ TEST(Compute_centerlines, ends_are_the_centres_of_the_caps_and_the_root_is_the_i
   }
 }
 
-TEST(Compute_centerlines, points_stand_for_the_spheres_that_touch_next_to_them) {
+TEST(Compute_centerlines, Points_stand_for_the_spheres_that_touch_next_to_them) {
   const Mesh torus = make_torus(120, 48);
   Graph graph;
   tubular::compute_centerlines(torus, std::vector<Point>{Point(4, 0, 0), Point(0, 4, 0)}, graph);
@@ -174,7 +174,7 @@ TEST(Compute_centerlines, points_stand_for_the_spheres_that_touch_next_to_them) 
 
 // --- what cannot be used ---
 
-TEST(Compute_centerlines, refuses_open_surfaces_and_single_openings) {
+TEST(Compute_centerlines, Refuses_open_surfaces_and_single_openings) {
   Graph graph;
   const Mesh open = make_tube(Tube());
   EXPECT_THROW(tubular::compute_centerlines(open, std::vector<Point>{Point(0, 0, 0), Point(0, 0, 8)}, graph),
@@ -185,7 +185,7 @@ TEST(Compute_centerlines, refuses_open_surfaces_and_single_openings) {
                tubular::Input_error);
 }
 
-TEST(Compute_centerlines, refuses_points_away_from_the_surface_and_points_that_coincide) {
+TEST(Compute_centerlines, Refuses_points_away_from_the_surface_and_points_that_coincide) {
   Graph graph;
   const Mesh torus = make_torus(60, 24);
   const std::vector<Point> away = {Point(4, 0, 0), Point(0, 40, 0)}, same = {Point(4, 0, 0), Point(4, 0, 0.001)};
@@ -193,7 +193,7 @@ TEST(Compute_centerlines, refuses_points_away_from_the_surface_and_points_that_c
   EXPECT_THROW(tubular::compute_centerlines(torus, same, graph), tubular::Input_error);
 }
 
-TEST(Compute_centerlines, refuses_separate_pieces) {
+TEST(Compute_centerlines, Refuses_separate_pieces) {
   Tube tube;
   tube.bottom = tube.top = End::fine;
   Mesh two = make_tube(tube);
@@ -203,7 +203,7 @@ TEST(Compute_centerlines, refuses_separate_pieces) {
                tubular::Input_error);
 }
 
-TEST(Compute_centerlines, coarse_prism_is_sampled_finely_enough) {
+TEST(Compute_centerlines, Coarse_prism_is_sampled_finely_enough) {
   Tube tube;
   tube.sides = 12;
   tube.rings = 1;
@@ -216,7 +216,7 @@ TEST(Compute_centerlines, coarse_prism_is_sampled_finely_enough) {
 
 // --- VMTK's arrays ---
 
-TEST(Branched_centerlines, cut_each_line_into_branches_and_bifurcations_by_turns) {
+TEST(Branched_centerlines, Cut_each_line_into_branches_and_bifurcations_by_turns) {
   const auto s = tubular::y_bifurcation();
   const auto c = tubular::branched_centerlines(centerlines_of(surface_of(s), &s.nodes[0]));
   EXPECT_EQ(c.centerline_ids, (std::vector<int>{0, 0, 0, 1, 1, 1}));
@@ -229,7 +229,7 @@ TEST(Branched_centerlines, cut_each_line_into_branches_and_bifurcations_by_turns
     EXPECT_EQ(c.lines.points[c.lines.lines[i - 1].back()], c.lines.points[c.lines.lines[i].front()]);
 }
 
-TEST(Branched_centerlines, are_written_and_read_back) {
+TEST(Branched_centerlines, Are_written_and_read_back) {
   const auto s = tubular::y_bifurcation();
   const auto c = tubular::branched_centerlines(centerlines_of(surface_of(s), &s.nodes[0]));
   for (const std::string extension : {"vtp", "vtk"}) {
@@ -257,19 +257,19 @@ void expect_shape(const std::string& file, bool loops, std::size_t branches, std
   EXPECT_EQ(graph.number_of_ends(), ends);
 }
 
-TEST(Compute_centerlines, aorta) {
+TEST(Compute_centerlines, Aorta) {
   expect_shape("paper/aorta.stl", false, 7, 5);
 }
-TEST(Compute_centerlines, cerebral) {
+TEST(Compute_centerlines, Cerebral) {
   expect_shape("paper/cerebral.stl", false, 15, 9);
 }
-TEST(Compute_centerlines, bypass_with_its_loop) {
+TEST(Compute_centerlines, Bypass_with_its_loop) {
   expect_shape("paper/bypass.stl", true, 4, 2);
 }
-TEST(Compute_centerlines, coarse_coronary_tree) {
+TEST(Compute_centerlines, Coarse_coronary_tree) {
   expect_shape("trees/sofa_LCA.stl", false, 11, 7);
 }
-TEST(Compute_centerlines, vessels_that_split_and_rejoin) {
+TEST(Compute_centerlines, Vessels_that_split_and_rejoin) {
   expect_shape("trees/sofa_phantom_network.obj", true, 16, 8);
 }
 

@@ -121,7 +121,7 @@ Truth of_saddle(double u, double v) {
   return {mean - d, mean + d};
 }
 
-TEST(Curvature, OfASphereIsOneOverTheRadius) {
+TEST(Curvature, Of_a_sphere_is_one_over_the_radius) {
   for (double radius : {1e-3, 1., 1e4}) {
     const Sheet sphere(48, 48, true, false, [&](double u, double v) {
       const double a = 2 * pi * u, z = 1.6 * v - 0.8, r = std::sqrt(1 - z * z); // between two circles
@@ -135,7 +135,7 @@ TEST(Curvature, OfASphereIsOneOverTheRadius) {
   }
 }
 
-TEST(Curvature, OfASphereDoesNotDependOnItsMesh) {
+TEST(Curvature, Of_a_sphere_does_not_depend_on_its_mesh) {
   // Max's normals are exact on a sphere, whatever the triangles
   const Sheet sphere(
       40, 40, true, false,
@@ -153,7 +153,7 @@ TEST(Curvature, OfASphereDoesNotDependOnItsMesh) {
             0.02);
 }
 
-TEST(Curvature, OfACylinder) {
+TEST(Curvature, Of_a_cylinder) {
   const Sheet cylinder(40, 40, true, false, on_cylinder);
   const std::vector<Curvature> k = cylinder.curvatures();
   EXPECT_LT(largest_error(cylinder, k, of_cylinder, 1), 0.02); // its rims included
@@ -166,7 +166,7 @@ TEST(Curvature, OfACylinder) {
   }
 }
 
-TEST(Curvature, OfATorusAndASaddle) {
+TEST(Curvature, Of_a_torus_and_a_saddle) {
   const Sheet t = torus(40);
   EXPECT_LT(largest_error(t, t.curvatures(), of_torus, 1), 0.02);
   const Sheet saddle(40, 40, false, false, on_saddle);
@@ -180,7 +180,7 @@ TEST(Curvature, OfATorusAndASaddle) {
   EXPECT_LT(error, 0.02);
 }
 
-TEST(Curvature, ConvergesWithTheSquareOfTheEdges) {
+TEST(Curvature, Converges_with_the_square_of_the_edges) {
   double last = 0.5;
   for (int n : {16, 32, 64}) {
     const Sheet t = torus(n);
@@ -192,7 +192,7 @@ TEST(Curvature, ConvergesWithTheSquareOfTheEdges) {
   EXPECT_LT(last, 0.01);
 }
 
-TEST(Curvature, AveragingLeavesSmoothSurfacesAsTheyAre) {
+TEST(Curvature, Averaging_leaves_smooth_surfaces_as_they_are) {
   const auto np =
       tubular::parameters::local_radius(std::function<double(const Point&)>([](const Point&) { return 1.; }));
   const Sheet t = torus(48), cylinder(48, 48, true, false, on_cylinder);
@@ -200,7 +200,7 @@ TEST(Curvature, AveragingLeavesSmoothSurfacesAsTheyAre) {
   EXPECT_LT(largest_error(cylinder, cylinder.curvatures(np), of_cylinder, 1), 0.02);
 }
 
-TEST(Curvature, AveragingRemovesNoise) {
+TEST(Curvature, Averaging_removes_noise) {
   const auto radius = std::function<double(const Point&)>([](const Point&) { return 1.; });
   Sheet cylinder(64, 64, true, false, on_cylinder);
   cylinder.add_noise(0.005); // five percent of an edge
@@ -215,7 +215,7 @@ TEST(Curvature, AveragingRemovesNoise) {
   EXPECT_LT(smoother, smooth / 2);
 }
 
-TEST(Curvature, DoesNotSeeCaps) {
+TEST(Curvature, Does_not_see_caps) {
   // a cylinder with a cap, whose rim is a sharp edge
   Sheet cylinder(40, 40, true, false, on_cylinder);
   const std::vector<Curvature> open = cylinder.curvatures();
@@ -232,7 +232,7 @@ TEST(Curvature, DoesNotSeeCaps) {
   EXPECT_EQ(capped[center].normal, Vector(0, 0, 0));
 }
 
-TEST(Curvature, IsTheSameOnAnyNumberOfThreads) {
+TEST(Curvature, Is_the_same_on_any_number_of_threads) {
   const Sheet t = torus(24, 0.2);
   const auto one = t.curvatures(tubular::parameters::number_of_threads(1));
   const auto two = t.curvatures(tubular::parameters::number_of_threads(2));
@@ -240,7 +240,7 @@ TEST(Curvature, IsTheSameOnAnyNumberOfThreads) {
     EXPECT_EQ(one[i].max_curvature, two[i].max_curvature);
 }
 
-TEST(Curvature, SurvivesSliversAndIsolatedFaces) {
+TEST(Curvature, Survives_slivers_and_isolated_faces) {
   Mesh mesh;
   const Vertex a = mesh.add_vertex(Point(0, 0, 0)), b = mesh.add_vertex(Point(1, 0, 0));
   const Vertex c = mesh.add_vertex(Point(0.5, 1e-9, 0)), d = mesh.add_vertex(Point(0.5, -1, 0.3));
@@ -254,7 +254,7 @@ TEST(Curvature, SurvivesSliversAndIsolatedFaces) {
   }
 }
 
-TEST(Curvature, RefusesASenselessRadius) {
+TEST(Curvature, Refuses_a_senseless_radius) {
   const Sheet t = torus(8);
   EXPECT_THROW(t.curvatures(tubular::parameters::smoothing_radius(-1.)), tubular::Parameter_error);
   EXPECT_THROW(t.curvatures(tubular::parameters::smoothing_radius(std::nan(""))), tubular::Parameter_error);

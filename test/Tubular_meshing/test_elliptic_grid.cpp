@@ -134,7 +134,7 @@ void expect_ends(const Grid& grid, const Map& map, const Loop_points& points) {
 
 // --- closed forms ---
 
-TEST(Elliptic_grid, of_a_prism_is_made_of_its_rectangles) {
+TEST(Elliptic_grid, Of_a_prism_is_made_of_its_rectangles) {
   const Map map = tube(cylinder(4), 16, 10);
   const Loop_points points = even_points(map, 16);
   const double side = 2 * std::sin(pi / 16);
@@ -152,7 +152,7 @@ TEST(Elliptic_grid, of_a_prism_is_made_of_its_rectangles) {
   EXPECT_GT(quality(grid, from_axis).least, 0.99999);
 }
 
-TEST(Elliptic_grid, gets_the_rows_that_the_size_wants) {
+TEST(Elliptic_grid, Gets_the_rows_that_the_size_wants) {
   const Map map = tube(cylinder(4), 32, 20);
   // On 0 <= z <= 4, the length in a size of 0.1 + 0.1 z is 10 ln 5.
   const auto size = [](const Point& p) { return 0.1 + 0.1 * p.z(); };
@@ -165,14 +165,14 @@ TEST(Elliptic_grid, gets_the_rows_that_the_size_wants) {
   }
 }
 
-TEST(Elliptic_grid, has_as_many_rows_as_told) {
+TEST(Elliptic_grid, Has_as_many_rows_as_told) {
   const Map map = tube(cylinder(2), 16, 8);
   const auto points = even_points(map, 12);
   for (std::size_t rows : {1u, 2u, 7u})
     EXPECT_EQ(tubular::elliptic_grid(map, points, constant(0.3), tubular::parameters::number_of_rows(rows)).rows, rows);
 }
 
-TEST(Elliptic_grid, turns_by_less_than_half_a_column) {
+TEST(Elliptic_grid, Turns_by_less_than_half_a_column) {
   const Map map = tube(cylinder(3), 40, 20);
   for (double start : {0., 3.25, 7.5, 11.9}) {
     const Loop_points points = even_points(map, 20, start);
@@ -189,7 +189,7 @@ TEST(Elliptic_grid, turns_by_less_than_half_a_column) {
 
 // --- shapes ---
 
-TEST(Elliptic_grid, is_orthogonal_on_tapered_tubes) {
+TEST(Elliptic_grid, Is_orthogonal_on_tapered_tubes) {
   for (double top : {0.5, 0.2}) {
     const Map map = tube(cone(4, top), 48, 80);
     const auto size = [&](const Point& p) { return 2 * pi / 24 * std::hypot(p.x(), p.y()); };
@@ -202,7 +202,7 @@ TEST(Elliptic_grid, is_orthogonal_on_tapered_tubes) {
   }
 }
 
-TEST(Elliptic_grid, is_orthogonal_on_bent_tubes) {
+TEST(Elliptic_grid, Is_orthogonal_on_bent_tubes) {
   for (double radius : {4., 1.5}) {
     const Map map = tube(bend(radius, pi / 2), 32, 40);
     const auto outward = [&](const Point& p) {
@@ -215,14 +215,14 @@ TEST(Elliptic_grid, is_orthogonal_on_bent_tubes) {
   }
 }
 
-TEST(Elliptic_grid, follows_oblique_ends) {
+TEST(Elliptic_grid, Follows_oblique_ends) {
   const Map map = tube(oblique(4, 0.8), 48, 40);
   const Quality q = quality(tubular::elliptic_grid(map, even_points(map, 24), constant(0.26)), from_axis);
   EXPECT_GT(q.least, 0.85);
   EXPECT_GT(q.mean, 0.95);
 }
 
-TEST(Elliptic_grid, takes_points_at_very_different_distances) {
+TEST(Elliptic_grid, Takes_points_at_very_different_distances) {
   const Map map = tube(cylinder(3), 48, 24);
   Loop_points points;
   for (std::size_t l = 0; l < 2; ++l)
@@ -236,7 +236,7 @@ TEST(Elliptic_grid, takes_points_at_very_different_distances) {
   EXPECT_GT(q.mean, 0.85);
 }
 
-TEST(Elliptic_grid, does_not_need_a_conformal_map) {
+TEST(Elliptic_grid, Does_not_need_a_conformal_map) {
   for (auto method : {tubular::Parameterization_method::mean_value, tubular::Parameterization_method::uniform}) {
     const Map map = tube(bend(2.5, pi / 2), 32, 30, method);
     ASSERT_EQ(map.method(), method);
@@ -250,7 +250,7 @@ TEST(Elliptic_grid, does_not_need_a_conformal_map) {
   }
 }
 
-TEST(Elliptic_grid, does_not_depend_on_units) {
+TEST(Elliptic_grid, Does_not_depend_on_units) {
   const Map map = tube(cone(3, 0.6), 16, 12);
   const double scale = 1. / 1024;
   const Map small =
@@ -276,7 +276,7 @@ tubular::internal::Ring_nodes square_nodes(std::size_t columns, std::size_t rows
   return nodes;
 }
 
-TEST(Winslow_smoother, unfolds_cells) {
+TEST(Winslow_smoother, Unfolds_cells) {
   tubular::internal::Ring_nodes nodes = square_nodes(8, 6), squares = nodes;
   for (std::size_t n = 8; n < 48; ++n)
     nodes.places[n] += 1.5 * Eigen::Vector2d(std::sin(12.9 * double(n)), std::cos(78.2 * double(n)));
@@ -289,7 +289,7 @@ TEST(Winslow_smoother, unfolds_cells) {
     EXPECT_LT((nodes.places[n] - squares.places[n]).norm(), 1e-3);
 }
 
-TEST(Winslow_smoother, makes_cells_as_high_as_wanted) {
+TEST(Winslow_smoother, Makes_cells_as_high_as_wanted) {
   tubular::internal::Ring_nodes nodes = square_nodes(6, 2);
   tubular::internal::Winslow_smoother smoother(nodes);
   for (std::size_t i = 0; i < 6; ++i) {
@@ -313,7 +313,7 @@ template <class Function> std::string sentence_of(const Function& f) {
   return "";
 }
 
-TEST(Elliptic_grid, refuses_points_that_do_not_fit) {
+TEST(Elliptic_grid, Refuses_points_that_do_not_fit) {
   const Map map = tube(cylinder(2), 16, 8);
   Loop_points points = even_points(map, 12);
   const auto sentence = [&] { return sentence_of([&] { tubular::elliptic_grid(map, points, constant(0.3)); }); };

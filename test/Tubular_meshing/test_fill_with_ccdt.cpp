@@ -61,7 +61,7 @@ void expect_facets_of_a_tetrahedron(const Steiner_points_inside& a) {
   EXPECT_GT(least, 1e-4);
 }
 
-TEST(Steiner_points_inside, TakesAPointOffAnEdge) {
+TEST(Steiner_points_inside, Takes_a_point_off_an_edge) {
   Steiner_points_inside a;
   a.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.4, 0, 0}};
   a.tetrahedra = {{0, 4, 2, 3}, {4, 1, 2, 3}};
@@ -71,7 +71,7 @@ TEST(Steiner_points_inside, TakesAPointOffAnEdge) {
   expect_facets_of_a_tetrahedron(a);
 }
 
-TEST(Steiner_points_inside, TakesSeveralPointsOffOneEdge) {
+TEST(Steiner_points_inside, Takes_several_points_off_one_edge) {
   Steiner_points_inside a;
   a.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.3, 0, 0}, {0.6, 0, 0}};
   a.tetrahedra = {{0, 4, 2, 3}, {4, 5, 2, 3}, {5, 1, 2, 3}};
@@ -81,7 +81,7 @@ TEST(Steiner_points_inside, TakesSeveralPointsOffOneEdge) {
   expect_facets_of_a_tetrahedron(a);
 }
 
-TEST(Steiner_points_inside, TakesAPointOffAFace) {
+TEST(Steiner_points_inside, Takes_a_point_off_a_face) {
   Steiner_points_inside a;
   a.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.3, 0.3, 0}};
   a.tetrahedra = {{0, 1, 4, 3}, {1, 2, 4, 3}, {2, 0, 4, 3}};
@@ -90,7 +90,7 @@ TEST(Steiner_points_inside, TakesAPointOffAFace) {
   expect_facets_of_a_tetrahedron(a);
 }
 
-TEST(Steiner_points_inside, LeavesPointsInsideAlone) {
+TEST(Steiner_points_inside, Leaves_points_inside_alone) {
   Steiner_points_inside a;
   a.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.2, 0.2, 0.2}};
   a.tetrahedra = {{4, 1, 2, 3}, {4, 0, 3, 2}, {4, 0, 1, 3}, {4, 0, 2, 1}};
@@ -100,7 +100,7 @@ TEST(Steiner_points_inside, LeavesPointsInsideAlone) {
   expect_facets_of_a_tetrahedron(a);
 }
 
-TEST(Fill_with_ccdt, KeepsTheSurfaceBitForBit) {
+TEST(Fill_with_ccdt, Keeps_the_surface_bit_for_bit) {
   test_surfaces::Tube shape; // long thin triangles, whose edges are in no Delaunay triangulation
   shape.sides = 12;
   shape.rings = 5;

@@ -46,7 +46,7 @@ double constant_size(const Point&) {
   return 0.25;
 }
 
-TEST(Fill_with_mesh_3, FillsASphereOnOneThreadAndOnSeveral) {
+TEST(Fill_with_mesh_3, Fills_a_sphere_on_one_thread_and_on_several) {
   Surface sphere = test_surfaces::make_sphere(16, 32);
   const Patch_map patch = all_wall(sphere);
   for (int threads : {1, 2}) {
@@ -67,7 +67,7 @@ struct Mesh_domain_field {
   template <class Index> double operator()(const Point&, int, const Index&) const { return 0.25; }
 };
 
-TEST(Fill_with_mesh_3, TakesAFieldOfMesh_3AndIsTheSameEachTime) {
+TEST(Fill_with_mesh_3, Takes_a_field_of_Mesh_3_and_is_the_same_each_time) {
   Surface sphere = test_surfaces::make_sphere(16, 32);
   const Patch_map patch = all_wall(sphere);
   Mesh a, b;
@@ -123,14 +123,14 @@ Surface make_blade() {
   return blade;
 }
 
-TEST_F(Fill_with_mesh_3_in_its_folder, ComesToAnEnd) {
+TEST_F(Fill_with_mesh_3_in_its_folder, Comes_to_an_end) {
   for (int threads : {1, 2}) {
     const std::string sentence = error_of(make_blade(), 0.3, 0.07, threads);
     EXPECT_NE(sentence.find("comes to no end"), std::string::npos) << sentence;
   }
 }
 
-TEST_F(Fill_with_mesh_3_in_its_folder, LeavesNoFilesWhereASurfaceCrossesItself) {
+TEST_F(Fill_with_mesh_3_in_its_folder, Leaves_no_files_where_a_surface_crosses_itself) {
   Surface sphere = test_surfaces::make_sphere(16, 32);
   for (auto v : sphere.vertices()) { // the upper half is turned inside out, and more
     const Point& p = sphere.point(v);
@@ -141,7 +141,7 @@ TEST_F(Fill_with_mesh_3_in_its_folder, LeavesNoFilesWhereASurfaceCrossesItself) 
     error_of(sphere, 0.2, 0.07, threads); // whether it fails or not
 }
 
-TEST(Fill_with_mesh_3, LetsTheFieldsExceptionsThrough) {
+TEST(Fill_with_mesh_3, Lets_the_fields_exceptions_through) {
   Surface sphere = test_surfaces::make_sphere(16, 32);
   const Patch_map patch = all_wall(sphere);
   for (int threads : {1, 2})
@@ -159,7 +159,7 @@ TEST(Fill_with_mesh_3, LetsTheFieldsExceptionsThrough) {
     }
 }
 
-TEST(Fill_with_mesh_3, RefusesQuads) {
+TEST(Fill_with_mesh_3, Refuses_quads) {
   Surface cube = test_surfaces::make_square_duct();
   CGAL::Euler::join_face(*cube.halfedges().begin(), cube);
   const Patch_map patch = all_wall(cube);

@@ -205,7 +205,7 @@ void expect_kept(const Labelled_surface& s, const Mesh& mesh) {
   EXPECT_EQ(mesh.region_names.at(tubular::labels::lumen), "lumen");
 }
 
-TEST_F(Fill_with_pyramids, FillsABoxOfQuads) {
+TEST_F(Fill_with_pyramids, Fills_a_box_of_quads) {
   Labelled_surface box;
   make_box(box, 1, 1, 1.5, 6);
   Mesh mesh;
@@ -220,7 +220,7 @@ TEST_F(Fill_with_pyramids, FillsABoxOfQuads) {
   EXPECT_LE(quality.pyramid_jacobian.max(), 1);
 }
 
-TEST_F(Fill_with_pyramids, FillsASingleCube) {
+TEST_F(Fill_with_pyramids, Fills_a_single_cube) {
   Labelled_surface cube;
   make_box(cube, 1, 1, 1, 1);
   ASSERT_EQ(cube.surface.number_of_faces(), 6u);
@@ -231,7 +231,7 @@ TEST_F(Fill_with_pyramids, FillsASingleCube) {
 }
 
 // A prism of N sides: its volume is that of the polygon times its length.
-TEST_F(Fill_with_pyramids, FillsATubeWithCapsOfTrianglesInAnyUnitAndPlace) {
+TEST_F(Fill_with_pyramids, Fills_a_tube_with_caps_of_triangles_in_any_unit_and_place) {
   const int sides = 16;
   const double exact = 0.5 * sides * std::sin(2 * CGAL_PI / sides) * 5;
   std::size_t tetrahedra = 0;
@@ -254,7 +254,7 @@ TEST_F(Fill_with_pyramids, FillsATubeWithCapsOfTrianglesInAnyUnitAndPlace) {
     }
 }
 
-TEST_F(Fill_with_pyramids, IsTheSameForAnyNumberOfThreads) {
+TEST_F(Fill_with_pyramids, Is_the_same_for_any_number_of_threads) {
   Labelled_surface tube;
   make_tube(tube, 16, 5);
   Mesh a, b;
@@ -267,7 +267,7 @@ TEST_F(Fill_with_pyramids, IsTheSameForAnyNumberOfThreads) {
 }
 
 // The optimization moves apexes: it must not make the worst worse, and make the mean better.
-TEST_F(Fill_with_pyramids, OptimizationMakesItBetter) {
+TEST_F(Fill_with_pyramids, Optimization_makes_it_better) {
   Labelled_surface tube;
   make_tube(tube, 12, 6);
   Mesh before, after;
@@ -281,7 +281,7 @@ TEST_F(Fill_with_pyramids, OptimizationMakesItBetter) {
 }
 
 // Corners of each quad leave its plane by a quarter of its side, to either side.
-TEST_F(Fill_with_pyramids, StandsOnWarpedQuads) {
+TEST_F(Fill_with_pyramids, Stands_on_warped_quads) {
   Labelled_surface box;
   make_box(box, 2, 2, 1, 4);
   box.move([](const Point& p) {
@@ -296,7 +296,7 @@ TEST_F(Fill_with_pyramids, StandsOnWarpedQuads) {
 }
 
 // Walls nearer than a pyramid would be high: those opposite share the gap.
-TEST_F(Fill_with_pyramids, SharesNarrowGaps) {
+TEST_F(Fill_with_pyramids, Shares_narrow_gaps) {
   for (double gap : {0.5, 0.2, 0.05}) { // of the side of a quad
     Labelled_surface slab;
     make_box(slab, 2, 2, 0.25, 4);
@@ -310,7 +310,7 @@ TEST_F(Fill_with_pyramids, SharesNarrowGaps) {
 }
 
 // A wedge of 10 degrees: the pyramids on both of its sides meet at its edge.
-TEST_F(Fill_with_pyramids, LowersThePyramidsInASharpFold) {
+TEST_F(Fill_with_pyramids, Lowers_the_pyramids_in_a_sharp_fold) {
   Labelled_surface wedge;
   make_box(wedge, 2, 1, 1, 4);
   wedge.move([](const Point& p) { return Point(p.x(), p.y(), (p.z() - 0.5) * (0.02 + 0.17 * p.x())); });
@@ -332,7 +332,7 @@ template <class Surface_> std::string error_of(const Surface_& s, bool split = f
   return "";
 }
 
-TEST_F(Fill_with_pyramids, NamesAQuadThatNoPyramidFitsOnOrSplitsIt) {
+TEST_F(Fill_with_pyramids, Names_a_quad_that_no_pyramid_fits_on_or_splits_it) {
   Labelled_surface box;
   make_box(box, 1, 1, 1, 4);
   box.move([](const Point& p) { // a corner inside the top comes to lie beyond the diagonal of one of its quads
@@ -355,7 +355,7 @@ TEST_F(Fill_with_pyramids, NamesAQuadThatNoPyramidFitsOnOrSplitsIt) {
 
 /* With two edges on the rim of a flat cap, the corner of a quad between them lies in the cap's plane, turned outward:
  * no pyramid is positive there. A drum of an octagon below, a square on top, and such quads and triangles between. */
-TEST_F(Fill_with_pyramids, SplitsQuadsBentRoundARim) {
+TEST_F(Fill_with_pyramids, Splits_quads_bent_round_a_rim) {
   Labelled_surface drum;
   std::vector<Vertex> low, high;
   for (int i = 0; i < 8; ++i) {
@@ -385,7 +385,7 @@ TEST_F(Fill_with_pyramids, SplitsQuadsBentRoundARim) {
   EXPECT_EQ(mesh.triangles.size(), 24u);
 }
 
-TEST_F(Fill_with_pyramids, SaysWhereASurfaceMeetsItself) {
+TEST_F(Fill_with_pyramids, Says_where_a_surface_meets_itself) {
   Labelled_surface box;
   make_box(box, 1, 1, 1, 4);
   box.move([](const Point& p) { return p == Point(0.5, 0.5, 1) ? Point(0.5, 0.5, -0.5) : p; });
@@ -394,7 +394,7 @@ TEST_F(Fill_with_pyramids, SaysWhereASurfaceMeetsItself) {
   EXPECT_FALSE(error_of(box, true).empty());
 }
 
-TEST_F(Fill_with_pyramids, RefusesWhatIsNoClosedSurfaceOfTrianglesAndQuads) {
+TEST_F(Fill_with_pyramids, Refuses_what_is_no_closed_surface_of_triangles_and_quads) {
   Labelled_surface box;
   make_box(box, 1, 1, 1, 2);
   CGAL::Euler::remove_face(box.surface.halfedge(*box.surface.faces().begin()), box.surface);
@@ -407,7 +407,7 @@ TEST_F(Fill_with_pyramids, RefusesWhatIsNoClosedSurfaceOfTrianglesAndQuads) {
   EXPECT_NE(error_of(pentagons).find("more than four edges"), std::string::npos);
 }
 
-TEST_F(Fill_with_pyramids, FillsTrianglesAloneAsWell) {
+TEST_F(Fill_with_pyramids, Fills_triangles_alone_as_well) {
   Labelled_surface tube;
   make_tube(tube, 12, 3);
   std::vector<Surface::Halfedge_index> quads;
@@ -422,7 +422,7 @@ TEST_F(Fill_with_pyramids, FillsTrianglesAloneAsWell) {
   EXPECT_TRUE(mesh.pyramids.empty());
 }
 
-TEST(Fill_without_mesher, SaysWhatIsNeeded) {
+TEST(Fill_without_mesher, Says_what_is_needed) {
   Labelled_surface box;
   make_box(box, 1, 1, 1, 2);
   Mesh mesh;
@@ -442,7 +442,7 @@ TEST(Fill_without_mesher, SaysWhatIsNeeded) {
   }
 }
 
-TEST(Pyramid_jacobian, IsThatOfKnownPyramids) {
+TEST(Pyramid_jacobian, Is_that_of_known_pyramids) {
   const double h = std::sqrt(0.5);
   const auto jacobian = [](const Point& apex) {
     return tubular::pyramid_jacobian(

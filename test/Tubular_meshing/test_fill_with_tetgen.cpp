@@ -190,7 +190,7 @@ void expect_kept(const Surface& surface, const Patch_map& patch, const Mesh& mes
   EXPECT_TRUE(report.is_valid()) << report.defects();
 }
 
-TEST_F(Fill_with_tetgen, KeepsTheSurfaceBitForBit) {
+TEST_F(Fill_with_tetgen, Keeps_the_surface_bit_for_bit) {
   const Labelled_tube tube(24, 4, 1, Point(0.1, -7.7, 1000.3));
   Mesh mesh;
   fill_with_tetgen(tube.surface, tube.patch, constant_size(2 * CGAL_PI / 24), mesh);
@@ -203,7 +203,7 @@ TEST_F(Fill_with_tetgen, KeepsTheSurfaceBitForBit) {
 }
 
 // A cap's coplanar triangles could be taken for one polygon, and be triangulated otherwise.
-TEST_F(Fill_with_tetgen, KeepsPlanarPatchesTriangleByTriangle) {
+TEST_F(Fill_with_tetgen, Keeps_planar_patches_triangle_by_triangle) {
   Surface cube = test_surfaces::make_square_duct();
   const Patch_map patch = no_patch(cube);
   Mesh mesh;
@@ -212,7 +212,7 @@ TEST_F(Fill_with_tetgen, KeepsPlanarPatchesTriangleByTriangle) {
   EXPECT_NEAR(volume(mesh), enclosed_volume(cube), 1e-9);
 }
 
-TEST_F(Fill_with_tetgen, SizesFollowAGradedField) {
+TEST_F(Fill_with_tetgen, Sizes_follow_a_graded_field) {
   // coarse at one end, fine at the other, inside a surface that is fine everywhere
   const Labelled_tube tube(40, 4);
   const double side = 2 * CGAL_PI / 40;
@@ -242,7 +242,7 @@ TEST_F(Fill_with_tetgen, SizesFollowAGradedField) {
   }
 }
 
-TEST_F(Fill_with_tetgen, IsGoodAfterOptimization) {
+TEST_F(Fill_with_tetgen, Is_good_after_optimization) {
   const Labelled_tube tube(24, 6);
   Mesh mesh;
   fill_with_tetgen(tube.surface, tube.patch, constant_size(2 * CGAL_PI / 24), mesh);
@@ -256,7 +256,7 @@ TEST_F(Fill_with_tetgen, IsGoodAfterOptimization) {
   EXPECT_GT(after.mean(), before.mean());
 }
 
-TEST_F(Fill_with_tetgen, IsTheSameInAnyUnitAndFarFromTheOrigin) {
+TEST_F(Fill_with_tetgen, Is_the_same_in_any_unit_and_far_from_the_origin) {
   Mesh unit;
   const double side = 2 * CGAL_PI / 16;
   {
@@ -274,7 +274,7 @@ TEST_F(Fill_with_tetgen, IsTheSameInAnyUnitAndFarFromTheOrigin) {
     }
 }
 
-TEST_F(Fill_with_tetgen, IsTheSameEachTime) {
+TEST_F(Fill_with_tetgen, Is_the_same_each_time) {
   const Labelled_tube tube;
   Mesh a, b;
   fill_with_tetgen(tube.surface, tube.patch, constant_size(0.3), a);
@@ -283,7 +283,7 @@ TEST_F(Fill_with_tetgen, IsTheSameEachTime) {
   EXPECT_EQ(a.tetrahedra.vertices, b.tetrahedra.vertices);
 }
 
-TEST_F(Fill_with_tetgen, IsTheSameInThisProcessAndInOneOfItsOwn) {
+TEST_F(Fill_with_tetgen, Is_the_same_in_this_process_and_in_one_of_its_own) {
   const Labelled_tube tube;
   Mesh inside, outside;
   fill_with_tetgen(tube.surface, tube.patch, constant_size(0.3), inside, false);
@@ -293,7 +293,7 @@ TEST_F(Fill_with_tetgen, IsTheSameInThisProcessAndInOneOfItsOwn) {
 }
 
 // TetGen's predicates have global constants that depend on the model.
-TEST_F(Fill_with_tetgen, IsTheSameInSeveralThreadsOfThisProcess) {
+TEST_F(Fill_with_tetgen, Is_the_same_in_several_threads_of_this_process) {
   const Labelled_tube large, small(16, 3);
   std::vector<Mesh> meshes(6);
   std::vector<std::thread> threads;
@@ -308,7 +308,7 @@ TEST_F(Fill_with_tetgen, IsTheSameInSeveralThreadsOfThisProcess) {
     EXPECT_EQ(meshes[i].tetrahedra.vertices, meshes[i - 2].tetrahedra.vertices);
 }
 
-TEST_F(Fill_with_tetgen, WorksBesideThreadsThatAllocate) {
+TEST_F(Fill_with_tetgen, Works_beside_threads_that_allocate) {
   const Labelled_tube tube(16, 3);
   tubular::internal::for_each_range(10000, 0, [](std::size_t, std::size_t) {}); // the workers of oneTBB are there now
   std::atomic<bool> stop(false);
@@ -340,7 +340,7 @@ std::string error_of(const Surface& surface, const Patch_map& patch) {
   return "";
 }
 
-TEST_F(Fill_with_tetgen, SaysWhereASurfaceCrossesItself) {
+TEST_F(Fill_with_tetgen, Says_where_a_surface_crosses_itself) {
   Labelled_tube tube;
   for (auto v : tube.surface.vertices()) { // the bottom's middle comes out through the wall
     const Point& p = tube.surface.point(v);
@@ -357,7 +357,7 @@ TEST_F(Fill_with_tetgen, SaysWhereASurfaceCrossesItself) {
   EXPECT_NE(sentence.find("fill_with_mesh_3()"), std::string::npos) << sentence;
 }
 
-TEST_F(Fill_with_tetgen, RefusesAnOpenSurface) {
+TEST_F(Fill_with_tetgen, Refuses_an_open_surface) {
   Labelled_tube tube;
   CGAL::Euler::remove_face(tube.surface.halfedge(*tube.surface.faces().begin()), tube.surface);
   EXPECT_NE(error_of(tube.surface, tube.patch).find("closed"), std::string::npos);
@@ -366,7 +366,7 @@ TEST_F(Fill_with_tetgen, RefusesAnOpenSurface) {
   EXPECT_NE(error_of(none, patch).find("closed"), std::string::npos);
 }
 
-TEST_F(Fill_with_tetgen, SaysInThisProcessAsWellWhereASurfaceCrossesItself) {
+TEST_F(Fill_with_tetgen, Says_in_this_process_as_well_where_a_surface_crosses_itself) {
   Labelled_tube tube;
   for (auto v : tube.surface.vertices())
     if (tube.surface.point(v).z() == 0 && std::hypot(tube.surface.point(v).x(), tube.surface.point(v).y()) < 0.1)
@@ -380,7 +380,7 @@ TEST_F(Fill_with_tetgen, SaysInThisProcessAsWellWhereASurfaceCrossesItself) {
   }
 }
 
-TEST(Fill_keeping_boundary, RefusesQuads) {
+TEST(Fill_keeping_boundary, Refuses_quads) {
   if (!tubular::has_tetgen() && !tubular::has_ccdt())
     GTEST_SKIP() << "built without TetGen, and with a CGAL before 6.1";
   Surface cube = test_surfaces::make_square_duct();
@@ -390,7 +390,7 @@ TEST(Fill_keeping_boundary, RefusesQuads) {
   EXPECT_THROW(tubular::fill_keeping_boundary(cube, patch, constant_size(0.5), mesh), tubular::Input_error);
 }
 
-TEST(Fill_keeping_boundary, NeedsAMesherThatKeepsIt) {
+TEST(Fill_keeping_boundary, Needs_a_mesher_that_keeps_it) {
   Surface cube = test_surfaces::make_square_duct();
   const Patch_map patch = no_patch(cube);
   Mesh mesh;
@@ -399,7 +399,7 @@ TEST(Fill_keeping_boundary, NeedsAMesherThatKeepsIt) {
                tubular::Meshing_error);
 }
 
-TEST(Fill_without_tetgen, SaysSo) {
+TEST(Fill_without_tetgen, Says_so) {
   if (tubular::has_tetgen())
     GTEST_SKIP() << "built with TetGen";
   const Labelled_tube tube;
@@ -415,7 +415,7 @@ template <class Work> Child_ending ending_of(const Work& work, double seconds = 
 }
 typedef const tubular::internal::Pipe_writer& Pipe;
 
-TEST(Child_process, SendsItsResultHowLargeItMayBe) {
+TEST(Child_process, Sends_its_result_how_large_it_may_be) {
   std::vector<int> sent(3000000), got;
   for (std::size_t i = 0; i < sent.size(); ++i)
     sent[i] = int(7 * i);
@@ -426,7 +426,7 @@ TEST(Child_process, SendsItsResultHowLargeItMayBe) {
   EXPECT_EQ(got, sent);
 }
 
-TEST(Child_process, TellsHowItEnded) {
+TEST(Child_process, Tells_how_it_ended) {
   for (int signal : {SIGSEGV, SIGABRT, SIGKILL}) {
     const Child_ending e = ending_of([signal](Pipe) { return std::raise(signal); });
     EXPECT_EQ(e.kind, Child_ending::killed);
@@ -446,7 +446,7 @@ TEST(Child_process, TellsHowItEnded) {
   EXPECT_EQ(quiet.kind, Child_ending::gave_up);
 }
 
-TEST(Child_process, IsStoppedWhenItsTimeIsUp) {
+TEST(Child_process, Is_stopped_when_its_time_is_up) {
   const Child_ending e = ending_of(
       [](Pipe) {
         for (volatile unsigned i = 0;;)
@@ -458,7 +458,7 @@ TEST(Child_process, IsStoppedWhenItsTimeIsUp) {
   EXPECT_EQ(e.code, SIGXCPU);
 }
 
-TEST(Child_process, PrintsNothing) {
+TEST(Child_process, Prints_nothing) {
   testing::internal::CaptureStdout();
   testing::internal::CaptureStderr();
   std::printf("before ");
@@ -486,7 +486,7 @@ template <class Recovery> std::string sentence_of(const Recovery& recover, bool 
       tube.surface, tube.patch, [](const Point&) { return 0.5; }, {recover, "Some mesher"}, limits, mesh);
 }
 
-TEST(Fill_keeping_boundary, ExplainsWhateverHappens) {
+TEST(Fill_keeping_boundary, Explains_whatever_happens) {
   const auto ends_by = [](int code, int signal) {
     return sentence_of([=](const Boundary_arrays&, Recovered_boundary&) {
       if (signal != 0)
@@ -510,14 +510,14 @@ TEST(Fill_keeping_boundary, ExplainsWhateverHappens) {
   }
 }
 
-TEST(Fill_keeping_boundary, ExplainsInThisProcessWhatCanBeExplained) {
+TEST(Fill_keeping_boundary, Explains_in_this_process_what_can_be_explained) {
   const auto gives_up = [](const Boundary_arrays&, Recovered_boundary&) { return 5; };
   const auto runs_out_of_memory = [](const Boundary_arrays&, Recovered_boundary&) -> int { throw std::bad_alloc(); };
   EXPECT_NE(sentence_of(gives_up, false).find("too close"), std::string::npos);
   EXPECT_NE(sentence_of(runs_out_of_memory, false).find("not enough memory"), std::string::npos);
 }
 
-TEST_F(Fill_with_tetgen, RefusesMorePointsThanMemoryHolds) {
+TEST_F(Fill_with_tetgen, Refuses_more_points_than_memory_holds) {
   const Labelled_tube tube(12, 2);
   tubular::internal::Filling_limits limits({}, tube.surface, "");
   limits.most_points = 5;
@@ -528,7 +528,7 @@ TEST_F(Fill_with_tetgen, RefusesMorePointsThanMemoryHolds) {
   EXPECT_TRUE(mesh.points.empty());
 }
 
-TEST(Fill_keeping_boundary, RefusesAFillingThatDoesNotKeepTheSurface) {
+TEST(Fill_keeping_boundary, Refuses_a_filling_that_does_not_keep_the_surface) {
   const std::string sentence = sentence_of([](const Boundary_arrays&, Recovered_boundary& recovered) {
     recovered.tetrahedra.push_back({0, 1, 12, 13});
     return 0;
@@ -551,7 +551,7 @@ Mesh fan_in_a_cube(double side) {
   return m;
 }
 
-TEST(Delaunay_refinement, FillsACubeAndKeepsItsBoundary) {
+TEST(Delaunay_refinement, Fills_a_cube_and_keeps_its_boundary) {
   for (double side : {1., 1e-7}) {
     Mesh mesh = fan_in_a_cube(side);
     const Mesh before = mesh;
@@ -567,12 +567,12 @@ TEST(Delaunay_refinement, FillsACubeAndKeepsItsBoundary) {
   }
 }
 
-TEST(Delaunay_refinement, RefusesMorePointsThanMemoryHolds) {
+TEST(Delaunay_refinement, Refuses_more_points_than_memory_holds) {
   Mesh mesh = fan_in_a_cube(1);
   EXPECT_FALSE(tubular::internal::add_points_inside([](const Point&) { return 0.2; }, 5, mesh));
 }
 
-TEST(Unit_frame, BringsPointsToUnitExtentAndBack) {
+TEST(Unit_frame, Brings_points_to_unit_extent_and_back) {
   const std::vector<Point> points = {Point(1e6, 2e6, -5), Point(1e6 + 3e-3, 2e6, -5), Point(1e6, 2e6 + 1e-3, -5)};
   const tubular::internal::Unit_frame frame(points);
   for (const Point& p : points) {

@@ -234,7 +234,7 @@ TEST(Flow_extensions, Lengths) {
   }
 }
 
-TEST(Flow_extensions, ObliqueEndsFollowTheVessel) {
+TEST(Flow_extensions, Oblique_ends_follow_the_vessel) {
   for (double tilt : {0.3, 1., 1.7}) {
     Tube tube = fine_tube();
     tube.tilt = tilt;
@@ -249,7 +249,7 @@ TEST(Flow_extensions, ObliqueEndsFollowTheVessel) {
   }
 }
 
-TEST(Flow_extensions, BentTubeGoesOnAlongItsTangent) {
+TEST(Flow_extensions, Bent_tube_goes_on_along_its_tangent) {
   Tube tube = fine_tube();
   Mesh mesh = make_tube(tube);
   const double bend = 5; // a quarter circle in the plane y = 0
@@ -266,7 +266,7 @@ TEST(Flow_extensions, BentTubeGoesOnAlongItsTangent) {
   }
 }
 
-TEST(Flow_extensions, SquareDuctBecomesRound) {
+TEST(Flow_extensions, Square_duct_becomes_round) {
   Tube tube;
   tube.sides = 32;
   Mesh mesh = make_tube(tube);
@@ -284,7 +284,7 @@ TEST(Flow_extensions, SquareDuctBecomesRound) {
   EXPECT_NEAR(volume(e), 4 * (8 + 10 * std::sqrt(4 / CGAL_PI)), 0.01 * volume(e));
 }
 
-TEST(Flow_extensions, EllipseBecomesRound) {
+TEST(Flow_extensions, Ellipse_becomes_round) {
   Tube tube = fine_tube();
   tube.rx = 3;
   const Extended e = extend(make_tube(tube));
@@ -292,7 +292,7 @@ TEST(Flow_extensions, EllipseBecomesRound) {
   EXPECT_NEAR(e.openings[0].area, 3 * CGAL_PI, 0.02 * 3 * CGAL_PI);
 }
 
-TEST(Flow_extensions, CoarseRims) {
+TEST(Flow_extensions, Coarse_rims) {
   for (int sides : {3, 4, 5, 6, 8}) {
     Tube tube;
     tube.sides = sides;
@@ -305,7 +305,7 @@ TEST(Flow_extensions, CoarseRims) {
   }
 }
 
-TEST(Flow_extensions, UnevenRims) { // from 1 to 20, and tiny edges between long ones
+TEST(Flow_extensions, Uneven_rims) { // from 1 to 20, and tiny edges between long ones
   for (bool alternating : {false, true}) {
     Mesh mesh = make_tube(fine_tube());
     for (auto v : mesh.vertices()) {
@@ -324,7 +324,7 @@ TEST(Flow_extensions, UnevenRims) { // from 1 to 20, and tiny edges between long
   }
 }
 
-TEST(Flow_extensions, NoisyRims) {
+TEST(Flow_extensions, Noisy_rims) {
   std::mt19937 random(3);
   for (double amplitude : {0.02, 0.05, 0.1}) {
     std::uniform_real_distribution<double> noise(-amplitude, amplitude);
@@ -345,7 +345,7 @@ TEST(Flow_extensions, NoisyRims) {
   }
 }
 
-TEST(Flow_extensions, SaddleShapedRim) {
+TEST(Flow_extensions, Saddle_shaped_rim) {
   Tube tube = fine_tube();
   tube.sag = [](double angle) { return 0.6 * std::cos(2 * angle); };
   const Extended e = extend(make_tube(tube));
@@ -354,7 +354,7 @@ TEST(Flow_extensions, SaddleShapedRim) {
   EXPECT_NEAR(volume(e), CGAL_PI * (8 + 10), 0.01 * volume(e));
 }
 
-TEST(Flow_extensions, CapsAreReplaced) {
+TEST(Flow_extensions, Caps_are_replaced) {
   Tube tube = fine_tube();
   tube.bottom = End::fan;
   tube.top = End::fine;
@@ -369,7 +369,7 @@ TEST(Flow_extensions, CapsAreReplaced) {
   }
 }
 
-TEST(Flow_extensions, SomeOpeningsOnly) {
+TEST(Flow_extensions, Some_openings_only) {
   Tube tube = fine_tube();
   tube.top = End::fan;
   const Mesh mesh = make_tube(tube);
@@ -381,7 +381,7 @@ TEST(Flow_extensions, SomeOpeningsOnly) {
   EXPECT_EQ(none.mesh.number_of_faces(), mesh.number_of_faces());
 }
 
-TEST(Flow_extensions, YBifurcationInsideOutAndTurned) {
+TEST(Flow_extensions, Y_bifurcation_inside_out_and_turned) {
   const Mesh mesh = [] {
     Mesh m;
     generate_tubular_surface(y_bifurcation(), m);
@@ -402,7 +402,7 @@ TEST(Flow_extensions, YBifurcationInsideOutAndTurned) {
     EXPECT_NEAR(f.lengths[i], 1e-3 * e.lengths[i], 1e-9 * e.lengths[i]);
 }
 
-TEST(Flow_extensions, SameTwice) {
+TEST(Flow_extensions, Same_twice) {
   Mesh mesh;
   generate_tubular_surface(y_bifurcation(), mesh);
   const Extended a = extend(mesh), b = extend(mesh);
@@ -411,7 +411,7 @@ TEST(Flow_extensions, SameTwice) {
     EXPECT_EQ(a.mesh.point(v), b.mesh.point(v));
 }
 
-TEST(Flow_extensions, PropertyMapsStay) {
+TEST(Flow_extensions, Property_maps_stay) {
   Mesh mesh = make_tube(fine_tube());
   auto mark = mesh.add_property_map<Mesh::Face_index, int>("f:mark", 7).first;
   mark[Mesh::Face_index(3)] = 8;
@@ -429,7 +429,7 @@ Mesh two_tubes_facing(double gap) {
   return mesh;
 }
 
-TEST(Flow_extensions, TwoThatMeetShareTheSpace) {
+TEST(Flow_extensions, Two_that_meet_share_the_space) {
   const Extended e = extend(two_tubes_facing(6), params::extension_length(4.));
   check_extended(e);
   double shared = 0;
@@ -459,12 +459,12 @@ void expect_refusal(const Mesh& mesh, double min_length, const std::string& what
     EXPECT_EQ(openings[i].center, before[i].center);
 }
 
-TEST(Flow_extensions, TwoThatMeetAreRefused) {
+TEST(Flow_extensions, Two_that_meet_are_refused) {
   expect_refusal(two_tubes_facing(6), 4, "would run into the extension of opening");
   expect_refusal(two_tubes_facing(1), 1, "would run into the extension of opening");
 }
 
-TEST(Flow_extensions, WallInTheWay) {
+TEST(Flow_extensions, Wall_in_the_way) {
   Mesh mesh = make_tube(fine_tube());
   append(mesh, make_sphere(20, 20), Transformation(CGAL::TRANSLATION, Vector(0.3, 0, 12))); // its south pole at z = 11
   const Extended e = extend(mesh, params::extension_length(4.));
@@ -477,7 +477,7 @@ TEST(Flow_extensions, WallInTheWay) {
   expect_refusal(mesh, 4, "would run into the wall");
 }
 
-TEST(Flow_extensions, SmallThingInside) { // does not touch the tube's own triangles
+TEST(Flow_extensions, Small_thing_inside) { // does not touch the tube's own triangles
   Mesh mesh = make_tube(fine_tube());
   append(mesh, make_sphere(8, 8), Transformation(0.1, 0, 0, 0.2, 0, 0.1, 0, 0, 0, 0, 0.1, 10.33));
   expect_refusal(mesh, 4, "would run into the wall");
@@ -508,7 +508,7 @@ TEST(Flow_extensions, Parameters) {
 
 class Real_file : public ::testing::TestWithParam<const char*> {};
 
-TEST_P(Real_file, IsExtended) {
+TEST_P(Real_file, Is_extended) {
 #ifdef TUBULAR_MESHING_SHARED_DATA
   const std::string file = std::string(TUBULAR_MESHING_SHARED_DATA) + "/" + GetParam();
 #else

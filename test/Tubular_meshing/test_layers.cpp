@@ -213,7 +213,7 @@ Surface outer_surface(const Mesh& mesh) {
 
 // --- the wall ---
 
-TEST(Extrude_wall, of_a_straight_tube_has_the_volume_of_a_pipe) {
+TEST(Extrude_wall, Of_a_straight_tube_has_the_volume_of_a_pipe) {
   const Quad_tube tube;
   Mesh mesh = tube.mesh();
   const Mesh before = mesh;
@@ -234,7 +234,7 @@ TEST(Extrude_wall, of_a_straight_tube_has_the_volume_of_a_pipe) {
     EXPECT_EQ(mesh.points[i], before.points[i]);
 }
 
-TEST(Extrude_wall, ends_stay_in_their_planes) {
+TEST(Extrude_wall, Ends_stay_in_their_planes) {
   Mesh mesh = Quad_tube().mesh();
   for (Point& p : mesh.points) // oblique ends: the lower one tilts, the upper one stays
     p = Point(p.x(), p.y(), p.z() + 0.8 * p.x() * (1 - p.z() / 4));
@@ -250,7 +250,7 @@ TEST(Extrude_wall, ends_stay_in_their_planes) {
   EXPECT_EQ(found, 4u * 4 * 24);
 }
 
-TEST(Extrude_wall, layers_grow_and_a_second_wall_is_around_the_first) {
+TEST(Extrude_wall, Layers_grow_and_a_second_wall_is_around_the_first) {
   const Quad_tube tube;
   Mesh mesh = tube.mesh();
   tubular::extrude_wall(mesh, one,
@@ -278,7 +278,7 @@ TEST(Extrude_wall, layers_grow_and_a_second_wall_is_around_the_first) {
   EXPECT_EQ(defects_of_wall(mesh), "");
 }
 
-TEST(Extrude_wall, of_a_torus_has_no_ends) {
+TEST(Extrude_wall, Of_a_torus_has_no_ends) {
   const Surface torus = test_surfaces::make_torus(96, 48);
   Labelled_surface s;
   s.surface = torus;
@@ -294,7 +294,7 @@ TEST(Extrude_wall, of_a_torus_has_no_ends) {
   EXPECT_EQ(patches_of(mesh), (std::set<int>{1, 100}));
 }
 
-TEST(Extrude_wall, prisms_and_tetrahedra_fill_the_same_space) {
+TEST(Extrude_wall, Prisms_and_tetrahedra_fill_the_same_space) {
   const Mesh surface = bifurcation();
   Mesh prisms = surface, tetrahedra = surface;
   const auto np = parameters::wall_thickness(0.3).wall_layers(3);
@@ -310,7 +310,7 @@ TEST(Extrude_wall, prisms_and_tetrahedra_fill_the_same_space) {
   EXPECT_EQ(patches_of(tetrahedra), patches_of(prisms));
 }
 
-TEST(Extrude_wall, gives_way_in_a_sharp_crotch) {
+TEST(Extrude_wall, Gives_way_in_a_sharp_crotch) {
   for (double thickness : {0.5, 1., 3.}) {
     Mesh mesh = bifurcation();
     const auto report = tubular::extrude_wall(mesh, one, parameters::wall_thickness(thickness));
@@ -323,7 +323,7 @@ TEST(Extrude_wall, gives_way_in_a_sharp_crotch) {
   }
 }
 
-TEST(Extrude_wall, neighbours_share_the_gap_between_them) {
+TEST(Extrude_wall, Neighbours_share_the_gap_between_them) {
   for (double gap : {0.2, 0.02, 1e-4}) {
     Mesh mesh;
     Quad_tube tube;
@@ -342,7 +342,7 @@ TEST(Extrude_wall, neighbours_share_the_gap_between_them) {
   }
 }
 
-TEST(Extrude_wall, thickness_follows_the_radius_without_jumps) {
+TEST(Extrude_wall, Thickness_follows_the_radius_without_jumps) {
   Mesh mesh = Quad_tube().mesh();
   const std::size_t n = 13 * 24;
   tubular::extrude_wall(
@@ -356,7 +356,7 @@ TEST(Extrude_wall, thickness_follows_the_radius_without_jumps) {
     EXPECT_LE(std::abs(thickness[k + 1] - thickness[k]), 0.4 * 4. / 12 + 1e-9) << k;
 }
 
-TEST(Extrude_wall, is_the_same_in_any_unit_and_on_any_number_of_threads) {
+TEST(Extrude_wall, Is_the_same_in_any_unit_and_on_any_number_of_threads) {
   const Mesh surface = bifurcation();
   Mesh serial = surface, parallel = surface, small = surface;
   for (Point& p : small.points)
@@ -373,7 +373,7 @@ TEST(Extrude_wall, is_the_same_in_any_unit_and_on_any_number_of_threads) {
   }
 }
 
-TEST(Extrude_wall, point_arrays_go_on_outward) {
+TEST(Extrude_wall, Point_arrays_go_on_outward) {
   Mesh mesh = Quad_tube().mesh();
   tubular::Point_array array{"height", 1, {}};
   for (const Point& p : mesh.points)
@@ -385,7 +385,7 @@ TEST(Extrude_wall, point_arrays_go_on_outward) {
     EXPECT_NEAR(mesh.point_arrays[0].values[i], mesh.points[i].z(), 1e-9);
 }
 
-TEST(Extrude_wall, on_an_open_surface_numbers_the_rings) {
+TEST(Extrude_wall, On_an_open_surface_numbers_the_rings) {
   Quad_tube tube;
   tube.capped = false;
   Labelled_surface s(tube.mesh());
@@ -396,7 +396,7 @@ TEST(Extrude_wall, on_an_open_surface_numbers_the_rings) {
   EXPECT_EQ(patches_of(mesh), (std::set<int>{1, 100, 102, 103}));
 }
 
-TEST(Extrude_wall, facets_in_the_plane_of_an_opening_belong_to_it) {
+TEST(Extrude_wall, Facets_in_the_plane_of_an_opening_belong_to_it) {
   Mesh mesh = split_quads(Quad_tube().mesh());
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) // one of the cap is labelled as the wall is
     if (mesh.triangles.label[i] == 2) {
@@ -415,7 +415,7 @@ TEST(Extrude_wall, facets_in_the_plane_of_an_opening_belong_to_it) {
   EXPECT_EQ(defects_of_wall(mesh), "");
 }
 
-TEST(Extrude_wall, labels_of_many_openings_do_not_clash) {
+TEST(Extrude_wall, Labels_of_many_openings_do_not_clash) {
   EXPECT_EQ(labels::outer_wall_for(4), 100);
   EXPECT_EQ(labels::outer_wall_for(99), 100);
   EXPECT_EQ(labels::outer_wall_for(100), 1000);
@@ -429,7 +429,7 @@ TEST(Extrude_wall, labels_of_many_openings_do_not_clash) {
   EXPECT_EQ(mesh.patch_names.at(1118), "outlet_ring_116");
 }
 
-TEST(Extrude_wall, refuses_what_it_cannot_do) {
+TEST(Extrude_wall, Refuses_what_it_cannot_do) {
   const Mesh good = Quad_tube().mesh();
   Mesh mesh = good;
   EXPECT_THROW(tubular::extrude_wall(mesh, one, parameters::wall_thickness(0.)), tubular::Parameter_error);
@@ -473,7 +473,7 @@ TEST(Extrude_wall, refuses_what_it_cannot_do) {
   EXPECT_THROW(tubular::extrude_wall(crossing, one), tubular::Error);
 }
 
-TEST(Extrude_wall, of_tetrahedra_needs_triangles_where_there_are_cells) {
+TEST(Extrude_wall, Of_tetrahedra_needs_triangles_where_there_are_cells) {
   const Quad_tube tube;
   Mesh surface = tube.mesh();
   const auto report = tubular::extrude_wall(surface, one, parameters::tetrahedral_wall(true));
@@ -489,7 +489,7 @@ TEST(Extrude_wall, of_tetrahedra_needs_triangles_where_there_are_cells) {
 
 // --- inward ---
 
-TEST(Extrude_boundary_layer, heights_grow_from_the_first_one) {
+TEST(Extrude_boundary_layer, Heights_grow_from_the_first_one) {
   const Quad_tube tube;
   Labelled_surface s(tube.mesh());
   const auto layer = tubular::extrude_boundary_layer(
@@ -526,7 +526,7 @@ TEST(Extrude_boundary_layer, heights_grow_from_the_first_one) {
   EXPECT_NEAR(area, tube.section(radius), 1e-9);
 }
 
-TEST(Extrude_boundary_layer, default_number_of_layers_makes_up_the_thickness) {
+TEST(Extrude_boundary_layer, Default_number_of_layers_makes_up_the_thickness) {
   Labelled_surface s(Quad_tube().mesh());
   const auto layer = tubular::extrude_boundary_layer(s.surface, s.patch, one); // 0.3; 0.015 · 1.3^k
   EXPECT_EQ(layer.layers.hexahedra.size(), 7u * 24 * 12);
@@ -535,7 +535,7 @@ TEST(Extrude_boundary_layer, default_number_of_layers_makes_up_the_thickness) {
   EXPECT_EQ(uniform.layers.hexahedra.size(), 4u * 24 * 12);
 }
 
-TEST(Extrude_boundary_layer, with_a_filling_is_one_valid_mesh_and_takes_a_wall) {
+TEST(Extrude_boundary_layer, With_a_filling_is_one_valid_mesh_and_takes_a_wall) {
   if (!tubular::has_tetgen())
     GTEST_SKIP() << "built without TetGen";
   Mesh surface = bifurcation();
@@ -566,7 +566,7 @@ TEST(Extrude_boundary_layer, with_a_filling_is_one_valid_mesh_and_takes_a_wall) 
   }
 }
 
-TEST(Extrude_boundary_layer, gives_way_where_the_lumen_is_narrow) {
+TEST(Extrude_boundary_layer, Gives_way_where_the_lumen_is_narrow) {
   Mesh mesh = Quad_tube().mesh();
   for (Point& p : mesh.points) { // a stenosis, which the field does not know of
     const double t = (p.z() - 2) / 0.7, narrow = 1 - 0.8 * std::exp(-t * t);
@@ -582,7 +582,7 @@ TEST(Extrude_boundary_layer, gives_way_where_the_lumen_is_narrow) {
   EXPECT_FALSE(CGAL::Polygon_mesh_processing::does_self_intersect(layer.inner));
 }
 
-TEST(Extrude_boundary_layer, refuses_what_it_cannot_do) {
+TEST(Extrude_boundary_layer, Refuses_what_it_cannot_do) {
   Quad_tube tube;
   Labelled_surface s(tube.mesh());
   const auto grow = [&](const auto& np) { tubular::extrude_boundary_layer(s.surface, s.patch, one, np); };
@@ -597,7 +597,7 @@ TEST(Extrude_boundary_layer, refuses_what_it_cannot_do) {
   EXPECT_THROW(tubular::extrude_boundary_layer(open.surface, open.patch, one), tubular::Input_error);
 }
 
-TEST(Append_mesh, refuses_points_that_are_not_there) {
+TEST(Append_mesh, Refuses_points_that_are_not_there) {
   Mesh mesh = Quad_tube().mesh(), filling;
   filling.points = {Point(0, 0, 0)};
   EXPECT_THROW(tubular::append_mesh(mesh, filling, {0, 1}), tubular::Input_error);
@@ -606,7 +606,7 @@ TEST(Append_mesh, refuses_points_that_are_not_there) {
 
 // --- regions ---
 
-TEST(Validity_of_regions, interfaces_are_labelled_and_regions_in_one_piece) {
+TEST(Validity_of_regions, Interfaces_are_labelled_and_regions_in_one_piece) {
   Mesh mesh = Quad_tube().mesh();
   tubular::extrude_wall(mesh, one, parameters::second_wall_thickness(0.1));
   tubular::internal::remove_openings(mesh);

@@ -57,7 +57,7 @@ tubular::Tubular_model model_of(const Vessel& vessel) {
 
 } // namespace
 
-TEST_P(Layers_on_data, are_valid) {
+TEST_P(Layers_on_data, Are_valid) {
 #ifndef TUBULAR_MESHING_SHARED_DATA
   GTEST_SKIP() << GetParam().name << ": no measurement data";
 #else

@@ -51,7 +51,7 @@ void expect_same(const Mixed_mesh& a, const Mixed_mesh& b) {
   EXPECT_EQ(a.quads.vertices, b.quads.vertices);
 }
 
-TEST(Mesher, MakesTheSameMeshesInAnyOrder) {
+TEST(Mesher, Makes_the_same_meshes_in_any_order) {
   if (!keeps_boundary() || !tubular::has_lemon())
     GTEST_SKIP() << "built without LEMON, or with neither TetGen nor CGAL 6.1";
   const auto model = bifurcation();
@@ -64,7 +64,7 @@ TEST(Mesher, MakesTheSameMeshesInAnyOrder) {
   expect_same(isotropic, tubular::make_isotropic_mesh(model, np));
 }
 
-TEST(Mesher, MakesCutAndMapsOnce) {
+TEST(Mesher, Makes_cut_and_maps_once) {
   if (!keeps_boundary())
     GTEST_SKIP() << "built with neither TetGen nor CGAL 6.1";
   const auto model = bifurcation();
@@ -78,7 +78,7 @@ TEST(Mesher, MakesCutAndMapsOnce) {
   EXPECT_EQ(stages, (std::vector<std::string>{"surface mesh", "tetrahedra", "optimization", "check"}));
 }
 
-TEST(Mesher, KeepsTheSurfaceThatItMeshedByPatches) {
+TEST(Mesher, Keeps_the_surface_that_it_meshed_by_patches) {
   if (!keeps_boundary())
     GTEST_SKIP() << "built with neither TetGen nor CGAL 6.1";
   Mesher mesher(bifurcation(), parameters::points_per_circumference(10));
@@ -91,7 +91,7 @@ TEST(Mesher, KeepsTheSurfaceThatItMeshedByPatches) {
   EXPECT_EQ(mesher.kept_surface().surface.number_of_faces(), 0u);
 }
 
-TEST(Mesher, FallsBackToMesh_3AndSaysSo) {
+TEST(Mesher, Falls_back_to_Mesh_3_and_says_so) {
   if (!keeps_boundary())
     GTEST_SKIP() << "built with neither TetGen nor CGAL 6.1";
   tubular::Mesher_options options(parameters::points_per_circumference(8).number_of_threads(1));
@@ -104,12 +104,12 @@ TEST(Mesher, FallsBackToMesh_3AndSaysSo) {
   EXPECT_NE(mesher.report().fallbacks[0].find("Mesh_3"), std::string::npos);
   EXPECT_NE(mesher.report().fallbacks[0].find("tetrahedra"), std::string::npos) << mesher.report().fallbacks[0];
   EXPECT_EQ(mesher.kept_surface().surface.number_of_faces(), 0u);
-  const auto by_mesh_3 = parameters::points_per_circumference(8).number_of_threads(1).surface_mesher(
-      tubular::Surface_mesher::mesh_3);
+  const auto by_mesh_3 =
+      parameters::points_per_circumference(8).number_of_threads(1).surface_mesher(tubular::Surface_mesher::mesh_3);
   expect_same(mesh, tubular::make_isotropic_mesh(mesher.model(), by_mesh_3));
 }
 
-TEST(Mesher, NamesPlacesOfTheModelThatWasGiven) {
+TEST(Mesher, Names_places_of_the_model_that_was_given) {
   if (!keeps_boundary())
     GTEST_SKIP() << "built with neither TetGen nor CGAL 6.1";
   const tubular::Vector_3 shift(1000, -2000, 3000);
@@ -131,7 +131,7 @@ TEST(Mesher, NamesPlacesOfTheModelThatWasGiven) {
   }
 }
 
-TEST(Mesher, RefusesLayersOfPrismsInAnisotropicMeshes) {
+TEST(Mesher, Refuses_layers_of_prisms_in_anisotropic_meshes) {
   Mesher mesher(bifurcation(), parameters::boundary_layer_prisms(3));
   EXPECT_THROW(mesher.anisotropic(), tubular::Parameter_error);
 }

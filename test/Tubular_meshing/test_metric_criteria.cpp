@@ -62,7 +62,7 @@ protected:
   }
 };
 
-TEST_F(Metric_criteria, CellsAreMeasuredInTheMetric) {
+TEST_F(Metric_criteria, Cells_are_measured_in_the_metric) {
   const double diagonal = std::sqrt(2.), radius = std::sqrt(3.) / 2;
   const Flat_field unit = {1}, flat = {0.5};
   EXPECT_FALSE(is_bad(unit, {1.001 * diagonal, 0}));
@@ -76,7 +76,7 @@ TEST_F(Metric_criteria, CellsAreMeasuredInTheMetric) {
   EXPECT_FALSE(is_bad({1e-6}, {0, 0})); // nothing is asked for
 }
 
-TEST_F(Metric_criteria, LargerCellsComeFirst) {
+TEST_F(Metric_criteria, Larger_cells_come_first) {
   const Flat_field a = {0.5}, b = {0.1};
   const auto of_a = Metric_cell_criteria(Cell_criteria(0, 0), a)(tr, cell);
   const auto of_b = Metric_cell_criteria(Cell_criteria(0, 0), b)(tr, cell);
@@ -84,7 +84,7 @@ TEST_F(Metric_criteria, LargerCellsComeFirst) {
   EXPECT_LT(*of_b, *of_a);
 }
 
-TEST_F(Metric_criteria, CgalsOwnCriteriaComeBefore) {
+TEST_F(Metric_criteria, Cgals_own_criteria_come_before) {
   const Flat_field field = {0.5};
   const auto by_size = Metric_cell_criteria(Cell_criteria(0, 0.1), field)(tr, cell);
   const auto by_metric = Metric_cell_criteria(Cell_criteria(0, 0), field)(tr, cell);
@@ -93,7 +93,7 @@ TEST_F(Metric_criteria, CgalsOwnCriteriaComeBefore) {
   EXPECT_LT(*by_size, *by_metric);
 }
 
-TEST_F(Metric_criteria, FacetsAreMeasuredInTheMetric) {
+TEST_F(Metric_criteria, Facets_are_measured_in_the_metric) {
   const Flat_field flat = {0.5};
   const auto is_bad_facet = [&](const Point& without, const tubular::Metric_size_bounds& bounds) {
     return bool(Metric_facet_criteria(Facet_criteria(0, 0, 0), flat, bounds)(tr, facet_without(without)));
@@ -107,7 +107,7 @@ TEST_F(Metric_criteria, FacetsAreMeasuredInTheMetric) {
   EXPECT_TRUE(is_bad_facet(y, {0, 0.999 * std::sqrt(5.) / 2}));
 }
 
-TEST_F(Metric_criteria, RefusesSenselessBounds) {
+TEST_F(Metric_criteria, Refuses_senseless_bounds) {
   const double inf = std::numeric_limits<double>::infinity();
   for (double bad : {-1., std::nan(""), inf}) {
     EXPECT_THROW(is_bad({1}, {bad, 0}), tubular::Parameter_error);

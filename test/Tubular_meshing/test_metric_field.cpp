@@ -75,7 +75,7 @@ double jump(const Metric& a, const Metric& b) {
   return std::sqrt(d.xx * d.xx + d.yy * d.yy + d.zz * d.zz + 2 * (d.xy * d.xy + d.xz * d.xz + d.yz * d.yz)) / 2;
 }
 
-TEST(Metric_field, OfAStraightTubeFollowsTheEquations) {
+TEST(Metric_field, Of_a_straight_tube_follows_the_equations) {
   const Field metric = field_of(straight());
   for (double d : {0., 0.01, 0.05, 0.1, 0.2, 0.29})
     for (double angle : {0.3, 1.9, 4.}) {
@@ -97,7 +97,7 @@ TEST(Metric_field, OfAStraightTubeFollowsTheEquations) {
     }
 }
 
-TEST(Metric_field, IsIsotropicInTheCore) {
+TEST(Metric_field, Is_isotropic_in_the_core) {
   const Field metric = field_of(straight());
   for (double z : {2., 6.3, 9.})
     for (double size : metric(Point(0, 0, z)).sizes())
@@ -107,7 +107,7 @@ TEST(Metric_field, IsIsotropicInTheCore) {
     EXPECT_NEAR(size, 2 * pi / 40, 0.06 * 2 * pi / 40);
 }
 
-TEST(Metric_field, ListensToItsOptions) {
+TEST(Metric_field, Listens_to_its_options) {
   const Point wall(1, 0, 6), inner(0.8, 0, 6);
   const Vector n(1, 0, 0), b(0, 1, 0), t(0, 0, 1);
   using namespace tubular::parameters;
@@ -125,7 +125,7 @@ TEST(Metric_field, ListensToItsOptions) {
   EXPECT_GE(at(min_size(0.1), wall).sizes()[0], 0.1 * (1 - 1e-5));
 }
 
-TEST(Metric_field, OfABendFollowsTheCurvatureAlongIt) {
+TEST(Metric_field, Of_a_bend_follows_the_curvature_along_it) {
   const Field metric = field_of(bent());
   const double a = 0.7; // away from the ends
   const Vector out(std::cos(a), 0, std::sin(a)), along(-std::sin(a), 0, std::cos(a));
@@ -138,7 +138,7 @@ TEST(Metric_field, OfABendFollowsTheCurvatureAlongIt) {
   }
 }
 
-TEST(Metric_field, IsPositiveDefiniteAndBoundedEverywhere) {
+TEST(Metric_field, Is_positive_definite_and_bounded_everywhere) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> u(-1, 1);
   for (const Model* model : {&straight(), &bent(), &bifurcation()}) {
@@ -156,7 +156,7 @@ TEST(Metric_field, IsPositiveDefiniteAndBoundedEverywhere) {
   }
 }
 
-TEST(Metric_field, IsContinuous) {
+TEST(Metric_field, Is_continuous) {
   // in steps of a ten-thousandth of the radius sizes change by less than a hundredth: at the wall h_n, 0.015, grows by
   // 0.3 in the unit of length, which is 0.002; where leaves of the octree change by much, as at the bifurcation, 0.005
   std::mt19937 random(4);
@@ -172,7 +172,7 @@ TEST(Metric_field, IsContinuous) {
   }
 }
 
-TEST(Metric_field, DoesNotSeeCaps) {
+TEST(Metric_field, Does_not_see_caps) {
   // along a line parallel to the axis, through the cap: the distance to the wall and all sizes stay the same
   const Field metric = field_of(straight());
   const Metric inside = metric(Point(0.9, 0, 6));
@@ -182,7 +182,7 @@ TEST(Metric_field, DoesNotSeeCaps) {
   EXPECT_NEAR(metric(Point(0.5, 0, 11.99)).size_along(Vector(1, 0, 0)), 0.165, 0.02);
 }
 
-TEST(Metric_field, LayersASacByItsOwnRadius) {
+TEST(Metric_field, Layers_a_sac_by_its_own_radius) {
   // a bulge on one side of a straight tube, of which the centerline knows nothing
   Mesh mesh;
   tubular::generate_tubular_surface(tubular::straight_tube(20), mesh);
@@ -198,7 +198,7 @@ TEST(Metric_field, LayersASacByItsOwnRadius) {
   EXPECT_LT(metric(Point(-0.99, 0, 10)).size_along(Vector(1, 0, 0)), 0.03);
 }
 
-TEST(Metric_field, DoesNotDependOnUnits) {
+TEST(Metric_field, Does_not_depend_on_units) {
   for (double scale : {1e-3, 1e5}) {
     Model model;
     model.surface += transformed(bent().surface, Transformation(CGAL::SCALING, scale));
@@ -220,7 +220,7 @@ TEST(Metric_field, DoesNotDependOnUnits) {
   }
 }
 
-TEST(Metric_field, IsTheSameOnAnyNumberOfThreads) {
+TEST(Metric_field, Is_the_same_on_any_number_of_threads) {
   const Field one = field_of(bifurcation(), tubular::parameters::number_of_threads(1));
   const Field two = field_of(bifurcation(), tubular::parameters::number_of_threads(2));
   std::mt19937 random(5);
@@ -231,7 +231,7 @@ TEST(Metric_field, IsTheSameOnAnyNumberOfThreads) {
   }
 }
 
-TEST(Metric_field, RefusesSenselessOptions) {
+TEST(Metric_field, Refuses_senseless_options) {
   using namespace tubular::parameters;
   const double nan = std::nan(""), inf = std::numeric_limits<double>::infinity();
   const auto refuses = [](const auto& np) { EXPECT_THROW(field_of(straight(), np), tubular::Parameter_error); };
@@ -259,7 +259,7 @@ TEST(Metric_field, RefusesSenselessOptions) {
 
 class Metric_field_of_real_vessels : public ::testing::TestWithParam<std::pair<const char*, const char*>> {};
 
-TEST_P(Metric_field_of_real_vessels, IsPositiveDefiniteAndContinuous) {
+TEST_P(Metric_field_of_real_vessels, Is_positive_definite_and_continuous) {
 #ifndef TUBULAR_MESHING_SHARED_DATA
   GTEST_SKIP() << "the measurement data are not there";
 #else

@@ -51,7 +51,7 @@ void expect_near(const Metric& a, const Metric& b, double relative) {
     EXPECT_NEAR(a.components()[i], b.components()[i], relative * scale) << i;
 }
 
-TEST_F(Metric_tensor_3, FromSizesHasThemAlongItsAxes) {
+TEST_F(Metric_tensor_3, From_sizes_has_them_along_its_axes) {
   for (int i = 0; i < 200; ++i) {
     const Axes e = axes();
     const std::array<double, 3> h = {uniform(0.1, 1), uniform(1, 10), uniform(10, 100)};
@@ -72,7 +72,7 @@ TEST_F(Metric_tensor_3, FromSizesHasThemAlongItsAxes) {
   }
 }
 
-TEST_F(Metric_tensor_3, EigenvaluesKeepTheirDigitsAcrossTwelveOrders) {
+TEST_F(Metric_tensor_3, Eigenvalues_keep_their_digits_across_twelve_orders) {
   // aligned with the axes up to a rotation in one plane: nothing is lost in the entries, nor may be in the eigenvalues
   const double c = std::cos(1e-7), s = std::sin(1e-7);
   const Axes e = {Vector(c, s, 0), Vector(-s, c, 0), Vector(0, 0, 1)};
@@ -82,7 +82,7 @@ TEST_F(Metric_tensor_3, EigenvaluesKeepTheirDigitsAcrossTwelveOrders) {
   EXPECT_NEAR(m.sizes()[2], 1e6, 1);
 }
 
-TEST_F(Metric_tensor_3, IsotropicAndDegenerateEigenvaluesAreDecomposed) {
+TEST_F(Metric_tensor_3, Isotropic_and_degenerate_eigenvalues_are_decomposed) {
   for (const std::array<double, 3>& h : {std::array<double, 3>{2, 2, 2}, {1, 2, 2}, {1, 1, 2}, {1, 1 + 1e-14, 1}}) {
     const Metric m = Metric::from_sizes(h, axes());
     const Metric::Eigen_system s = m.eigen_system();
@@ -91,7 +91,7 @@ TEST_F(Metric_tensor_3, IsotropicAndDegenerateEigenvaluesAreDecomposed) {
   EXPECT_EQ(Metric::isotropic(3).sizes(), (std::array<double, 3>{3, 3, 3}));
 }
 
-TEST_F(Metric_tensor_3, ConvertsFromAndToEigenAndCgal) {
+TEST_F(Metric_tensor_3, Converts_from_and_to_eigen_and_cgal) {
   const Metric m = metric(1);
   const Eigen::Matrix3d a = m.to_matrix<Eigen::Matrix3d>();
   EXPECT_EQ(Metric::from_matrix(a), m);
@@ -104,7 +104,7 @@ TEST_F(Metric_tensor_3, ConvertsFromAndToEigenAndCgal) {
   expect_near(Metric::from_matrix(Eigen::Matrix3d(a.inverse())), m.inverse(), 1e-12);
 }
 
-TEST_F(Metric_tensor_3, ValidityIsPositiveDefiniteness) {
+TEST_F(Metric_tensor_3, Validity_is_positive_definiteness) {
   EXPECT_TRUE(Metric().is_valid());
   EXPECT_TRUE(Metric::isotropic(1e-9).is_valid());
   EXPECT_TRUE(Metric::isotropic(1e9).is_valid());
@@ -129,7 +129,7 @@ TEST_F(Metric_tensor_3, ValidityIsPositiveDefiniteness) {
     EXPECT_TRUE(metric(6).is_valid());
 }
 
-TEST_F(Metric_tensor_3, LogarithmAndExponentialAreInverse) {
+TEST_F(Metric_tensor_3, Logarithm_and_exponential_are_inverse) {
   for (int i = 0; i < 200; ++i) {
     const Metric m = metric(4);
     expect_near(m.log().exp(), m, 1e-11);
@@ -138,7 +138,7 @@ TEST_F(Metric_tensor_3, LogarithmAndExponentialAreInverse) {
   expect_near(Metric::isotropic(std::exp(-2.)).log(), 4 * Metric(), 1e-15);
 }
 
-TEST_F(Metric_tensor_3, LogarithmAndExponentialAreThoseOfTheEigenvalues) {
+TEST_F(Metric_tensor_3, Logarithm_and_exponential_are_those_of_the_eigenvalues) {
   // over all ways in which they are computed, coinciding and nearly coinciding sizes among them
   for (int i = 0; i < 3000; ++i) {
     const double spread = uniform(0, 5);
@@ -156,7 +156,7 @@ TEST_F(Metric_tensor_3, LogarithmAndExponentialAreThoseOfTheEigenvalues) {
   }
 }
 
-TEST_F(Metric_tensor_3, InterpolatesSizesGeometrically) {
+TEST_F(Metric_tensor_3, Interpolates_sizes_geometrically) {
   const Axes e = axes();
   const Metric a = Metric::from_sizes<Vector>({1, 2, 3}, e), b = Metric::from_sizes<Vector>({4, 2, 0.3}, e);
   const Metric c = Metric::from_sizes<Vector>({2, 2, std::sqrt(0.9)}, e);
@@ -172,13 +172,13 @@ TEST_F(Metric_tensor_3, InterpolatesSizesGeometrically) {
   }
 }
 
-TEST_F(Metric_tensor_3, IntersectionOfParallelAxesIsTheMinimum) {
+TEST_F(Metric_tensor_3, Intersection_of_parallel_axes_is_the_minimum) {
   const Axes e = axes();
   const Metric a = Metric::from_sizes<Vector>({1, 2, 3}, e), b = Metric::from_sizes<Vector>({4, 1, 0.3}, e);
   expect_near(Metric::intersection(a, b), Metric::from_sizes<Vector>({1, 1, 0.3}, e), 1e-14);
 }
 
-TEST_F(Metric_tensor_3, IntersectionLiesInBothAndTouches) {
+TEST_F(Metric_tensor_3, Intersection_lies_in_both_and_touches) {
   for (int i = 0; i < 300; ++i) {
     const Metric a = metric(2), b = metric(2), c = Metric::intersection(a, b);
     ASSERT_TRUE(c.is_valid());
@@ -198,7 +198,7 @@ TEST_F(Metric_tensor_3, IntersectionLiesInBothAndTouches) {
   }
 }
 
-TEST_F(Metric_tensor_3, LengthOfAnEdgeIsExactWhereSizesGrowGeometrically) {
+TEST_F(Metric_tensor_3, Length_of_an_edge_is_exact_where_sizes_grow_geometrically) {
   const Vector e(3, -4, 12);
   EXPECT_NEAR(Metric::edge_length(e, Metric::isotropic(2), Metric::isotropic(2)), 6.5, 1e-14);
   for (double h : {2.001, 2.1, 4., 1e3, 1e-3}) {
@@ -218,7 +218,7 @@ TEST_F(Metric_tensor_3, LengthOfAnEdgeIsExactWhereSizesGrowGeometrically) {
   EXPECT_EQ(Metric::edge_length(Vector(0, 0, 0), Metric(), Metric()), 0);
 }
 
-TEST_F(Metric_tensor_3, GrowsNoFasterThanBeta) {
+TEST_F(Metric_tensor_3, Grows_no_faster_than_beta) {
   // along a row of points one unit edge apart the sizes are in the ratio β where growth starts, whatever the space
   const double beta = 1.5, h = 0.1;
   for (double physical : {0., 0.125, 1.}) {
@@ -235,7 +235,7 @@ TEST_F(Metric_tensor_3, GrowsNoFasterThanBeta) {
   EXPECT_NEAR(flat.grown(step, beta, 1).sizes()[2], 1 + 0.7 * std::log(beta), 1e-12);
 }
 
-TEST_F(Metric_tensor_3, LimitsTheGrowthOfAShock) {
+TEST_F(Metric_tensor_3, Limits_the_growth_of_a_shock) {
   const Metric fine = Metric::isotropic(0.1), coarse = Metric::isotropic(10);
   Metric a = fine, b = coarse;
   const Vector e(0, 1, 0);
@@ -247,13 +247,13 @@ TEST_F(Metric_tensor_3, LimitsTheGrowthOfAShock) {
   expect_near(a, fine, 1e-15);
 }
 
-TEST_F(Metric_tensor_3, ClampsSizes) {
+TEST_F(Metric_tensor_3, Clamps_sizes) {
   const Axes e = axes();
   expect_near(Metric::from_sizes<Vector>({0.01, 1, 100}, e).clamped(0.1, 10),
               Metric::from_sizes<Vector>({0.1, 1, 10}, e), 1e-13);
 }
 
-TEST_F(Metric_tensor_3, CircumradiusOfASimplexIsThatOfItsImage) {
+TEST_F(Metric_tensor_3, Circumradius_of_a_simplex_is_that_of_its_image) {
   // M = AᵀA: in the metric, points have the distances of their images under A
   namespace internal = CGAL::Tubular_meshing::internal;
   typedef internal::Vector_3d Vec;

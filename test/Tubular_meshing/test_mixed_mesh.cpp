@@ -64,7 +64,7 @@ void expect_valid(const Mixed& mesh, double least_gamma) {
   EXPECT_EQ(mesh.patch_names.at(tubular::labels::inlet), "inlet");
 }
 
-TEST_F(Mixed_mesh_test, HasAPyramidOnEachQuadOfTheLumen) {
+TEST_F(Mixed_mesh_test, Has_a_pyramid_on_each_quad_of_the_lumen) {
   const Mixed mesh = tubular::make_mixed_mesh(bifurcation(), parameters::points_per_circumference(16));
   expect_valid(mesh, 0.1);
   EXPECT_EQ(mesh.pyramids.size(), mesh.quads.size());
@@ -75,7 +75,7 @@ TEST_F(Mixed_mesh_test, HasAPyramidOnEachQuadOfTheLumen) {
   EXPECT_EQ(tubular::validity_report(mesh).boundary_euler, 2);
 }
 
-TEST_F(Mixed_mesh_test, HasHexahedraOnTheSameQuadsInTheWall) {
+TEST_F(Mixed_mesh_test, Has_hexahedra_on_the_same_quads_in_the_wall) {
   const Mixed mesh = tubular::make_mixed_mesh(
       bifurcation(), parameters::points_per_circumference(16).wall_thickness(0.2).wall_layers(3));
   expect_valid(mesh, 0.1);
@@ -88,7 +88,7 @@ TEST_F(Mixed_mesh_test, HasHexahedraOnTheSameQuadsInTheWall) {
   EXPECT_GT(tubular::quality_report(mesh).zeta_H.min(), 0.33);
 }
 
-TEST_F(Mixed_mesh_test, HasLayersInsideOnWhichThePyramidsStand) {
+TEST_F(Mixed_mesh_test, Has_layers_inside_on_which_the_pyramids_stand) {
   const Mixed mesh = tubular::make_mixed_mesh(
       bifurcation(), parameters::points_per_circumference(16).boundary_layer_prisms(3).first_height(0.04).growth(1.2));
   expect_valid(mesh, 0.1);
@@ -97,7 +97,7 @@ TEST_F(Mixed_mesh_test, HasLayersInsideOnWhichThePyramidsStand) {
   EXPECT_EQ(count(mesh.quads.label, tubular::labels::wall), mesh.pyramids.size());
 }
 
-TEST_F(Mixed_mesh_test, RefusesParametersOutOfRange) {
+TEST_F(Mixed_mesh_test, Refuses_parameters_out_of_range) {
   const Model model = bifurcation();
   EXPECT_THROW(tubular::make_mixed_mesh(model, parameters::wall_thickness(-1)), tubular::Parameter_error);
   EXPECT_THROW(tubular::make_mixed_mesh(model, parameters::points_per_circumference(1)), tubular::Parameter_error);
@@ -133,7 +133,7 @@ TEST_F(Mixed_mesh_test, Sofa_carotids) {
   mesh_of_real("trees/sofa_carotids.stl", 0.1, 0.28, 0.8);
 }
 #else
-TEST(Mixed_mesh_real, AllSurfaces) {
+TEST(Mixed_mesh_real, All_surfaces) {
   GTEST_SKIP() << "the measurement data are not there";
 }
 #endif

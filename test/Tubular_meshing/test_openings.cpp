@@ -139,7 +139,7 @@ void check_no_self_intersection(const Closed& closed) {
 
 // --- open tubes ---
 
-TEST(Openings, of_a_round_tube) {
+TEST(Openings, Of_a_round_tube) {
   const Openings openings = find_openings(make_tube(Tube()));
   ASSERT_EQ(openings.size(), 2u);
   for (const auto& o : openings) {
@@ -155,7 +155,7 @@ TEST(Openings, of_a_round_tube) {
   EXPECT_EQ(openings[1].patch, labels::first_outlet);
 }
 
-TEST(Openings, centre_is_that_of_the_area_not_of_the_vertices) {
+TEST(Openings, Centre_is_that_of_the_area_not_of_the_vertices) {
   Mesh mesh = make_tube(Tube());
   auto loops = internal::border_loops(mesh); // a rim with many more vertices on one side
   for (auto& loop : loops)
@@ -178,7 +178,7 @@ struct Rim_case {
 
 class Sagging_rim : public testing::TestWithParam<Rim_case> {};
 
-TEST_P(Sagging_rim, becomes_a_planar_cap) {
+TEST_P(Sagging_rim, Becomes_a_planar_cap) {
   const Rim_case c = GetParam();
   for (double ry : {1., 0.5})
     for (double tilt : {0., 0.5}) {
@@ -222,7 +222,7 @@ INSTANTIATE_TEST_SUITE_P(Tubes, Sagging_rim, testing::ValuesIn(rim_cases()), [](
          "_waves" + std::to_string(info.param.waves);
 });
 
-TEST(Openings, little_sag_is_flattened_without_losing_length_and_much_is_trimmed) {
+TEST(Openings, Little_sag_is_flattened_without_losing_length_and_much_is_trimmed) {
   Tube tube;
   tube.sag = [](double angle) { return 0.15 * std::cos(2 * angle); };
   const std::size_t faces = make_tube(tube).number_of_faces();
@@ -234,7 +234,7 @@ TEST(Openings, little_sag_is_flattened_without_losing_length_and_much_is_trimmed
   EXPECT_NEAR(PMP::volume(trimmed.mesh), 7.45 * trimmed.openings[0].area, 1e-2 * 8);
 }
 
-TEST(Openings, straight_sides_of_a_rim_give_no_degenerate_triangles) {
+TEST(Openings, Straight_sides_of_a_rim_give_no_degenerate_triangles) {
   Mesh mesh = make_tube([] {
     Tube tube;
     tube.sides = 6;
@@ -254,7 +254,7 @@ TEST(Openings, straight_sides_of_a_rim_give_no_degenerate_triangles) {
   }
 }
 
-TEST(Openings, ears_and_non_convex_rims) {
+TEST(Openings, Ears_and_non_convex_rims) {
   Tube tube;
   tube.sides = 24;
   Mesh mesh = make_tube(tube);
@@ -276,7 +276,7 @@ TEST(Openings, ears_and_non_convex_rims) {
   EXPECT_NEAR(closed.openings[0].area, closed.openings[1].area, 1e-9);
 }
 
-TEST(Openings, ragged_rims_of_coarse_tubes_are_trimmed) {
+TEST(Openings, Ragged_rims_of_coarse_tubes_are_trimmed) {
   for (unsigned seed = 0; seed < 20; ++seed) {
     std::mt19937 random(seed);
     Tube tube;
@@ -300,7 +300,7 @@ TEST(Openings, ragged_rims_of_coarse_tubes_are_trimmed) {
   }
 }
 
-TEST(Openings, inside_out_surfaces_are_turned) {
+TEST(Openings, Inside_out_surfaces_are_turned) {
   for (End end : {End::open, End::fan}) {
     Tube tube;
     tube.bottom = tube.top = end;
@@ -314,7 +314,7 @@ TEST(Openings, inside_out_surfaces_are_turned) {
   }
 }
 
-TEST(Openings, same_in_any_unit_and_far_from_the_origin) {
+TEST(Openings, Same_in_any_unit_and_far_from_the_origin) {
   Tube tube;
   tube.sag = [](double angle) { return 0.12 * std::cos(2 * angle); };
   tube.bottom = End::fine;
@@ -336,7 +336,7 @@ TEST(Openings, same_in_any_unit_and_far_from_the_origin) {
     }
 }
 
-TEST(Openings, pinholes_are_filled_as_wall) {
+TEST(Openings, Pinholes_are_filled_as_wall) {
   Mesh mesh = make_tube(Tube());
   CGAL::Euler::remove_face(mesh.halfedge(Mesh::Face_index(100)), mesh);
   const Closed closed = close(mesh);
@@ -355,7 +355,7 @@ struct Cap_case {
 
 class Capped_tube : public testing::TestWithParam<Cap_case> {};
 
-TEST_P(Capped_tube, has_its_ends_recognised) {
+TEST_P(Capped_tube, Has_its_ends_recognised) {
   const Cap_case c = GetParam();
   Tube tube;
   tube.sides = c.sides;
@@ -393,7 +393,7 @@ INSTANTIATE_TEST_SUITE_P(Tubes, Capped_tube, testing::ValuesIn(cap_cases()), [](
          (info.param.dish > 0 ? "_dished" : "_flat");
 });
 
-TEST(Openings, tilted_caps_are_recognised) {
+TEST(Openings, Tilted_caps_are_recognised) {
   Tube tube;
   tube.bottom = tube.top = End::fine;
   tube.tilt = 0.8;
@@ -402,13 +402,13 @@ TEST(Openings, tilted_caps_are_recognised) {
   check_closed(closed);
 }
 
-TEST(Openings, none_on_spheres_tori_and_boxes) {
+TEST(Openings, None_on_spheres_tori_and_boxes) {
   for (const Mesh& mesh : {make_sphere(6, 8), make_sphere(20, 40), make_torus(12, 8), make_torus(6, 6),
                            make_torus(60, 20), make_square_duct()})
     EXPECT_THROW(find_openings(mesh), Input_error) << mesh.number_of_faces() << " faces";
 }
 
-TEST(Openings, flat_patches_and_noise_of_the_wall_are_no_openings) {
+TEST(Openings, Flat_patches_and_noise_of_the_wall_are_no_openings) {
   std::mt19937 random(3);
   for (int sides : {8, 20, 64})
     for (double noise : {0.01, 0.05}) {
@@ -428,7 +428,7 @@ TEST(Openings, flat_patches_and_noise_of_the_wall_are_no_openings) {
 
 // --- with centerlines ---
 
-TEST(Openings, are_matched_to_the_ends_of_centerlines) {
+TEST(Openings, Are_matched_to_the_ends_of_centerlines) {
   for (End kind : {End::open, End::fan}) {
     Tube tube;
     tube.bottom = tube.top = kind;
@@ -446,7 +446,7 @@ TEST(Openings, are_matched_to_the_ends_of_centerlines) {
   }
 }
 
-TEST(Openings, square_ducts_need_centerlines) {
+TEST(Openings, Square_ducts_need_centerlines) {
   const Graph graph = line_graph(Point(0, 0, 0.1), Point(0, 0, 7.9), 0);
   Closed closed = close(make_square_duct(), params::centerline_graph(std::cref(graph)));
   ASSERT_EQ(closed.openings.size(), 2u);
@@ -455,7 +455,7 @@ TEST(Openings, square_ducts_need_centerlines) {
   check_closed(closed);
 }
 
-TEST(Openings, centerlines_of_another_geometry_are_refused) {
+TEST(Openings, Centerlines_of_another_geometry_are_refused) {
   const Graph graph = line_graph(Point(50, 0, 0), Point(50, 0, 8), 1);
   for (End kind : {End::open, End::fan}) {
     Tube tube;
@@ -470,7 +470,7 @@ struct Centerlines_case {
 
 class Real_centerlines : public testing::TestWithParam<Centerlines_case> {};
 
-TEST_P(Real_centerlines, end_at_the_openings) {
+TEST_P(Real_centerlines, End_at_the_openings) {
 #ifndef TUBULAR_MESHING_SHARED_DATA
   GTEST_SKIP() << "needs shared/data/" << GetParam().centerlines;
 #else
@@ -533,7 +533,7 @@ Mesh five_tubes() {
   return mesh;
 }
 
-TEST(Openings, order_survives_motions_scaling_and_renumbering) {
+TEST(Openings, Order_survives_motions_scaling_and_renumbering) {
   const Mesh mesh = five_tubes();
   const Openings reference = find_openings(mesh);
   ASSERT_EQ(reference.size(), 10u);
@@ -554,7 +554,7 @@ TEST(Openings, order_survives_motions_scaling_and_renumbering) {
   }
 }
 
-TEST(Openings, inlet_is_the_one_nearest_to_the_point) {
+TEST(Openings, Inlet_is_the_one_nearest_to_the_point) {
   const Mesh mesh = five_tubes();
   const Point p(8, 1.2, -3);
   const Openings openings = find_openings(mesh, params::inlet(p));
@@ -575,7 +575,7 @@ template <class Function> std::string message_of(Function function) {
   return "";
 }
 
-TEST(Openings, a_border_that_touches_itself_names_the_vertex) {
+TEST(Openings, A_border_that_touches_itself_names_the_vertex) {
   Mesh mesh;
   const auto o = mesh.add_vertex(Point(0, 0, 0));
   const auto a = mesh.add_vertex(Point(1, 0, 0)), b = mesh.add_vertex(Point(1, 1, 0));
@@ -586,7 +586,7 @@ TEST(Openings, a_border_that_touches_itself_names_the_vertex) {
   EXPECT_NE(message.find("touches itself at vertex 0 (0, 0, 0)"), std::string::npos) << message;
 }
 
-TEST(Openings, unusable_surfaces_are_refused_with_a_sentence) {
+TEST(Openings, Unusable_surfaces_are_refused_with_a_sentence) {
   EXPECT_NE(message_of([] { find_openings(Mesh()); }).find("no triangles"), std::string::npos);
   Mesh broken = make_tube(Tube());
   broken.point(Mesh::Vertex_index(5)) = Point(0, std::numeric_limits<double>::infinity(), 0);
@@ -597,7 +597,7 @@ TEST(Openings, unusable_surfaces_are_refused_with_a_sentence) {
   EXPECT_NE(message_of([&] { find_openings(quads); }).find("Face 0"), std::string::npos);
 }
 
-TEST(Openings, close_openings_refuses_openings_of_another_surface) {
+TEST(Openings, Close_openings_refuses_openings_of_another_surface) {
   Mesh mesh = make_tube(Tube());
   auto patch = mesh.add_property_map<Mesh::Face_index, int>("f:patch", 0).first;
   Openings openings = find_openings(mesh), too_few(1, openings[0]);
@@ -615,7 +615,7 @@ struct Real_case {
 
 class Real_surface : public testing::TestWithParam<Real_case> {};
 
-TEST_P(Real_surface, is_closed_by_planar_caps) {
+TEST_P(Real_surface, Is_closed_by_planar_caps) {
 #ifndef TUBULAR_MESHING_SHARED_DATA
   GTEST_SKIP() << "needs shared/data/" << GetParam().file;
 #else

@@ -96,7 +96,7 @@ Mesh optimized(Mesh m, int passes, int threads) {
   return m;
 }
 
-TEST(Tetrahedron_store, WritesBackWhatItRead) {
+TEST(Tetrahedron_store, Writes_back_what_it_read) {
   const Mesh m = make_cube(3, 0.2);
   Mesh back;
   Tetrahedron_store(m).write_to(back);
@@ -107,7 +107,7 @@ TEST(Tetrahedron_store, WritesBackWhatItRead) {
   EXPECT_NEAR(volume(back), 1, 1e-12);
 }
 
-TEST(Tetrahedron_store, RingsAndStars) {
+TEST(Tetrahedron_store, Rings_and_stars) {
   const Mesh m = make_cube(2, 0);
   const Tetrahedron_store store(m);
   Tetrahedron_store::Ring ring;
@@ -137,7 +137,7 @@ TEST(Tetrahedron_store, RingsAndStars) {
   EXPECT_EQ(std::set<Tetrahedron_store::Index>(star.begin(), star.end()).size(), incident);
 }
 
-TEST(Optimize_tetrahedra, ImprovesAShakenCubeAndKeepsItsShape) {
+TEST(Optimize_tetrahedra, Improves_a_shaken_cube_and_keeps_its_shape) {
   const Mesh before = make_cube(8, 0.2);
   ASSERT_TRUE(tubular::validity_report(before).is_valid()) << tubular::validity_report(before).defects();
   const Mesh after = optimized(before, 3, 1);
@@ -156,7 +156,7 @@ TEST(Optimize_tetrahedra, ImprovesAShakenCubeAndKeepsItsShape) {
   }
 }
 
-TEST(Optimize_tetrahedra, KeepsCornersAndEveryLabel) {
+TEST(Optimize_tetrahedra, Keeps_corners_and_every_label) {
   const Mesh after = optimized(make_cube(4, 0.2), 2, 1);
   std::set<int> labels(after.triangles.label.begin(), after.triangles.label.end());
   EXPECT_EQ(labels.size(), 6u);
@@ -166,19 +166,19 @@ TEST(Optimize_tetrahedra, KeepsCornersAndEveryLabel) {
   }
 }
 
-TEST(Optimize_tetrahedra, IsTheSameOnAnyNumberOfThreads) {
+TEST(Optimize_tetrahedra, Is_the_same_on_any_number_of_threads) {
   const Mesh m = make_cube(10, 0.2), one = optimized(m, 2, 1), two = optimized(m, 2, 2);
   EXPECT_EQ(one.points, two.points);
   EXPECT_EQ(one.tetrahedra.vertices, two.tetrahedra.vertices);
 }
 
-TEST(Optimize_tetrahedra, DoesNothingInNoPassesToAGoodMesh) {
+TEST(Optimize_tetrahedra, Does_nothing_in_no_passes_to_a_good_mesh) {
   const Mesh m = make_cube(4, 0), after = optimized(m, 0, 1);
   EXPECT_GE(tubular::quality_report(after).gamma_tau.min(), tubular::quality_report(m).gamma_tau.min() - 1e-12);
   EXPECT_NEAR(volume(after), 1, 1e-12);
 }
 
-TEST(Optimize_tetrahedra, WorksInAnyUnit) {
+TEST(Optimize_tetrahedra, Works_in_any_unit) {
   const Mesh m = make_cube(5, 0.2);
   const tubular::Measure_statistics unit = tubular::quality_report(optimized(m, 2, 1)).gamma_tau;
   for (double s : {1e-9, 1e9}) {
@@ -197,7 +197,7 @@ TEST(Optimize_tetrahedra, WorksInAnyUnit) {
   }
 }
 
-TEST(Optimize_tetrahedra, KeepsTheBoundaryBitForBitWhereAsked) {
+TEST(Optimize_tetrahedra, Keeps_the_boundary_bit_for_bit_where_asked) {
   const Mesh before = make_cube(8, 0.25);
   Mesh after = before;
   const Cube_surface cube;
@@ -214,7 +214,7 @@ TEST(Optimize_tetrahedra, KeepsTheBoundaryBitForBitWhereAsked) {
   EXPECT_GT(better.gamma_tau.mean(), worse.gamma_tau.mean() + 0.05);
 }
 
-TEST(Optimize_tetrahedra, KeepsAnInterfaceOfRegionsWithTheBoundary) {
+TEST(Optimize_tetrahedra, Keeps_an_interface_of_regions_with_the_boundary) {
   Mesh before = make_cube(6, 0.);
   std::map<std::array<std::uint32_t, 3>, int> seen;
   for (std::size_t i = 0; i < before.tetrahedra.size(); ++i) {
@@ -255,7 +255,7 @@ double worst_quality(const Mesh& m) {
   return tubular::quality_report(m).gamma_tau.min();
 }
 
-TEST(Vertex_insertion, MendsATetrahedronOfBoundaryVertices) {
+TEST(Vertex_insertion, Mends_a_tetrahedron_of_boundary_vertices) {
   Mesh m;
   // four tetrahedra around the long axis of an octahedron, of which it lies at the side: two are thin
   m.points = {Point(0, 0, -1), Point(0, 0, 1),    Point(1, 0, 0.05),
@@ -285,7 +285,7 @@ TEST(Vertex_insertion, MendsATetrahedronOfBoundaryVertices) {
   EXPECT_GT(worst_quality(after), 1.5 * before);
 }
 
-TEST(Vertex_removal, TakesAwayAVertexThatCrowdsAnother) {
+TEST(Vertex_removal, Takes_away_a_vertex_that_crowds_another) {
   Mesh m = make_cube(4, 0);
   const std::uint32_t middle = (2 * 5 + 2) * 5 + 2, beside = (2 * 5 + 2) * 5 + 1;
   const Point& p = m.points[middle];
@@ -308,7 +308,7 @@ TEST(Vertex_removal, TakesAwayAVertexThatCrowdsAnother) {
   EXPECT_GT(worst_quality(after), before);
 }
 
-TEST(Vertex_removal, LeavesTheBoundaryAlone) {
+TEST(Vertex_removal, Leaves_the_boundary_alone) {
   const Mesh m = make_cube(1, 0); // no vertex inside
   Tetrahedron_store store(m);
   Tetrahedron_store::Index_list come;
@@ -338,7 +338,7 @@ struct Any_flip {
 /* A dimple of three facets, with its bottom at 0 and its rim at 1, 2, 3: flipping the edge 0-1 would bring 2-3 about
  * once more, and close the dimple by facets on top of each other. With four facets round it there is room for the flip.
  */
-TEST(Topology_optimizer, ClosesNoDimple) {
+TEST(Topology_optimizer, Closes_no_dimple) {
   for (bool has_room : {false, true}) {
     Mesh m;
     m.points = {Point(0.5, 0, -0.4), Point(2, 0, 0),    Point(0, 1, 0), Point(0, -1, 0),

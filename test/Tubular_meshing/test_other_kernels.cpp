@@ -55,11 +55,11 @@ template <class Mesh> void expect_same_mesh(bool rounded = false) {
   EXPECT_EQ(mesh.triangles.label, expected.triangles.label);
 }
 
-TEST(Other_kernels, ExactConstructions) {
+TEST(Other_kernels, Exact_constructions) {
   expect_same_mesh<CGAL::Surface_mesh<CGAL::Exact_predicates_exact_constructions_kernel::Point_3>>();
 }
 
-TEST(Other_kernels, SinglePrecision) {
+TEST(Other_kernels, Single_precision) {
   expect_same_mesh<CGAL::Surface_mesh<CGAL::Simple_cartesian<float>::Point_3>>(true);
 }
 
@@ -67,13 +67,13 @@ TEST(Other_kernels, Polyhedron) {
   expect_same_mesh<CGAL::Polyhedron_3<CGAL::Simple_cartesian<double>>>();
 }
 
-TEST(Other_kernels, LinearCellComplex) {
+TEST(Other_kernels, Linear_cell_complex) {
   typedef CGAL::Linear_cell_complex_traits<3, CGAL::Simple_cartesian<double>> Traits;
   typedef CGAL::Linear_cell_complex_for_bgl_combinatorial_map_helper<2, 3, Traits>::type Mesh;
   expect_same_mesh<Mesh>();
 }
 
-TEST(Other_kernels, AVertexPointMapOfTheCaller) {
+TEST(Other_kernels, A_vertex_point_map_of_the_caller) {
   tubular::Surface doubled = surface();
   auto half = doubled.add_property_map<tubular::Surface::Vertex_index, tubular::Point_3>("v:half").first;
   for (auto v : doubled.vertices()) {

@@ -29,7 +29,7 @@ TYPED_TEST_SUITE(Other_kernels, other_kernels::Meshes);
 
 } // namespace
 
-TYPED_TEST(Other_kernels, have_the_same_centerlines) {
+TYPED_TEST(Other_kernels, Have_the_same_centerlines) {
   typedef typename boost::graph_traits<TypeParam>::face_descriptor Face;
   const Closed closed(surface_of(tubular::straight_tube(8, 1)));
   const Graph expected = centerlines_of(closed);

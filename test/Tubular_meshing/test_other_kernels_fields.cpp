@@ -55,7 +55,7 @@ struct Example {
 
 } // namespace
 
-TYPED_TEST(Other_kernels, have_the_same_fields) {
+TYPED_TEST(Other_kernels, Have_the_same_fields) {
   typedef typename boost::graph_traits<TypeParam>::face_descriptor Face;
   const Example e;
   TypeParam mesh = other_kernels::converted<TypeParam>(e.surface);
@@ -76,7 +76,7 @@ TYPED_TEST(Other_kernels, have_the_same_fields) {
   }
 }
 
-TYPED_TEST(Other_kernels, have_the_same_curvatures) {
+TYPED_TEST(Other_kernels, Have_the_same_curvatures) {
   typedef typename boost::graph_traits<TypeParam>::vertex_descriptor Vertex;
   typedef tubular::Vertex_curvature<CGAL::Simple_cartesian<double>::Vector_3> Curvature;
   const Example e;

@@ -26,7 +26,7 @@ TYPED_TEST_SUITE(Other_kernels, other_kernels::Meshes);
 
 } // namespace
 
-TYPED_TEST(Other_kernels, are_written_and_read_back) {
+TYPED_TEST(Other_kernels, Are_written_and_read_back) {
   typedef typename boost::graph_traits<TypeParam>::face_descriptor Face;
   TypeParam mesh = other_kernels::converted<TypeParam>(tetrahedron());
   const CGAL::Constant_property_map<Face, int> patch(2);

@@ -90,7 +90,7 @@ template <class Mesh> class Other_graph : public testing::Test {};
 typedef testing::Types<Exact_mesh, Float_mesh, Polyhedron> Graphs;
 TYPED_TEST_SUITE(Other_graph, Graphs);
 
-TYPED_TEST(Other_graph, is_generated) {
+TYPED_TEST(Other_graph, Is_generated) {
   TypeParam mesh;
   Surface expected;
   tubular::generate_tubular_surface(tubular::y_bifurcation(), mesh, params::points_per_circumference(8));
@@ -98,7 +98,7 @@ TYPED_TEST(Other_graph, is_generated) {
   expect_same(mesh, expected);
 }
 
-TYPED_TEST(Other_graph, has_its_openings_found_and_closed) {
+TYPED_TEST(Other_graph, Has_its_openings_found_and_closed) {
   Surface expected = bifurcation();
   TypeParam mesh;
   CGAL::copy_face_graph(expected, mesh);
@@ -121,7 +121,7 @@ TYPED_TEST(Other_graph, has_its_openings_found_and_closed) {
   EXPECT_EQ(count, expected_count);
 }
 
-TYPED_TEST(Other_graph, is_extended) {
+TYPED_TEST(Other_graph, Is_extended) {
   Surface expected = bifurcation();
   TypeParam mesh;
   CGAL::copy_face_graph(expected, mesh);
@@ -137,7 +137,7 @@ TYPED_TEST(Other_graph, is_extended) {
   expect_same(openings, expected_openings, 0);
 }
 
-TYPED_TEST(Other_graph, is_repaired) {
+TYPED_TEST(Other_graph, Is_repaired) {
   Surface clean = bifurcation();
   TypeParam mesh;
   CGAL::copy_face_graph(clean, mesh);
@@ -157,7 +157,7 @@ TYPED_TEST(Other_graph, is_repaired) {
 }
 
 // Points of the mesh's own kernel, and a mesh that takes them.
-TYPED_TEST(Other_graph, is_made_of_a_soup) {
+TYPED_TEST(Other_graph, Is_made_of_a_soup) {
   typedef
       typename boost::property_traits<typename boost::property_map<TypeParam, CGAL::vertex_point_t>::type>::value_type
           Point;
@@ -179,7 +179,7 @@ TYPED_TEST(Other_graph, is_made_of_a_soup) {
 // --- parameters ---
 
 // A surface of which the points are elsewhere, ten times as large.
-TEST(Other_point_map, is_read_and_written) {
+TEST(Other_point_map, Is_read_and_written) {
   Surface surface = bifurcation();
   auto large = surface.add_property_map<Surface::Vertex_index, tubular::Point_3>("v:large").first;
   for (auto v : surface.vertices())
@@ -191,7 +191,7 @@ TEST(Other_point_map, is_read_and_written) {
     EXPECT_NEAR(large_openings[i].radius, 10 * openings[i].radius, 1e-9);
 }
 
-TEST(Centerline_graph_parameter, is_a_graph_a_reference_or_a_pointer) {
+TEST(Centerline_graph_parameter, Is_a_graph_a_reference_or_a_pointer) {
   const auto skeleton = tubular::y_bifurcation();
   const Surface surface = bifurcation();
   tubular::Centerline_graph graph;
@@ -211,7 +211,7 @@ TEST(Centerline_graph_parameter, is_a_graph_a_reference_or_a_pointer) {
   }
 }
 
-TEST(Inlet_parameter, is_a_point_of_any_kernel) {
+TEST(Inlet_parameter, Is_a_point_of_any_kernel) {
   const Surface surface = bifurcation();
   const auto openings = tubular::find_openings(surface);
   const auto& p = openings[2].center;

@@ -95,15 +95,15 @@ template <class Kernel> void expect_same_with_kernel() {
   expect_same(meshes_of(tube.surface, tube.patch), meshes_of(other, patch));
 }
 
-TEST(Volume_meshers, TakeASurfaceOfExactNumbers) {
+TEST(Volume_meshers, Take_a_surface_of_exact_numbers) {
   expect_same_with_kernel<CGAL::Exact_predicates_exact_constructions_kernel>();
 }
 
-TEST(Volume_meshers, TakeASurfaceOfFloats) {
+TEST(Volume_meshers, Take_a_surface_of_floats) {
   expect_same_with_kernel<CGAL::Simple_cartesian<float>>();
 }
 
-TEST(Volume_meshers, TakeAPolyhedron) {
+TEST(Volume_meshers, Take_a_polyhedron) {
   typedef CGAL::Polyhedron_3<tubular::Kernel> Polyhedron;
   typedef boost::graph_traits<Polyhedron>::face_descriptor Face;
   const tubular::Labelled_surface tube = make_tube();

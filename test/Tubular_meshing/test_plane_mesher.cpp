@@ -192,7 +192,7 @@ void expect_unit(const Report& r, double min_gamma = 0.65) {
 
 // ---- the tensor
 
-TEST(MetricTensor2, sizes_directions_and_right_angles) {
+TEST(Metric_tensor_2, Sizes_directions_and_right_angles) {
   const Metric m = Metric::from_sizes(5, 0.1, 0.7);
   EXPECT_NEAR(m.sizes()[0], 0.1, 1e-12);
   EXPECT_NEAR(m.sizes()[1], 5, 1e-9);
@@ -205,7 +205,7 @@ TEST(MetricTensor2, sizes_directions_and_right_angles) {
   EXPECT_NEAR(m.normalized().determinant(), 1, 1e-9);
 }
 
-TEST(MetricTensor2, definiteness) {
+TEST(Metric_tensor_2, Definiteness) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_TRUE(Metric(2, 1, 1).is_positive_definite());
   EXPECT_FALSE(Metric(1, 1, 1).is_positive_definite());
@@ -215,7 +215,7 @@ TEST(MetricTensor2, definiteness) {
   EXPECT_FALSE(Metric::isotropic(0).is_positive_definite());
 }
 
-TEST(MetricTensor2, interpolation_is_geometric_in_sizes_and_keeps_ends) {
+TEST(Metric_tensor_2, Interpolation_is_geometric_in_sizes_and_keeps_ends) {
   const Metric a = Metric::from_sizes(8, 1, 0.3), b = Metric::from_sizes(2, 1. / 16, 0.3);
   const Metric middle = Metric::interpolate(a, b, 0.5);
   EXPECT_NEAR(middle.sizes()[0], 0.25, 1e-10);
@@ -227,7 +227,7 @@ TEST(MetricTensor2, interpolation_is_geometric_in_sizes_and_keeps_ends) {
   EXPECT_TRUE(Metric::interpolate(a, c, 0.4).is_positive_definite());
 }
 
-TEST(MetricTensor2, induced_by_an_embedding) {
+TEST(Metric_tensor_2, Induced_by_an_embedding) {
   const Metric m = Metric::induced(Kernel::Vector_3(2, 0, 0), Kernel::Vector_3(1, 1, 1), 0.5);
   EXPECT_DOUBLE_EQ(m.xx, 16);
   EXPECT_DOUBLE_EQ(m.xy, 8);
@@ -236,7 +236,7 @@ TEST(MetricTensor2, induced_by_an_embedding) {
 
 // ---- isotropic
 
-TEST(PlaneMesher, uniform_square_disk_and_ring) {
+TEST(Plane_mesher, Uniform_square_disk_and_ring) {
   for (double h : {0.1, 0.02}) {
     const Field field = uniform(h);
     expect_unit(checked_mesh({unit_square(field)}, field));
@@ -245,19 +245,19 @@ TEST(PlaneMesher, uniform_square_disk_and_ring) {
   }
 }
 
-TEST(PlaneMesher, size_field_of_one_to_a_hundred) {
+TEST(Plane_mesher, Size_field_of_one_to_a_hundred) {
   const Field field = [](const Point& p) { return Metric::isotropic(0.002 * std::pow(100, p.x())); };
   expect_unit(checked_mesh({unit_square(field)}, field));
 }
 
-TEST(PlaneMesher, sizes_that_the_boundary_knows_nothing_of) {
+TEST(Plane_mesher, Sizes_that_the_boundary_knows_nothing_of) {
   const Field field = [](const Point& p) {
     return Metric::isotropic((std::min)(0.1, 0.001 + 0.2 * std::hypot(p.x() - 0.5, p.y() - 0.5)));
   };
   expect_unit(checked_mesh({unit_square(field)}, field));
 }
 
-TEST(PlaneMesher, same_mesh_in_any_unit_and_place) {
+TEST(Plane_mesher, Same_mesh_in_any_unit_and_place) {
   const Field field = uniform(0.05);
   const Polygon square = unit_square(field);
   const std::size_t n = tubular::triangulate_in_metric(Polygons{square}, field).triangles.size();
@@ -275,7 +275,7 @@ TEST(PlaneMesher, same_mesh_in_any_unit_and_place) {
 
 // ---- anisotropic
 
-TEST(PlaneMesher, constant_anisotropic_metric) {
+TEST(Plane_mesher, Constant_anisotropic_metric) {
   const Field field = [](const Point&) { return Metric::from_sizes(0.2, 0.002, pi / 6); };
   expect_unit(checked_mesh({circle(1, field)}, field), 0.4);       // the tips of the disk are sharp in the metric
   const Report square = checked_mesh({unit_square(field)}, field); // its corners are of 1.3 degrees in the metric
@@ -284,14 +284,14 @@ TEST(PlaneMesher, constant_anisotropic_metric) {
   EXPECT_GE(square.mean_gamma, 0.95);
 }
 
-TEST(PlaneMesher, rotating_metric) {
+TEST(Plane_mesher, Rotating_metric) {
   const Field field = [](const Point& p) {
     return Metric::from_sizes(0.1, 0.01, std::atan2(p.y() + 1.5, p.x() + 1.5) + pi / 2);
   };
   expect_unit(checked_mesh({circle(1, field)}, field), 0.5);
 }
 
-TEST(PlaneMesher, shock_metric) {
+TEST(Plane_mesher, Shock_metric) {
   const Field field = [](const Point& p) {
     const double d = std::abs(p.x() + 0.3 * p.y() - 0.6) / std::hypot(1, 0.3);
     return Metric::from_sizes((std::min)(0.05, 0.0005 + 0.25 * d), 0.05, std::atan(0.3));
@@ -301,7 +301,7 @@ TEST(PlaneMesher, shock_metric) {
 
 // ---- on a surface
 
-TEST(PlaneMesher, conformal_ring_of_a_cylinder_eight_radii_long) {
+TEST(Plane_mesher, Conformal_ring_of_a_cylinder_eight_radii_long) {
   for (int around : {12, 24, 60}) {
     const double h = 2 * pi / around;
     const Field field = [h](const Point& p) { return Metric::isotropic(h * std::hypot(p.x(), p.y())); };
@@ -316,7 +316,7 @@ TEST(PlaneMesher, conformal_ring_of_a_cylinder_eight_radii_long) {
   }
 }
 
-TEST(PlaneMesher, stretched_parameterization_of_a_cylinder) {
+TEST(Plane_mesher, Stretched_parameterization_of_a_cylinder) {
   const double h = 0.1; // angle and height over a hundred as coordinates
   const Field field = [h](const Point&) { return Metric(1 / (h * h), 0, 1e4 / (h * h)); };
   const auto cylinder = [](const Point& p) { return Point_3(std::cos(p.x()), std::sin(p.x()), 100 * p.y()); };
@@ -334,7 +334,7 @@ TEST(PlaneMesher, stretched_parameterization_of_a_cylinder) {
 
 // ---- boundaries that do not suit the metric
 
-TEST(PlaneMesher, boundary_finer_or_coarser_than_the_metric) {
+TEST(Plane_mesher, Boundary_finer_or_coarser_than_the_metric) {
   const Field field = uniform(0.05);
   const Report finer = checked_mesh({unit_square(uniform(0.005))}, field);
   EXPECT_GE(finer.min_gamma, 0.4);
@@ -347,7 +347,7 @@ TEST(PlaneMesher, boundary_finer_or_coarser_than_the_metric) {
   EXPECT_GE(hole.mean_gamma, 0.97);
 }
 
-TEST(PlaneMesher, smallest_domains) {
+TEST(Plane_mesher, Smallest_domains) {
   const Field unit = uniform(1);
   EXPECT_EQ(tubular::triangulate_in_metric(Polygons{{{0, 0}, {1, 0}, {0.5, 0.8}}}, unit).triangles.size(), 1u);
   EXPECT_EQ(tubular::triangulate_in_metric(Polygons{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}}, unit).triangles.size(), 2u);
@@ -356,7 +356,7 @@ TEST(PlaneMesher, smallest_domains) {
   checked_mesh({{{0, 0}, {4, 0}, {8, 0}, {8, 1e-9}}}, unit);
 }
 
-TEST(PlaneMesher, jagged_domains_in_wild_metrics_are_valid) {
+TEST(Plane_mesher, Jagged_domains_in_wild_metrics_are_valid) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> any(0, 1);
   for (int trial = 0; trial < 40; ++trial) {
@@ -377,7 +377,7 @@ TEST(PlaneMesher, jagged_domains_in_wild_metrics_are_valid) {
   }
 }
 
-TEST(PlaneMesher, every_thread_and_run_gives_the_same) {
+TEST(Plane_mesher, Every_thread_and_run_gives_the_same) {
   const Field field = [](const Point& p) { return Metric::from_sizes(0.05, 0.02 + 0.02 * p.x(), p.y()); };
   const Polygons square = {unit_square(field)};
   const Mesh a = tubular::triangulate_in_metric(square, field), b = tubular::triangulate_in_metric(square, field);
@@ -385,14 +385,14 @@ TEST(PlaneMesher, every_thread_and_run_gives_the_same) {
   EXPECT_EQ(a.triangles, b.triangles);
 }
 
-TEST(PlaneMesher, points_of_other_kernels) {
+TEST(Plane_mesher, Points_of_other_kernels) {
   typedef CGAL::Simple_cartesian<double>::Point_2 Other;
   const std::vector<std::vector<Other>> square = {{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
   const auto mesh = tubular::triangulate_in_metric(square, [](const Other&) { return Metric::isotropic(1); });
   EXPECT_EQ(mesh.points, square.front());
 }
 
-TEST(PlaneMesher, optimization_pays) {
+TEST(Plane_mesher, Optimization_pays) {
   const Field field = [](const Point& p) { return Metric::isotropic(0.03 + 0.05 * p.x()); };
   const Polygons square = {unit_square(field)};
   const Mesh raw = tubular::triangulate_in_metric(square, field, tubular::parameters::optimization_passes(0));
@@ -402,7 +402,7 @@ TEST(PlaneMesher, optimization_pays) {
   EXPECT_GT(report(smooth, field).min_gamma, report(raw, field).min_gamma);
 }
 
-TEST(PlaneMesher, hundred_thousand_triangles_in_time) {
+TEST(Plane_mesher, Hundred_thousand_triangles_in_time) {
   const Field field = uniform(0.0048);
   const Polygons square = {unit_square(field)};
   const auto start = std::chrono::steady_clock::now();
@@ -426,7 +426,7 @@ template <class Exception> std::string sentence(const Polygons& polygons, const 
   return "";
 }
 
-TEST(PlaneMesherInput, bad_polygons_are_refused) {
+TEST(Plane_mesher_input, Bad_polygons_are_refused) {
   const Field unit = uniform(1);
   const Polygon square = {{0, 0}, {9, 0}, {9, 9}, {0, 9}};
   const auto says = [&](const Polygons& polygons, const std::string& words) {
@@ -447,7 +447,7 @@ TEST(PlaneMesherInput, bad_polygons_are_refused) {
   says({square, {{1, 1}, {2, 1}, {1, 2}}, {{1, 1}, {0.5, 1}, {1, 0.5}}}, "same point");
 }
 
-TEST(PlaneMesherInput, bad_metrics_are_refused) {
+TEST(Plane_mesher_input, Bad_metrics_are_refused) {
   const Polygons square = {{{0, 0}, {9, 0}, {9, 9}, {0, 9}}};
   const auto says = [&](const Field& field, const std::string& words) {
     const std::string what = sentence<tubular::Parameter_error>(square, field);

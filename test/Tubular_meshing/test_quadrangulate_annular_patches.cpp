@@ -100,7 +100,7 @@ void expect_grids_on_tubes(const Cut_tree& tree, const tubular::Annular_quads& q
   }
 }
 
-TEST(Quadrangulate_annular_patches, of_a_long_tube_is_one_grid_without_twist) {
+TEST(Quadrangulate_annular_patches, Of_a_long_tube_is_one_grid_without_twist) {
   const Cut_tree tree(tubular::straight_tube(20, 1), 60); // a tube nearly round
   ASSERT_GE(tree.cut.patches.size(), 3u);
   const auto quads = tree.quads(constant(2 * pi / 20));
@@ -119,7 +119,7 @@ TEST(Quadrangulate_annular_patches, of_a_long_tube_is_one_grid_without_twist) {
   EXPECT_GT(quality(quads)[1], 0.97);
 }
 
-TEST(Quadrangulate_annular_patches, has_good_quads_on_trees) {
+TEST(Quadrangulate_annular_patches, Has_good_quads_on_trees) {
   for (const auto& skeleton : {tubular::y_bifurcation(), tubular::aortic_arch()}) {
     const Cut_tree tree(skeleton);
     const tubular::Centerline_field centerlines(tree.model.centerlines);
@@ -132,7 +132,7 @@ TEST(Quadrangulate_annular_patches, has_good_quads_on_trees) {
   }
 }
 
-TEST(Quadrangulate_annular_patches, does_not_depend_on_threads) {
+TEST(Quadrangulate_annular_patches, Does_not_depend_on_threads) {
   const Cut_tree tree(tubular::y_bifurcation());
   const auto one = tree.quads(constant(0.2), 1), several = tree.quads(constant(0.2), 4);
   EXPECT_EQ(one.curve_points, several.curve_points);
@@ -140,7 +140,7 @@ TEST(Quadrangulate_annular_patches, does_not_depend_on_threads) {
     EXPECT_EQ(one.grids[k].points, several.grids[k].points);
 }
 
-TEST(Quadrangulate_annular_patches, refuses_maps_of_something_else) {
+TEST(Quadrangulate_annular_patches, Refuses_maps_of_something_else) {
   Cut_tree tree(tubular::straight_tube(6, 1));
   tree.maps.pop_back();
   EXPECT_THROW(tree.quads(constant(0.3)), tubular::Input_error);

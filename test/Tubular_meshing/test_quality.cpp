@@ -43,7 +43,7 @@ TEST(Shape_measures, Tetrahedra) {
   EXPECT_NEAR(tubular::tetrahedron_gamma(Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0), Point(1, 1, 0)), 0, eps);
 }
 
-TEST(Shape_measures, DoNotDependOnUnits) {
+TEST(Shape_measures, Do_not_depend_on_units) {
   for (double s : {1e-9, 1e-3, 1e6}) {
     const auto p = [s](double x, double y, double z) { return Point(s * x, s * y, s * z); };
     EXPECT_NEAR(tubular::tetrahedron_gamma(p(0, 0, 0), p(1, 0, 0), p(0, 1, 0), p(0, 0, 1)),
@@ -75,7 +75,7 @@ TEST(Shape_measures, Hexahedra) {
   EXPECT_NEAR(tubular::hexahedron_zeta(brick(1)), 0.5, eps);
 }
 
-TEST(Shape_measures, InAMetric) {
+TEST(Shape_measures, In_a_metric) {
   const std::array<double, 6> metric = {1. / 9, 0, 0, 4, 0, 25}; // sizes 3, 1/2, 1/5 along the axes
   std::array<Point, 4> p = regular;
   for (Point& q : p)
@@ -91,7 +91,7 @@ TEST(Shape_measures, InAMetric) {
             (std::numeric_limits<double>::infinity)());
 }
 
-TEST(Measure_statistics, OfKnownNumbers) {
+TEST(Measure_statistics, Of_known_numbers) {
   const tubular::Measure_statistics s({0.5, 0.1, 0.3, 0.2, 0.4});
   EXPECT_EQ(s.count(), 5u);
   EXPECT_EQ(s.min(), 0.1);
@@ -123,7 +123,7 @@ Mesh mixed_cells() {
   return m;
 }
 
-TEST(Validity_report, AcceptsMixedCells) {
+TEST(Validity_report, Accepts_mixed_cells) {
   Mesh m = mixed_cells();
   const auto r = tubular::validity_report(m);
   // the prism's base must turn counterclockwise seen from its top
@@ -135,7 +135,7 @@ TEST(Validity_report, AcceptsMixedCells) {
   EXPECT_EQ(fixed.cells, 3u);
 }
 
-TEST(Validity_report, NamesEveryDefect) {
+TEST(Validity_report, Names_every_defect) {
   Mesh good = mixed_cells();
   good.prisms.vertices[0] = {1, 5, 8, 2, 6, 9};
   EXPECT_EQ(tubular::validity_report(Mesh()).defects(), "no cells");
@@ -178,7 +178,7 @@ TEST(Validity_report, NamesEveryDefect) {
   EXPECT_EQ(tubular::validity_report(m).inverted_cells + tubular::validity_report(m).nonmanifold_edges, 2u);
 }
 
-TEST(Quality_report, MeasuresWhatIsThere) {
+TEST(Quality_report, Measures_what_is_there) {
   Mesh m = mixed_cells();
   const auto r = tubular::quality_report(m);
   EXPECT_EQ(r.gamma_tau.count(), 0u);
@@ -188,7 +188,7 @@ TEST(Quality_report, MeasuresWhatIsThere) {
   EXPECT_NEAR(r.zeta_H.min(), 1, eps);
 }
 
-TEST(Quality_report, EfficiencyOfAUnitMesh) {
+TEST(Quality_report, Efficiency_of_a_unit_mesh) {
   Mesh m;
   m.points.assign(regular.begin(), regular.end());
   m.tetrahedra.push_back({0, 1, 2, 3}, 1);

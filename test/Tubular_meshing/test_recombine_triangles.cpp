@@ -218,7 +218,7 @@ void expect_all_quads(const Triangles& mesh, const tubular::Recombined_triangles
   EXPECT_NEAR(sum, whole, 1e-12 * whole);
 }
 
-TEST_F(Recombine_triangles, costs_what_the_best_of_all_matchings_costs) {
+TEST_F(Recombine_triangles, Costs_what_the_best_of_all_matchings_costs) {
   int possible = 0;
   for (unsigned seed = 1; seed <= 40; ++seed) {
     const Triangles mesh = grid(4, 2 + seed % 3, 0.9, seed, true);
@@ -234,7 +234,7 @@ TEST_F(Recombine_triangles, costs_what_the_best_of_all_matchings_costs) {
   EXPECT_GT(possible, 30);
 }
 
-TEST_F(Recombine_triangles, finds_the_squares_of_a_grid) {
+TEST_F(Recombine_triangles, Finds_the_squares_of_a_grid) {
   const Triangles mesh = grid(30, 20, 0, 1, true);
   const auto result = tubular::recombine_triangles(mesh.points, mesh.triangles);
   ASSERT_EQ(result.quads.size(), 600u);
@@ -244,7 +244,7 @@ TEST_F(Recombine_triangles, finds_the_squares_of_a_grid) {
 }
 
 // Each triangle of one colour has neighbours of the other colour only, of which there are n fewer.
-TEST_F(Recombine_triangles, leaves_no_triangle_where_neighbours_cannot_all_be_paired) {
+TEST_F(Recombine_triangles, Leaves_no_triangle_where_neighbours_cannot_all_be_paired) {
   for (std::size_t n : {4u, 6u, 10u}) {
     const Triangles mesh = large_triangle(n);
     const auto result = tubular::recombine_triangles(mesh.points, mesh.triangles);
@@ -254,7 +254,7 @@ TEST_F(Recombine_triangles, leaves_no_triangle_where_neighbours_cannot_all_be_pa
   }
 }
 
-TEST_F(Recombine_triangles, reports_the_one_triangle_of_an_odd_number) {
+TEST_F(Recombine_triangles, Reports_the_one_triangle_of_an_odd_number) {
   Triangles mesh = grid(5, 4, 0.3);
   mesh.triangles.erase(mesh.triangles.begin());
   const auto result = tubular::recombine_triangles(mesh.points, mesh.triangles);
@@ -264,7 +264,7 @@ TEST_F(Recombine_triangles, reports_the_one_triangle_of_an_odd_number) {
   EXPECT_EQ(border(result), border(mesh));
 }
 
-TEST_F(Recombine_triangles, counts_each_component_by_itself) {
+TEST_F(Recombine_triangles, Counts_each_component_by_itself) {
   Triangles mesh = large_triangle(1);
   const Triangles other = large_triangle(3);
   for (const Triangle& t : other.triangles)
@@ -276,7 +276,7 @@ TEST_F(Recombine_triangles, counts_each_component_by_itself) {
   EXPECT_EQ(border(result), border(mesh));
 }
 
-TEST_F(Recombine_triangles, keeps_the_border_between_patches) {
+TEST_F(Recombine_triangles, Keeps_the_border_between_patches) {
   Triangles mesh = grid(6, 6, 0.2);
   std::vector<int> patches;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
@@ -297,7 +297,7 @@ TEST_F(Recombine_triangles, keeps_the_border_between_patches) {
   EXPECT_EQ(border(result), border(mesh));
 }
 
-TEST_F(Recombine_triangles, does_not_depend_on_units) {
+TEST_F(Recombine_triangles, Does_not_depend_on_units) {
   const Triangles mesh = grid(5, 6, 0.8, 3, true);
   std::vector<Point> small;
   for (const Point& p : mesh.points)
@@ -323,7 +323,7 @@ template <class Polygon> std::set<Point> corners_of(const std::vector<Point>& po
   return corners;
 }
 
-TEST_F(Recombine_triangles, changes_a_surface_mesh_as_it_does_arrays) {
+TEST_F(Recombine_triangles, Changes_a_surface_mesh_as_it_does_arrays) {
   for (const Triangles& mesh : {large_triangle(6), grid(4, 5, 0.5, 2, true), large_triangle(5)}) {
     const auto expected = tubular::recombine_triangles(mesh.points, mesh.triangles);
     Surface surface = surface_of(mesh);
@@ -348,7 +348,7 @@ TEST_F(Recombine_triangles, changes_a_surface_mesh_as_it_does_arrays) {
   }
 }
 
-TEST_F(Recombine_triangles, joins_no_faces_of_different_patches_of_a_surface_mesh) {
+TEST_F(Recombine_triangles, Joins_no_faces_of_different_patches_of_a_surface_mesh) {
   Surface surface = surface_of(grid(4, 4, 0));
   auto patch = surface.add_property_map<Surface::Face_index, int>("f:patch", 0).first;
   for (auto f : surface.faces())
@@ -367,7 +367,7 @@ template <class Function> std::string sentence_of(const Function& f) {
   return "";
 }
 
-TEST_F(Recombine_triangles, refuses_what_is_no_mesh) {
+TEST_F(Recombine_triangles, Refuses_what_is_no_mesh) {
   const std::vector<Point> points = {Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0), Point(0, 0, 1)};
   const auto sentence = [&](const std::vector<Triangle>& triangles, const std::vector<int>& patches) {
     return sentence_of([&] { tubular::recombine_triangles(points, triangles, patches); });
@@ -386,7 +386,7 @@ TEST_F(Recombine_triangles, refuses_what_is_no_mesh) {
   EXPECT_NE(sentence_of([&] { tubular::recombine_triangles(quad); }).find("Face 0"), std::string::npos);
 }
 
-TEST(Recombine_triangles_without_lemon, says_what_is_missing) {
+TEST(Recombine_triangles_without_lemon, Says_what_is_missing) {
   if (tubular::has_lemon())
     GTEST_SKIP() << "built with LEMON";
   const Triangles mesh = grid(1, 1, 0);

@@ -30,7 +30,7 @@ using namespace cubes_to_remesh;
 using tubular::internal::Metric_point;
 using tubular::internal::Tetrahedron_store;
 
-TEST(Metric_quality, IsThatOfTheReport) {
+TEST(Metric_quality, Is_that_of_the_report) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> uniform(-1, 1);
   for (int round = 0; round < 50; ++round) {
@@ -52,7 +52,7 @@ TEST(Metric_quality, IsThatOfTheReport) {
   }
 }
 
-TEST(Metric_quality, OfRegularElementsIsOne) {
+TEST(Metric_quality, Of_regular_elements_is_one) {
   // a regular tetrahedron of unit edges, stretched as the metric is
   const std::array<Vector_3d, 4> corner = {Vector_3d(0, 0, 0), Vector_3d(1, 0, 0), Vector_3d(0.5, std::sqrt(0.75), 0),
                                            Vector_3d(0.5, std::sqrt(1 / 12.), std::sqrt(2 / 3.))};
@@ -64,7 +64,7 @@ TEST(Metric_quality, OfRegularElementsIsOne) {
   EXPECT_NEAR(tubular::internal::metric_length(v[1], v[3]), 1, 1e-12);
 }
 
-TEST(Metric_energy, DerivativesAreThoseOfItsValue) {
+TEST(Metric_energy, Derivatives_are_those_of_its_value) {
   const Metric mean = sizes(0.3, 1, 2, normalized(Vector_3d(1, 1, 0)), normalized(Vector_3d(-1, 1, 0)));
   const Vector_3d a(1, 0.1, 0), b(0.2, 1, 0.1), c(0.1, 0.2, 1.2), x(0.05, -0.1, 0.02);
   const auto value = [&](const Vector_3d& p) {
@@ -89,7 +89,7 @@ TEST(Metric_energy, DerivativesAreThoseOfItsValue) {
   EXPECT_NEAR(mixed, e.hessian.xy, 1e-4 * (1 + std::abs(mixed)));
 }
 
-TEST(Metric_energy, OfHeightsIsLeastAtTheSizeAcross) {
+TEST(Metric_energy, Of_heights_is_least_at_the_size_across) {
   const Vector_3d n = normalized(Vector_3d(1, 2, 2));
   const Metric m = sizes(0.01, 1, 2, n, normalized(Vector_3d(2, 1, -2)), normalized(Vector_3d(2, -2, 1)));
   const auto at = [&](double height, bool with_derivatives = false) {
@@ -116,7 +116,7 @@ TEST(Metric_energy, OfHeightsIsLeastAtTheSizeAcross) {
   EXPECT_FALSE(e.add_height(n, -0.01 * n, m, true)); // beyond the facet
 }
 
-TEST(Metric_frame, TurnsTheMetricIntoTheIdentity) {
+TEST(Metric_frame, Turns_the_metric_into_the_identity) {
   const Metric m = sizes(0.01, 1, 5, normalized(Vector_3d(1, 2, 2)), normalized(Vector_3d(2, 1, -2)),
                          normalized(Vector_3d(2, -2, 1)));
   const tubular::internal::Metric_frame frame(m);
@@ -127,7 +127,7 @@ TEST(Metric_frame, TurnsTheMetricIntoTheIdentity) {
   EXPECT_NEAR(dot(frame.covector_into(g), frame.vector_into(v)), dot(g, v), 1e-9);
 }
 
-TEST(Tetrahedron_store, RenumbersWithoutTheUnused) {
+TEST(Tetrahedron_store, Renumbers_without_the_unused) {
   Mesh m = make_cube(2);
   m.points.insert(m.points.begin(), Point(9, 9, 9)); // of no tetrahedron
   for (auto& t : m.tetrahedra.vertices)
@@ -151,7 +151,7 @@ TEST(Tetrahedron_store, RenumbersWithoutTheUnused) {
 }
 
 // A fan of many tetrahedra around an edge.
-TEST(Tetrahedron_store, FindsTheStarOfAVertexOfAnyDegree) {
+TEST(Tetrahedron_store, Finds_the_star_of_a_vertex_of_any_degree) {
   for (std::uint32_t n : {5u, 63u, 64u, 65u, 300u}) {
     Mesh m;
     m.points = {Point(0, 0, 0), Point(0, 0, 1)};
@@ -169,7 +169,7 @@ TEST(Tetrahedron_store, FindsTheStarOfAVertexOfAnyDegree) {
 
 /* Pairs of neighbours are formed where both are single: each pair that is possible rules out others of its batch, which
  * have to be looked at once more. */
-TEST(Speculation, DoesWhatOneAfterTheOtherWould) {
+TEST(Speculation, Does_what_one_after_the_other_would) {
   const auto make_pairs = [](int threads, std::size_t batch) {
     std::vector<std::size_t> order(5000);
     std::iota(order.begin(), order.end(), std::size_t(0));
@@ -219,7 +219,7 @@ bool link_condition_holds(const Mesh& m, std::uint32_t v, std::uint32_t w) {
 }
 
 // A cap of one facet, 0 1 2: were its rim to lose a vertex, it would be gone.
-TEST(Link_condition, KeepsRimsOfThreeVertices) {
+TEST(Link_condition, Keeps_rims_of_three_vertices) {
   Mesh m;
   m.points = {Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0), Point(0.3, 0.3, -1)};
   m.tetrahedra.push_back({0, 2, 1, 3}, 1);
@@ -231,7 +231,7 @@ TEST(Link_condition, KeepsRimsOfThreeVertices) {
   EXPECT_FALSE(link_condition_holds(m, 0, 1));
 }
 
-TEST(Link_condition, HoldsOnASideAndAlongARim) {
+TEST(Link_condition, Holds_on_a_side_and_along_a_rim) {
   const Mesh m = make_cube(4);
   const auto at = [](int i, int j, int k) { return std::uint32_t((i * 5 + j) * 5 + k); };
   EXPECT_TRUE(link_condition_holds(m, at(2, 2, 0), at(3, 2, 0)));
@@ -240,7 +240,7 @@ TEST(Link_condition, HoldsOnASideAndAlongARim) {
 
 /* A rod of two prisms, with a triangle for its waist that is no facet of the surface: were two of its vertices to
  * become one, the surface would touch itself along an edge. */
-TEST(Link_condition, KeepsAWaistOfThreeVertices) {
+TEST(Link_condition, Keeps_a_waist_of_three_vertices) {
   Mesh m;
   for (int k = 0; k < 3; ++k)
     for (const Point& p : {Point(0, 0, k), Point(1, 0, k), Point(0, 1, k)})

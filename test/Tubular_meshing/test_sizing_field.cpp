@@ -67,7 +67,7 @@ double constant_radius(double) {
   return 1;
 }
 
-TEST(Centerline_sizing_field, IsTheCircumferenceOverN) {
+TEST(Centerline_sizing_field, Is_the_circumference_over_n) {
   const Round_tube tube(12, constant_radius);
   for (double n : {8., 20., 50.}) {
     const Sizing_field h = tube.field(tubular::parameters::points_per_circumference(n));
@@ -77,20 +77,20 @@ TEST(Centerline_sizing_field, IsTheCircumferenceOverN) {
   }
 }
 
-TEST(Centerline_sizing_field, DoesNotDependOnUnits) {
+TEST(Centerline_sizing_field, Does_not_depend_on_units) {
   const Round_tube metres(12, constant_radius, 1e-3), nanometres(12, constant_radius, 1e6);
   const auto np = tubular::parameters::points_per_circumference(20);
   EXPECT_NEAR(metres.field(np)(Point(0, 0, 6e-3)) / 1e-3, nanometres.field(np)(Point(0, 0, 6e6)) / 1e6, 1e-6);
 }
 
-TEST(Centerline_sizing_field, FollowsATaper) {
+TEST(Centerline_sizing_field, Follows_a_taper) {
   const Round_tube tube(20, [](double z) { return 2 - z / 16; });
   const Sizing_field h = tube.field(tubular::parameters::points_per_circumference(20));
   for (double z = 2; z < 18; z += 1)
     EXPECT_NEAR(h(Point(0.1, 0, z)), 2 * pi * (2 - z / 16) / 20, 0.03 * 2 * pi * (2 - z / 16) / 20) << z;
 }
 
-TEST(Centerline_sizing_field, MeshesASacAtItsOwnSize) {
+TEST(Centerline_sizing_field, Meshes_a_sac_at_its_own_size) {
   // a bulge of radius 3 on one side, its centerline straight: the nearest wall is the vessel's, 1 away
   Round_tube tube(20, constant_radius);
   for (auto v : tube.mesh.vertices()) {
@@ -103,7 +103,7 @@ TEST(Centerline_sizing_field, MeshesASacAtItsOwnSize) {
   EXPECT_LT(h(Point(-0.9, 0, 10)), 1.3 * 2 * pi / 20);
 }
 
-TEST(Centerline_sizing_field, KeepsToLimitsAndGradation) {
+TEST(Centerline_sizing_field, Keeps_to_limits_and_gradation) {
   // a throat: the radius falls from 2 to 0.3 and rises again within a short length
   const auto throat = [](double z) { return 2 - 1.7 * std::exp(-(z - 10) * (z - 10) / 0.5); };
   const Round_tube tube(20, throat, 1, 48, 400);
@@ -128,7 +128,7 @@ TEST(Centerline_sizing_field, KeepsToLimitsAndGradation) {
   }
 }
 
-TEST(Centerline_sizing_field, IsTheSameOnAnyNumberOfThreads) {
+TEST(Centerline_sizing_field, Is_the_same_on_any_number_of_threads) {
   const Round_tube tube(20, [](double z) { return 2 - z / 16; });
   const Sizing_field one = tube.field(tubular::parameters::number_of_threads(1));
   const Sizing_field two = tube.field(tubular::parameters::number_of_threads(2));
@@ -136,7 +136,7 @@ TEST(Centerline_sizing_field, IsTheSameOnAnyNumberOfThreads) {
     EXPECT_EQ(one(Point(0.3, 0.2, z)), two(Point(0.3, 0.2, z)));
 }
 
-TEST(Centerline_sizing_field, AnswersOutsideOfTheSurface) {
+TEST(Centerline_sizing_field, Answers_outside_of_the_surface) {
   const Round_tube tube(12, constant_radius);
   const Sizing_field h = tube.field(tubular::parameters::points_per_circumference(20));
   for (const Point& p : {Point(100, 0, 0), Point(0, 0, -50), Point(-3, 4, 30)}) {
@@ -145,7 +145,7 @@ TEST(Centerline_sizing_field, AnswersOutsideOfTheSurface) {
   }
 }
 
-TEST(Centerline_sizing_field, RefusesSenselessParameters) {
+TEST(Centerline_sizing_field, Refuses_senseless_parameters) {
   const Round_tube tube(12, constant_radius, 1, 16, 20);
   using tubular::Parameter_error;
   EXPECT_THROW(tube.field(tubular::parameters::points_per_circumference(0)), Parameter_error);

@@ -12,10 +12,9 @@
 #include <memory>
 #include <utility>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingCenterlines
  *
  * The two descriptors of section 2.2, at any point of space: the local radius at the nearest point of the centerlines,
  * and the triad axis (e_t, e_n, e_bn), with the branch and the abscissa where they were found.
@@ -70,8 +69,7 @@ private:
   std::shared_ptr<const Impl> impl_;
 };
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
 #include <CGAL/Tubular_meshing/Centerlines/Centerline_field_impl.h>

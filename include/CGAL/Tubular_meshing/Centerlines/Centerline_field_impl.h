@@ -14,8 +14,7 @@
 #include <cmath>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
 class Centerline_field::Impl {
 public:
@@ -131,7 +130,6 @@ Centerline_field::descriptors_and_frame(const Point_3& x) const {
   return std::make_pair(impl_->descriptors(l), impl_->frame(q, l));
 }
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #endif // CGAL_TUBULAR_MESHING_CENTERLINES_CENTERLINE_FIELD_IMPL_H

@@ -11,10 +11,9 @@
 #include <unordered_map>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingCenterlines
  *
  * Centerlines as they come from a file: polylines that may overlap, be cut into single segments, or lack radii.
  */
@@ -24,7 +23,7 @@ struct Centerline_polylines {
   std::vector<std::vector<std::size_t>> lines; ///< indices of points, two or more a line
 };
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingCenterlines
  *
  * The branches of a vessel or airway tree (Algorithm 1 of the paper): a graph whose nodes are bifurcations and ends,
  * and whose edges, the branches, are polylines with a radius at each point. A tree is the usual case; loops (a bypass,
@@ -118,8 +117,7 @@ private:
   size_type root_ = 0;
 };
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
 #include <CGAL/Tubular_meshing/Centerlines/Centerline_graph_impl.h>

@@ -13,8 +13,7 @@
 #include <string>
 #include <utility>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
 CGAL_TUBULAR_MESHING_INLINE Centerline_graph::Centerline_graph(std::vector<Point_3> points, std::vector<double> radii,
                                                                std::vector<Polyline> branches)
@@ -195,7 +194,6 @@ CGAL_TUBULAR_MESHING_INLINE bool Centerline_graph::is_consistent(size_type i) co
   return std::is_sorted(b.abscissa.begin(), b.abscissa.end()) && b.abscissa.back() == b.length;
 }
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #endif // CGAL_TUBULAR_MESHING_CENTERLINES_CENTERLINE_GRAPH_IMPL_H

@@ -15,8 +15,7 @@
 #include <memory>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
 namespace internal {
 
@@ -38,7 +37,7 @@ std::vector<std::array<Point_3, 3>> corners_of_faces(const TriangleMesh& mesh, c
 
 } // namespace internal
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingCenterlines
  *
  * The distance to the wall of a tubular surface, as a function object: at a point of the centerlines it is the local
  * radius r(x_c) of section 2.2. Caps must be left out, or a centerline would seem to narrow towards its ends.
@@ -89,8 +88,7 @@ private:
   std::shared_ptr<const Impl> impl_;
 };
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
 #include <CGAL/Tubular_meshing/Centerlines/Wall_distance_impl.h>

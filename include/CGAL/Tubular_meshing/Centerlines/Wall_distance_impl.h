@@ -11,8 +11,7 @@
 #include <cmath>
 #include <utility>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
 struct Wall_distance::Impl {
   internal::Nearest_tree<internal::Double_kernel::Triangle_3> tree;
@@ -46,7 +45,6 @@ CGAL_TUBULAR_MESHING_INLINE CGAL::Bbox_3 Wall_distance::bbox() const {
   return impl_->tree.bbox();
 }
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #endif // CGAL_TUBULAR_MESHING_CENTERLINES_WALL_DISTANCE_IMPL_H

@@ -9,10 +9,9 @@
 
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingCenterlines
  *
  * Centerlines in the manner of VMTK's branch extractor: each line from the inlet to an outlet is cut into tracts, which
  * run along a branch or through a bifurcation, by turns.
@@ -25,21 +24,20 @@ struct Branched_centerlines {
   std::vector<int> blanking;       ///< 1 for tracts through a bifurcation, else 0
 };
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingCenterlines
  *
  * The lines from the root of a graph to each of its other ends (and, where branches rejoin, through each branch that
  * these leave out), cut into tracts with the identifiers that VMTK's users feed on. Linear in the result.
  */
 Branched_centerlines branched_centerlines(const Centerline_graph& graph);
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingCenterlines
  *
  * The same lines in one piece each, as VMTK's vmtkcenterlines writes them. Linear in the result.
  */
 Centerline_polylines centerlines_from_root(const Centerline_graph& graph);
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
 #include <CGAL/Tubular_meshing/Centerlines/branched_centerlines_impl.h>

@@ -10,8 +10,7 @@
 #include <cstddef>
 #include <utility>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
 namespace internal {
 
@@ -145,7 +144,6 @@ CGAL_TUBULAR_MESHING_INLINE Centerline_polylines centerlines_from_root(const Cen
   return result;
 }
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #endif // CGAL_TUBULAR_MESHING_CENTERLINES_BRANCHED_CENTERLINES_IMPL_H

@@ -11,10 +11,9 @@
 
 #include <CGAL/Named_function_parameters.h>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingCenterlines
  *
  * The options of build_centerline_graph(): its named parameters.
  */
@@ -36,7 +35,7 @@ void build_centerline_graph(const Centerline_polylines& polylines, Centerline_gr
 
 } // namespace internal
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingCenterlines
  *
  * Makes the branches of a vessel or airway tree from centerlines as programs write them: VMTK one polyline an outlet,
  * all of them nearly, but not exactly, equal upstream; Gmsh loose segments.
@@ -71,7 +70,7 @@ void build_centerline_graph(const Centerline_polylines& polylines, const RadiusF
   internal::build_centerline_graph(polylines, radius, graph, Build_centerline_graph_options(np));
 }
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingCenterlines
  *
  * The same, with the radii that the file gives (VMTK's MaximumInscribedSphereRadius), where there is no surface.
  *
@@ -83,8 +82,7 @@ void build_centerline_graph(const Centerline_polylines& polylines, Centerline_gr
   internal::build_centerline_graph(polylines, graph, Build_centerline_graph_options(np));
 }
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
 #include <CGAL/Tubular_meshing/Centerlines/build_centerline_graph_impl.h>

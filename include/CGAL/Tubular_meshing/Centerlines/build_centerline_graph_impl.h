@@ -22,9 +22,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 inline std::vector<Double_kernel::Point_3> checked_points(const Centerline_polylines& polylines) {
   std::vector<Double_kernel::Point_3> points;
@@ -176,8 +174,6 @@ CGAL_TUBULAR_MESHING_INLINE void build_centerline_graph(const Centerline_polylin
   graph = merged_graph(polylines, points, polylines.radius, interpolated, options.merge_tolerance);
 }
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_CENTERLINES_BUILD_CENTERLINE_GRAPH_IMPL_H

@@ -11,8 +11,7 @@
 
 #include <CGAL/Named_function_parameters.h>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
 namespace internal {
 
@@ -20,7 +19,7 @@ void check_centerlines_inside(const Centerline_graph& graph, const Surface& surf
 
 } // namespace internal
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingCenterlines
  *
  * Makes sure that centerlines and surface belong together: more than half of the centerlines' length lies inside. (Not
  * all of it must: centerlines of a surface with flow extensions run out of the openings.) 256 points are tried, each in
@@ -39,8 +38,7 @@ void check_centerlines_inside(const Centerline_graph& graph, const TriangleMesh&
   internal::check_centerlines_inside(graph, *core);
 }
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
 #include <CGAL/Tubular_meshing/Centerlines/check_centerlines_impl.h>

@@ -16,9 +16,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 inline std::string to_string(const CGAL::Bbox_3& b) {
   std::ostringstream s;
@@ -66,8 +64,6 @@ CGAL_TUBULAR_MESHING_INLINE void check_centerlines_inside(const Centerline_graph
                     ", the surface " + to_string(CGAL::Polygon_mesh_processing::bbox(surface)) + ".");
 }
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_CENTERLINES_CHECK_CENTERLINES_IMPL_H

@@ -11,10 +11,9 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingCenterlines
  *
  * Lets the centerlines end at the openings: a free end that runs out of the lumen (centerlines of a surface with flow
  * extensions do) is cut where it crosses the opening's plane; one that stops short, within two radii of the opening's
@@ -26,8 +25,7 @@ namespace Tubular_meshing {
  */
 std::vector<std::size_t> clip_to_openings(Centerline_graph& graph, const std::vector<Opening>& openings);
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
 #include <CGAL/Tubular_meshing/Centerlines/clip_to_openings_impl.h>

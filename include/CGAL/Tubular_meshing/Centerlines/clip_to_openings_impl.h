@@ -13,8 +13,7 @@
 #include <cmath>
 #include <utility>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
 namespace internal {
 
@@ -183,7 +182,6 @@ CGAL_TUBULAR_MESHING_INLINE std::vector<std::size_t> clip_to_openings(Centerline
   return nodes;
 }
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #endif // CGAL_TUBULAR_MESHING_CENTERLINES_CLIP_TO_OPENINGS_IMPL_H

@@ -18,10 +18,9 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingCenterlines
  *
  * The options of compute_centerlines(): its named parameters.
  */
@@ -67,7 +66,7 @@ void compute_centerlines(const Surface& surface, const std::vector<Point_3>& end
 
 } // namespace internal
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingCenterlines
  *
  * Computes the centerlines of a tubular surface, from its inlet to each outlet: the paths on the Voronoi diagram that
  * minimize the integral of 1/R, R being the radius of the maximal inscribed sphere (section 2.1; L. Antiga,
@@ -119,7 +118,7 @@ void compute_centerlines(const TriangleMesh& surface, FacePatchMap patch, const 
   internal::compute_centerlines(core.surface(), core.patch(), openings, graph, Compute_centerlines_options(np));
 }
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingCenterlines
  *
  * The same for surfaces without flat ends: from the first of the given points to each of the others. A point stands for
  * the largest inscribed sphere that touches the surface where it is nearest to the point; the lines end at the centres
@@ -137,8 +136,7 @@ void compute_centerlines(const TriangleMesh& surface, const std::vector<Point_3>
   internal::compute_centerlines(*core, ends, graph, Compute_centerlines_options(np));
 }
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
 #include <CGAL/Tubular_meshing/Centerlines/compute_centerlines_impl.h>

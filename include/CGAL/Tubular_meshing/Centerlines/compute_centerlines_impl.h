@@ -19,9 +19,7 @@
 #include <cstddef>
 #include <string>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 inline void check_closed_surface(const Surface& surface) {
   if (surface.is_empty())
@@ -160,8 +158,6 @@ CGAL_TUBULAR_MESHING_INLINE void compute_centerlines(const Surface& surface, con
   compute_centerlines(labelled.surface, labelled.patch, openings, graph, options);
 }
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_CENTERLINES_COMPUTE_CENTERLINES_IMPL_H

@@ -10,9 +10,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* The segments of a graph in the order of its branches, and where each is. */
 struct Graph_segments {
@@ -35,8 +33,6 @@ struct Graph_segments {
   }
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_CENTERLINES_GRAPH_SEGMENTS_H

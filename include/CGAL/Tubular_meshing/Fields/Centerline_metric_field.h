@@ -19,10 +19,9 @@
 #include <memory>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingFields
  *
  * The options of Centerline_metric_field: its named parameters.
  */
@@ -58,7 +57,7 @@ struct Centerline_metric_field_options {
   }
 };
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingFields
  *
  * The anisotropic metric of section 2.4: flat elements along the wall, which thicken inward from a first height by a
  * given growth, are long where the vessel is straight, and become isotropic in its core.
@@ -208,8 +207,7 @@ private:
   std::shared_ptr<const Impl> impl_;
 };
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
 #include <CGAL/Tubular_meshing/Fields/Centerline_metric_field_impl.h>

@@ -19,8 +19,7 @@
 #include <array>
 #include <cmath>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
 class Centerline_metric_field::Impl {
 public:
@@ -108,7 +107,6 @@ CGAL_TUBULAR_MESHING_INLINE std::size_t Centerline_metric_field::number_of_leave
   return impl_->number_of_leaves();
 }
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #endif // CGAL_TUBULAR_MESHING_FIELDS_CENTERLINE_METRIC_FIELD_IMPL_H

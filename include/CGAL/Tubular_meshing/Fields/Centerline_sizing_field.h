@@ -16,8 +16,7 @@
 #include <limits>
 #include <memory>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
 namespace internal {
 
@@ -25,7 +24,7 @@ class Size_octree;
 
 } // namespace internal
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingFields
  *
  * The options of Centerline_sizing_field: its named parameters.
  */
@@ -46,7 +45,7 @@ struct Centerline_sizing_field_options {
   }
 };
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingFields
  *
  * The mesh size that gives every vessel the same number of points round its circumference: h = 2 π r / N, r the local
  * radius, growing no faster from one element to the next than the gradation allows.
@@ -127,8 +126,7 @@ private:
   std::shared_ptr<const internal::Size_octree> octree_;
 };
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
 #include <CGAL/Tubular_meshing/Fields/Centerline_sizing_field_impl.h>

@@ -12,8 +12,7 @@
 #include <cmath>
 #include <string>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
 namespace internal {
 
@@ -58,7 +57,6 @@ CGAL_TUBULAR_MESHING_INLINE double Centerline_sizing_field::estimated_number_of_
   return 7 * octree_->number_of_cubes();
 }
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #endif // CGAL_TUBULAR_MESHING_FIELDS_CENTERLINE_SIZING_FIELD_IMPL_H

@@ -20,10 +20,9 @@
 #include <array>
 #include <string>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingFields
  *
  * How large an element of a mesh may be, measured in a metric: 1 is the metric's own size. Zero asks for nothing. The
  * edges of a unit mesh are at most √2 long; a regular tetrahedron of edges 1 has the circumradius 0.61, a regular
@@ -72,12 +71,12 @@ private:
 };
 
 /* In Mesh_3's queues the number of the criterion comes before the measure, the worst (smallest) first: whatever CGAL's
- * own criteria find wrong is mended before sizes. */
+ * own criteria find wrong is refined before sizes. */
 constexpr int metric_criterion_number = 1000;
 
 } // namespace internal
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingFields
  *
  * The cell criteria of Mesh_3, and one more: cells that are too large in a Riemannian metric are refined, the largest
  * ones first.
@@ -121,7 +120,7 @@ private:
   internal::Metric_size_criterion<Triangulation, MetricField> size_;
 };
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingFields
  *
  * The same for the facets of the surface.
  *
@@ -156,7 +155,7 @@ private:
   internal::Metric_size_criterion<Triangulation, MetricField> size_;
 };
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingFields
  *
  * Mesh_3's criteria with both: constructed, as Mesh_criteria_3 is, from facet criteria and cell criteria.
  */
@@ -165,7 +164,6 @@ using Metric_mesh_criteria_3 = Mesh_criteria_3<Triangulation, Mesh_edge_criteria
                                                Metric_facet_criteria_3<Triangulation, MetricField>,
                                                Metric_cell_criteria_3<Triangulation, MetricField>>;
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #endif // CGAL_TUBULAR_MESHING_FIELDS_METRIC_CRITERIA_3_H

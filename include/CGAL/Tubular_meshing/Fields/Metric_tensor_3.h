@@ -15,10 +15,9 @@
 #include <iterator>
 #include <limits>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingFields
  *
  * A symmetric 3×3 tensor, positive definite when it is the metric of a mesh: a vector e has the length
  * \f$ \sqrt{e^T M e} \f$, and the size h in the direction of a unit eigenvector belongs to the eigenvalue
@@ -317,7 +316,6 @@ private:
   }
 };
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #endif // CGAL_TUBULAR_MESHING_FIELDS_METRIC_TENSOR_3_H

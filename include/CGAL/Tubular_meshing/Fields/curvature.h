@@ -20,10 +20,9 @@
 #include <unordered_map>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingFields
  *
  * The curvature of a surface at a vertex. Curvatures are in one over the unit of length, and positive where the surface
  * is convex, seen from the side its normals point to: 1/r round a vessel of radius r, negative along the inner side of
@@ -44,7 +43,7 @@ template <class Vector_3> struct Vertex_curvature {
   }
 };
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingFields
  *
  * The options of compute_curvatures(): its named parameters.
  */
@@ -104,7 +103,7 @@ std::vector<Vertex_curvature<Vector_3>> compute_curvatures(const Indexed_triangl
 
 } // namespace internal
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingFields
  *
  * computes normals, principal curvatures and their directions at the vertices of a triangulated surface, open or
  * closed, by the tensors of its faces \cgalCite{rusinkiewicz2004}, and averages them against noise over a neighborhood
@@ -171,8 +170,7 @@ void compute_curvatures(const TriangleMesh& mesh, CurvatureMap curvatures,
   }
 }
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
 #include <CGAL/Tubular_meshing/Fields/curvature_impl.h>

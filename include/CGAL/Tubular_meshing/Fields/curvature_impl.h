@@ -13,9 +13,7 @@
 #include <cmath>
 #include <string>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 inline Vertex_curvature<Vector_3> principal(const Shape_tensor& k, const Tangent_frame& f) {
   const double mean = (k.uu + k.vv) / 2, d = (k.uu - k.vv) / 2, radius = std::hypot(d, k.uv);
@@ -49,8 +47,6 @@ compute_curvatures(const Indexed_triangles& faces, const Compute_curvatures_opti
   return result;
 }
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_FIELDS_CURVATURE_IMPL_H

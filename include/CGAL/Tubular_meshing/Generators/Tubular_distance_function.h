@@ -16,10 +16,9 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingGenerators
  *
  * The implicit function of the tubular surface around a skeleton: negative inside, zero on the surface, and positive
  * outside, in the unit of the skeleton.
@@ -111,8 +110,7 @@ private:
   std::vector<Box_node> nodes_;
 };
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
 #include <CGAL/Tubular_meshing/Generators/Tubular_distance_function_impl.h>

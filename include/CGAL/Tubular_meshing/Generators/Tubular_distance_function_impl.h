@@ -15,8 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
 CGAL_TUBULAR_MESHING_INLINE Tubular_distance_function::Tubular_distance_function(const Tubular_skeleton& skeleton) {
   check_skeleton(skeleton);
@@ -211,7 +210,6 @@ CGAL_TUBULAR_MESHING_INLINE Tubular_distance_function::Value Tubular_distance_fu
   return result;
 }
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #endif // CGAL_TUBULAR_MESHING_GENERATORS_TUBULAR_DISTANCE_FUNCTION_IMPL_H

@@ -12,10 +12,9 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingGenerators
  *
  * What a generated tubular surface is made from, and the truth to compare results with: nodes, and between them
  * branches, which are polylines with a radius at each point, sampled finely enough to pass for smooth curves.
@@ -63,7 +62,7 @@ struct Tubular_skeleton {
                   internal::Function_view<double(double)> radius);
 };
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingGenerators
  *
  * Checks what the generators need: each branch has two or more distinct consecutive points and as many positive finite
  * radii, its ends are its nodes, and the inlet is an end.
@@ -71,7 +70,7 @@ struct Tubular_skeleton {
  */
 void check_skeleton(const Tubular_skeleton& skeleton);
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingGenerators
  *
  * The centerlines of a skeleton as VMTK writes them: one polyline from the inlet to each outlet, so that they overlap
  * upstream, each with points of its own. A skeleton with loops gives one polyline a branch.
@@ -80,8 +79,7 @@ void check_skeleton(const Tubular_skeleton& skeleton);
  */
 Centerline_polylines centerlines_of(const Tubular_skeleton& skeleton);
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
 #include <CGAL/Tubular_meshing/Generators/Tubular_skeleton_impl.h>

@@ -15,8 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
 CGAL_TUBULAR_MESHING_INLINE std::vector<std::size_t> Tubular_skeleton::degrees() const {
   std::vector<std::size_t> degree(nodes.size(), 0);
@@ -155,7 +154,6 @@ CGAL_TUBULAR_MESHING_INLINE Centerline_polylines centerlines_of(const Tubular_sk
   return lines;
 }
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #endif // CGAL_TUBULAR_MESHING_GENERATORS_TUBULAR_SKELETON_IMPL_H

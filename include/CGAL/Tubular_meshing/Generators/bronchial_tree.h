@@ -9,10 +9,9 @@
 
 #include <cstddef>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingGenerators
  *
  * A bronchial tree after Weibel \cgalCite{weibel1963}: each branch divides into two, radii and lengths shrink by
  * 2^(-1/3) a generation, and planes of bifurcation turn. The radius of the trachea is 9. Branches that do not share a
@@ -25,8 +24,7 @@ namespace Tubular_meshing {
  */
 Tubular_skeleton bronchial_tree(std::size_t number_of_branches);
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
 #include <CGAL/Tubular_meshing/Generators/bronchial_tree_impl.h>

@@ -18,8 +18,7 @@
 #include <unordered_map>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
 namespace internal {
 
@@ -187,7 +186,6 @@ CGAL_TUBULAR_MESHING_INLINE Tubular_skeleton bronchial_tree(std::size_t number_o
   return internal::Bronchial_tree_builder(number_of_branches).skeleton();
 }
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #endif // CGAL_TUBULAR_MESHING_GENERATORS_BRONCHIAL_TREE_IMPL_H

@@ -9,8 +9,7 @@
 
 #include <CGAL/number_type_config.h>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
 /*! \addtogroup PkgTubularMeshingRef
  * @{
@@ -38,8 +37,7 @@ Tubular_skeleton willis_loop();
 /*! \} */
 /*! @} */
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
 #include <CGAL/Tubular_meshing/Generators/tubular_shapes_impl.h>

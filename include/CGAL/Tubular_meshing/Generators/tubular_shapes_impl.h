@@ -10,8 +10,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
 CGAL_TUBULAR_MESHING_INLINE Tubular_skeleton straight_tube(double length, double radius) {
   Tubular_skeleton s;
@@ -118,7 +117,6 @@ CGAL_TUBULAR_MESHING_INLINE Tubular_skeleton willis_loop() {
   return s;
 }
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #endif // CGAL_TUBULAR_MESHING_GENERATORS_TUBULAR_SHAPES_IMPL_H

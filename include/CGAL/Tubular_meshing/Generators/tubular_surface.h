@@ -10,17 +10,16 @@
 #include <CGAL/Tubular_meshing/base/convert_surface.h>
 #include <CGAL/Tubular_meshing/base/parameters.h>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingGenerators
  * How the rim of a generated opening leaves its plane. */
 enum class Sag_shape {
   saddle, ///< twice up and twice down around the rim, by cos(2a)
   tilt    ///< an oblique ellipse, by cos(a)
 };
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingGenerators
  *
  * The options of generate_tubular_surface(): its named parameters of the same names. */
 struct Generate_tubular_surface_options {
@@ -48,7 +47,7 @@ Surface generate_tubular_surface(const Tubular_skeleton& skeleton, const Generat
 
 } // namespace internal
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingGenerators
  *
  * Makes a smooth triangulated surface around a skeleton: the zero surface of its Tubular_distance_function, cut off at
  * the ends by the planes through the end nodes, perpendicular to the centerline.
@@ -112,8 +111,7 @@ void generate_tubular_surface(const Tubular_skeleton& skeleton, TriangleMesh& ou
   internal::copy_from_core(internal::generate_tubular_surface(skeleton, Generate_tubular_surface_options(np)), out, np);
 }
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
 #include <CGAL/Tubular_meshing/Generators/tubular_surface_impl.h>

@@ -24,9 +24,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* Makes the surface around a skeleton, and changes it as asked for. */
 class Tubular_surface_generator {
@@ -194,8 +192,6 @@ CGAL_TUBULAR_MESHING_INLINE Surface generate_tubular_surface(const Tubular_skele
   return std::move(generator.mesh());
 }
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_GENERATORS_TUBULAR_SURFACE_IMPL_H

@@ -12,11 +12,9 @@
 #include <string_view>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace IO {
+namespace CGAL::Tubular_meshing::IO {
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingIO
  *
  * A file that is written whole or not at all.
  *
@@ -70,14 +68,12 @@ private:
   std::vector<std::unique_ptr<Output_file>> companions_;
 };
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingIO
  * Throws Output_error if the file cannot be created or replaced: to learn it before hours of work, not after. Leaves
  * no trace. Devices and pipes pass. */
 void check_writable(const std::string& file);
 
-} // namespace IO
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::IO
 
 #ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
 #include <CGAL/Tubular_meshing/IO/Output_file_impl.h>

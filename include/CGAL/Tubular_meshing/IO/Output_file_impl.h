@@ -12,9 +12,7 @@
 #include <filesystem>
 #include <system_error>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace IO {
+namespace CGAL::Tubular_meshing::IO {
 
 namespace internal {
 
@@ -144,8 +142,6 @@ CGAL_TUBULAR_MESHING_INLINE void check_writable(const std::string& file) {
   Output_file probe(file);
 }
 
-} // namespace IO
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::IO
 
 #endif // CGAL_TUBULAR_MESHING_IO_OUTPUT_FILE_IMPL_H

@@ -9,11 +9,9 @@
 
 #include <string>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace IO {
+namespace CGAL::Tubular_meshing::IO {
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingIO
  *
  * reads centerlines: the lines of a file, as they stand there.
  *
@@ -32,9 +30,7 @@ namespace IO {
  */
 void read_centerlines(const std::string& file, Centerline_polylines& centerlines);
 
-} // namespace IO
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::IO
 
 #ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
 #include <CGAL/Tubular_meshing/IO/read_centerlines_impl.h>

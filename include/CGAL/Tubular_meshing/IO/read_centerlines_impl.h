@@ -19,9 +19,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace IO {
+namespace CGAL::Tubular_meshing::IO {
 
 namespace internal {
 
@@ -136,8 +134,6 @@ CGAL_TUBULAR_MESHING_INLINE void read_centerlines(const std::string& file, Cente
   centerlines.lines.swap(soup.lines);
 }
 
-} // namespace IO
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::IO
 
 #endif // CGAL_TUBULAR_MESHING_IO_READ_CENTERLINES_IMPL_H

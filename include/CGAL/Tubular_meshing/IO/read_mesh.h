@@ -9,11 +9,9 @@
 
 #include <string>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace IO {
+namespace CGAL::Tubular_meshing::IO {
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingIO
  *
  * reads a mesh with its labels, names and point arrays. What write_mesh() has written is read back equal: points bit
  * for bit, and all elements in their order. Files of other programs may be in any encoding of VTK's XML format with
@@ -30,9 +28,7 @@ namespace IO {
  */
 void read_mesh(const std::string& file, Mixed_mesh& mesh);
 
-} // namespace IO
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::IO
 
 #ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
 #include <CGAL/Tubular_meshing/IO/read_mesh_impl.h>

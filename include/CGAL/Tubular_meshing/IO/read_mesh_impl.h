@@ -14,9 +14,7 @@
 #include <string>
 #include <utility>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace IO {
+namespace CGAL::Tubular_meshing::IO {
 
 CGAL_TUBULAR_MESHING_INLINE void read_mesh(const std::string& name, Mixed_mesh& mesh) {
   using namespace internal;
@@ -37,8 +35,6 @@ CGAL_TUBULAR_MESHING_INLINE void read_mesh(const std::string& name, Mixed_mesh& 
   mesh = std::move(result);
 }
 
-} // namespace IO
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::IO
 
 #endif // CGAL_TUBULAR_MESHING_IO_READ_MESH_IMPL_H

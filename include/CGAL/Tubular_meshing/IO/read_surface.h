@@ -16,9 +16,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace IO {
+namespace CGAL::Tubular_meshing::IO {
 
 namespace internal {
 
@@ -27,7 +25,7 @@ void read_surface(const std::string& file, Surface& surface);
 
 } // namespace internal
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingIO
  *
  * reads the triangles of a surface as they stand in the file, unoriented and unconnected.
  *
@@ -56,7 +54,7 @@ void read_triangle_soup(const std::string& file, std::vector<Point>& points,
   triangles.swap(soup.triangles);
 }
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingIO
  *
  * reads a surface as a triangle mesh: what read_triangle_soup() yields, with points of equal coordinates merged,
  * triangles without area by two equal corners and repeated triangles dropped, oriented consistently (a closed component
@@ -96,9 +94,7 @@ void read_surface(const std::string& file, TriangleMesh& mesh,
   }
 }
 
-} // namespace IO
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::IO
 
 #ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
 #include <CGAL/Tubular_meshing/IO/read_surface_impl.h>

@@ -24,10 +24,7 @@
 #include <algorithm>
 #include <cstdint>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace IO {
-namespace internal {
+namespace CGAL::Tubular_meshing::IO::internal {
 
 // Polygons and strips of a POLYDATA; triangles, polygons and quads of an UNSTRUCTURED_GRID.
 inline Polygon_soup read_legacy_vtk_surface(const Input_file& file) {
@@ -118,9 +115,6 @@ CGAL_TUBULAR_MESHING_INLINE void read_surface(const std::string& file, Surface& 
   PMP::stitch_borders(surface);
 }
 
-} // namespace internal
-} // namespace IO
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::IO::internal
 
 #endif // CGAL_TUBULAR_MESHING_IO_READ_SURFACE_IMPL_H

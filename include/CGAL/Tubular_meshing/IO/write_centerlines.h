@@ -11,21 +11,19 @@
 
 #include <string>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace IO {
+namespace CGAL::Tubular_meshing::IO {
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingIO
  * Whether write_centerlines() knows the extension of the file: .vtp or .vtk. */
 bool is_supported_centerlines_format(const std::string& file);
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingIO
  * writes centerlines into a file that the caller commits: use it to write several files all or none. */
 void write_centerlines(Output_file& file, const Centerline_polylines& centerlines);
 void write_centerlines(Output_file& file, const Centerline_graph& centerlines);
 void write_centerlines(Output_file& file, const Branched_centerlines& centerlines);
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingIO
  *
  * writes centerlines, a polyline for each line or branch, with the radii as point array `MaximumInscribedSphereRadius`,
  * as VMTK does; Branched_centerlines also with the cell arrays of VMTK's branch extractor. .vtp (zlib) or legacy .vtk
@@ -44,9 +42,7 @@ template <class Centerlines> void write_centerlines(const std::string& file, con
   out.commit();
 }
 
-} // namespace IO
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::IO
 
 #ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
 #include <CGAL/Tubular_meshing/IO/write_centerlines_impl.h>

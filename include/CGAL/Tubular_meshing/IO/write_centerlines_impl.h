@@ -15,9 +15,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace IO {
+namespace CGAL::Tubular_meshing::IO {
 
 namespace internal {
 
@@ -87,8 +85,6 @@ CGAL_TUBULAR_MESHING_INLINE void write_centerlines(Output_file& file, const Bran
   internal::write_lines(file, data);
 }
 
-} // namespace IO
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::IO
 
 #endif // CGAL_TUBULAR_MESHING_IO_WRITE_CENTERLINES_IMPL_H

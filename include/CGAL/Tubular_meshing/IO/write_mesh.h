@@ -13,9 +13,7 @@
 
 #include <string>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace IO {
+namespace CGAL::Tubular_meshing::IO {
 
 namespace internal {
 
@@ -23,12 +21,12 @@ void write_mesh(Output_file& file, const Mixed_mesh& mesh, double msh_format);
 
 } // namespace internal
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingIO
  * Whether write_mesh() knows the extension of the file: .vtu, .msh, .mesh or .inp. read_mesh() knows all but the last.
  */
 bool is_supported_mesh_format(const std::string& file);
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingIO
  *
  * writes a mesh into a file that the caller commits: use it to write several files all or none.
  * See `write_mesh(const std::string&, const Mixed_mesh&, const NamedParameters&)`.
@@ -39,7 +37,7 @@ void write_mesh(Output_file& file, const Mixed_mesh& mesh,
   internal::write_mesh(file, mesh, Tubular_meshing::internal::choose(np, internal_np::format, 4.1));
 }
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingIO
  *
  * writes a mesh with its labels, names and point arrays, in the format that the extension of the file names.
  *
@@ -84,9 +82,7 @@ void write_mesh(const std::string& file, const Mixed_mesh& mesh,
   out.commit();
 }
 
-} // namespace IO
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::IO
 
 #ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
 #include <CGAL/Tubular_meshing/IO/write_mesh_impl.h>

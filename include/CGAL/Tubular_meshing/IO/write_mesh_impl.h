@@ -12,9 +12,7 @@
 #include <CGAL/Tubular_meshing/IO/internal/write_vtu.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace IO {
+namespace CGAL::Tubular_meshing::IO {
 
 namespace internal {
 
@@ -64,8 +62,6 @@ CGAL_TUBULAR_MESHING_INLINE bool is_supported_mesh_format(const std::string& fil
   return ext == "vtu" || ext == "msh" || ext == "mesh" || ext == "inp";
 }
 
-} // namespace IO
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::IO
 
 #endif // CGAL_TUBULAR_MESHING_IO_WRITE_MESH_IMPL_H

@@ -21,9 +21,7 @@
 #include <unordered_map>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace IO {
+namespace CGAL::Tubular_meshing::IO {
 
 namespace internal {
 
@@ -94,11 +92,11 @@ Labelled_faces labelled_faces(const TriangleMesh& mesh, const NamedParameters& n
 
 } // namespace internal
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingIO
  * Whether write_surface() knows the extension of the file: .stl, .off, .obj, .ply, .vtp, .vtk or .msh. */
 bool is_supported_surface_format(const std::string& file);
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingIO
  * writes a surface into a file that the caller commits: use it to write several files all or none. */
 template <class TriangleMesh, class NamedParameters = CGAL::parameters::Default_named_parameters>
 void write_surface(Output_file& file, const TriangleMesh& mesh,
@@ -106,7 +104,7 @@ void write_surface(Output_file& file, const TriangleMesh& mesh,
   internal::write_surface(file, internal::labelled_faces(mesh, np));
 }
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingIO
  *
  * writes a mesh of triangles and quads in the format that the extension of the file names: STL (binary, single
  * precision), OFF, OBJ, PLY (binary), VTP (zlib), legacy VTK (ASCII) or MSH 4.1 (binary). All but STL keep coordinates
@@ -152,9 +150,7 @@ void write_surface(const std::string& file, const TriangleMesh& mesh,
   out.commit();
 }
 
-} // namespace IO
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::IO
 
 #ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
 #include <CGAL/Tubular_meshing/IO/write_surface_impl.h>

@@ -19,9 +19,7 @@
 #include <iterator>
 #include <set>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace IO {
+namespace CGAL::Tubular_meshing::IO {
 
 namespace internal {
 
@@ -193,8 +191,6 @@ CGAL_TUBULAR_MESHING_INLINE bool is_supported_surface_format(const std::string& 
   return ext == "stl" || ext == "off" || ext == "obj" || ext == "ply" || ext == "vtp" || ext == "vtk" || ext == "msh";
 }
 
-} // namespace IO
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::IO
 
 #endif // CGAL_TUBULAR_MESHING_IO_WRITE_SURFACE_IMPL_H

@@ -12,10 +12,9 @@
 #include <sstream>
 #include <string>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingLayers
  *
  * What layers of cells came out like: where they could not be as thick as they were asked to be, for want of room, and
  * how thin they are there.
@@ -55,7 +54,6 @@ private:
   }
 };
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #endif // CGAL_TUBULAR_MESHING_LAYERS_LAYER_REPORT_H

@@ -11,14 +11,13 @@
 #include <cstdint>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingLayers
  * In a list of points: this one is not there yet. */
 constexpr std::uint32_t no_point = std::uint32_t(-1);
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingLayers
  *
  * adds a mesh that fills a cavity of another one: boundary layers and what is inside of them become one mesh.
  *
@@ -37,8 +36,7 @@ constexpr std::uint32_t no_point = std::uint32_t(-1);
 void append_mesh(Mixed_mesh& mesh, const Mixed_mesh& filling, const std::vector<std::uint32_t>& known_points,
                  int interface = labels::wall);
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
 #include <CGAL/Tubular_meshing/Layers/append_mesh_impl.h>

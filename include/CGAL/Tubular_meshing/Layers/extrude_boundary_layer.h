@@ -19,10 +19,9 @@
 #include <optional>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingLayers
  *
  * The options of extrude_boundary_layer(): its named parameters. */
 struct Extrude_boundary_layer_options {
@@ -43,7 +42,7 @@ struct Extrude_boundary_layer_options {
   }
 };
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingLayers
  *
  * Layers of cells along the wall, inside the lumen, and the surface of what they leave of it.
  */
@@ -70,7 +69,7 @@ Boundary_layer extrude_boundary_layer(const Surface& surface, Face_patch_map pat
 
 } // namespace internal
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingLayers
  *
  * grows boundary layers inward from the wall of the lumen: prisms on triangles, hexahedra on quads, each layer higher
  * than the one before by a constant ratio: \f$ h_n^0, r h_n^0, r^2 h_n^0, \ldots \f$. What is left of the lumen is to
@@ -141,8 +140,7 @@ Boundary_layer extrude_boundary_layer(const FaceGraph& surface, FacePatchMap pat
                                           Extrude_boundary_layer_options(np));
 }
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
 #include <CGAL/Tubular_meshing/Layers/extrude_boundary_layer_impl.h>

@@ -8,9 +8,7 @@
 #include <CGAL/Tubular_meshing/Layers/internal/Boundary_layer_maker.h>
 #include <CGAL/Tubular_meshing/Layers/internal/labelled_facets.h>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 CGAL_TUBULAR_MESHING_INLINE Boundary_layer extrude_boundary_layer(const Surface& surface, Face_patch_map patch,
                                                                   Length_function radius,
@@ -21,8 +19,6 @@ CGAL_TUBULAR_MESHING_INLINE Boundary_layer extrude_boundary_layer(const Surface&
   return result;
 }
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_LAYERS_EXTRUDE_BOUNDARY_LAYER_IMPL_H

@@ -14,10 +14,9 @@
 #include <CGAL/Tubular_meshing/base/labels.h>
 #include <CGAL/Tubular_meshing/base/parameters.h>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingLayers
  *
  * The options of extrude_wall(): its named parameters. */
 struct Extrude_wall_options {
@@ -44,7 +43,7 @@ struct Extrude_wall_options {
   }
 };
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingLayers
  *
  * A vessel's wall without the lumen. */
 struct Extruded_wall {
@@ -60,7 +59,7 @@ Extruded_wall extrude_wall(const Surface& surface, Face_patch_map patch, Length_
 
 } // namespace internal
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingLayers
  *
  * grows the vessels' wall outward from the lumen's surface (section 2.3 of the paper): layers of cells of a total
  * thickness \f$ \delta = \alpha \, r(\mathbf{x}_c(\mathbf{x})) \f$ (2), in proportion to the local radius. Triangles
@@ -158,7 +157,7 @@ Layer_report extrude_wall(Mixed_mesh& mesh, const LocalRadius& radius,
   return internal::extrude_wall(mesh, internal::radius_function(radius), Extrude_wall_options(np));
 }
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingLayers
  *
  * makes a mesh of the wall alone, without the lumen, for computations of the wall's mechanics.
  *
@@ -182,8 +181,7 @@ Extruded_wall extrude_wall(const FaceGraph& surface, FacePatchMap patch, const L
                                 Extrude_wall_options(np));
 }
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
 #include <CGAL/Tubular_meshing/Layers/extrude_wall_impl.h>

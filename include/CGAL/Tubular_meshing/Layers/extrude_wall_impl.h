@@ -8,9 +8,7 @@
 #include <CGAL/Tubular_meshing/Layers/internal/Wall_extruder.h>
 #include <CGAL/Tubular_meshing/Layers/internal/labelled_facets.h>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 CGAL_TUBULAR_MESHING_INLINE Layer_report extrude_wall(Mixed_mesh& mesh, Length_function radius,
                                                       const Extrude_wall_options& options) {
@@ -26,8 +24,6 @@ CGAL_TUBULAR_MESHING_INLINE Extruded_wall extrude_wall(const Surface& surface, F
   return wall;
 }
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_LAYERS_EXTRUDE_WALL_IMPL_H

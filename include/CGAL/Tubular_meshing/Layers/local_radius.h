@@ -7,9 +7,7 @@
 #include <CGAL/Tubular_meshing/Centerlines/Centerline_field.h>
 #include <CGAL/Tubular_meshing/base/Kernel.h>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 // The local radius as a function of a point: it is one already, or the radius of centerlines.
 template <class LocalRadius> auto radius_function(const LocalRadius& radius) {
@@ -19,8 +17,6 @@ inline auto radius_function(const Centerline_field& centerlines) {
   return [&centerlines](const Point_3& p) { return centerlines.radius(p); };
 }
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_LAYERS_LOCAL_RADIUS_H

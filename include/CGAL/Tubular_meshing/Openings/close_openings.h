@@ -25,7 +25,7 @@ std::vector<int> close_openings(Surface& surface, std::vector<Opening>& openings
 } // namespace internal
 
 /*!
- * \ingroup PkgTubularMeshingRef
+ * \ingroup PkgTubularMeshingOpenings
  *
  * The close-volume operator (section 2.3 of the paper): closes a tubular surface by planar caps, and labels its faces.
  *

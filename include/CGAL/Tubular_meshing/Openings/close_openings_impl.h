@@ -13,9 +13,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 CGAL_TUBULAR_MESHING_INLINE std::vector<int> close_openings(Surface& surface, std::vector<Opening>& openings) {
   check_tubular_surface(surface);
@@ -43,8 +41,6 @@ CGAL_TUBULAR_MESHING_INLINE std::vector<int> close_openings(Surface& surface, st
   return result;
 }
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_OPENINGS_CLOSE_OPENINGS_IMPL_H

@@ -15,10 +15,9 @@
 #include <optional>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingOpenings
  *
  * The options of add_flow_extensions(): its named parameters of the same names. */
 struct Add_flow_extensions_options {
@@ -43,7 +42,7 @@ std::vector<double> add_flow_extensions(Surface& surface, std::vector<Opening>& 
 } // namespace internal
 
 /*!
- * \ingroup PkgTubularMeshingRef
+ * \ingroup PkgTubularMeshingOpenings
  *
  * Adds flow extensions (section 2.1 of the paper, footnote): attaches a straight tube to each opening of a tubular
  * surface, so that the flow develops, and centerlines run, beyond the ends of the vessel.
@@ -126,8 +125,7 @@ std::vector<double> add_flow_extensions(TriangleMesh& surface, std::vector<Openi
   }
 }
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
 #include <CGAL/Tubular_meshing/Openings/flow_extensions_impl.h>

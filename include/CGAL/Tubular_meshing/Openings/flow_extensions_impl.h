@@ -30,9 +30,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* Extends openings; where it throws, the surface and the openings may be half done. */
 class Flow_extender {
@@ -226,8 +224,6 @@ CGAL_TUBULAR_MESHING_INLINE std::vector<double> add_flow_extensions(Surface& sur
   }
 }
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_OPENINGS_FLOW_EXTENSIONS_IMPL_H

@@ -17,10 +17,9 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingOpenings
  *
  * The options of find_openings(): its named parameters of the same names. */
 struct Find_openings_options {
@@ -56,7 +55,7 @@ std::vector<Opening> find_any_openings(const Surface& surface, const Find_openin
 } // namespace internal
 
 /*!
- * \ingroup PkgTubularMeshingRef
+ * \ingroup PkgTubularMeshingOpenings
  *
  * Finds the openings of a tubular surface: where fluid enters and leaves.
  *
@@ -119,8 +118,7 @@ std::vector<Opening> find_openings(const TriangleMesh& surface,
   return internal::find_openings(*core, Find_openings_options(np));
 }
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
 #include <CGAL/Tubular_meshing/Openings/openings_impl.h>

@@ -19,9 +19,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 inline double median_radius(const std::vector<Opening_site>& sites) {
   std::vector<double> radii;
@@ -117,8 +115,6 @@ CGAL_TUBULAR_MESHING_INLINE std::vector<Opening> find_openings(const Surface& su
   return openings;
 }
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_OPENINGS_OPENINGS_IMPL_H

@@ -14,9 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 // Where centerlines begin and end: at openings, and at points (seeds) that stand for vessels' ends without one.
 
@@ -32,9 +30,7 @@ std::vector<std::pair<Point_3, int>> ends_of_lines(const std::vector<Opening>& o
 /* For each opening the free end of the centerlines that lies at its centre, where lines were computed to lead to it. */
 std::vector<std::size_t> nodes_at(const Centerline_graph& graph, const std::vector<Opening>& openings);
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
 #include <CGAL/Tubular_meshing/Openings/seeds_impl.h>

@@ -16,9 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 CGAL_TUBULAR_MESHING_INLINE std::vector<Opening>
 find_openings_or_seeds(const Surface& surface, const std::vector<Point_3>& seeds, Find_openings_options options) {
@@ -73,8 +71,6 @@ CGAL_TUBULAR_MESHING_INLINE std::vector<std::size_t> nodes_at(const Centerline_g
   return found;
 }
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_OPENINGS_SEEDS_IMPL_H

@@ -10,10 +10,9 @@
 #include <array>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingPatches
  *
  * A patch of a surface on its own: points, triangles that are counterclockwise seen from outside, and the loops that
  * bound it, each in the order in which the patch is on the left of one who walks along it outside.
@@ -24,7 +23,7 @@ struct Indexed_patch {
   std::vector<std::vector<int>> loops;
 };
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingPatches
  *
  * The loops that bound a set of triangles, in the order of their smallest vertices, each from its smallest vertex on.
  * O(n log n).
@@ -33,7 +32,7 @@ struct Indexed_patch {
  */
 std::vector<std::vector<int>> border_loops(const Indexed_patch& patch);
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingPatches
  *
  * Some faces of a surface as an Indexed_patch, with its border_loops(). Triangle i is `faces[i]`, points are in the
  * order of the surface's vertices. O(n log n) in the size of the patch. Several threads may call it at once.
@@ -45,7 +44,7 @@ std::vector<std::vector<int>> border_loops(const Indexed_patch& patch);
 Indexed_patch make_indexed_patch(const Surface& surface, const std::vector<Surface::Face_index>& faces,
                                  std::vector<Surface::Vertex_index>* vertices = nullptr);
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingPatches
  *
  * A patch of a Surface_cut as an Indexed_patch, whose loop i is `patch.loops[i]`. Loops begin with their curve's first
  * vertex, whatever their direction is: edge i of a curve is edge i of the loop that has the patch on the curve's left,
@@ -55,8 +54,7 @@ Indexed_patch make_indexed_patch(const Surface& surface, const Surface_patch& pa
                                  const std::vector<Cut_curve>& curves,
                                  std::vector<Surface::Vertex_index>* vertices = nullptr);
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
 #include <CGAL/Tubular_meshing/Patches/Indexed_patch_impl.h>

@@ -15,8 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
 CGAL_TUBULAR_MESHING_INLINE std::vector<std::vector<int>> border_loops(const Indexed_patch& patch) {
   const std::vector<int> opposite = internal::opposite_halfedges(patch.triangles);
@@ -93,7 +92,6 @@ CGAL_TUBULAR_MESHING_INLINE Indexed_patch make_indexed_patch(const Surface& surf
   return result;
 }
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #endif // CGAL_TUBULAR_MESHING_PATCHES_INDEXED_PATCH_IMPL_H

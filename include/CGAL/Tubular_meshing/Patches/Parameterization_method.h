@@ -4,10 +4,9 @@
 #ifndef CGAL_TUBULAR_MESHING_PATCHES_PARAMETERIZATION_METHOD_H
 #define CGAL_TUBULAR_MESHING_PATCHES_PARAMETERIZATION_METHOD_H
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingPatches
  *
  * How a patch was mapped onto the plane: each of these is tried when the one before gave no bijection.
  */
@@ -20,7 +19,7 @@ enum class Parameterization_method {
   shortened           ///< for long blind branches: as if the surface were less deep, as seen from its outer loop
 };
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingPatches
  * Its name, as reports print it. */
 inline const char* name_of(Parameterization_method method) {
   switch (method) {
@@ -39,7 +38,6 @@ inline const char* name_of(Parameterization_method method) {
   }
 }
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #endif // CGAL_TUBULAR_MESHING_PATCHES_PARAMETERIZATION_METHOD_H

@@ -24,7 +24,7 @@ namespace internal {
 struct Divided_patch;
 }
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingPatches
  * A point of a parameterized patch: on one of its triangles. */
 struct Patch_location {
   int triangle = 0;
@@ -32,7 +32,7 @@ struct Patch_location {
   double squared_distance = 0; ///< in the plane, to the point that was asked for; 0 if that is in the patch
 };
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingPatches
  *
  * A patch with a bijection u(x) onto a domain of the plane, linear on each triangle (equation (1) of the paper); and
  * its inverse x(u), with its derivatives. parameterize_patch() makes it.

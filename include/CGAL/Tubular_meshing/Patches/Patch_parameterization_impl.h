@@ -20,8 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
 CGAL_TUBULAR_MESHING_INLINE
 Patch_parameterization::Patch_parameterization(internal::Divided_patch divided, std::vector<Eigen::Vector2d> uv,
@@ -199,7 +198,6 @@ CGAL_TUBULAR_MESHING_INLINE void Patch_parameterization::measure_loops() {
       outer_loop_ = i;
 }
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #endif // CGAL_TUBULAR_MESHING_PATCHES_PATCH_PARAMETERIZATION_IMPL_H

@@ -13,10 +13,9 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingPatches
  *
  * How a surface was cut into patches and these were mapped onto the plane: what went as it should, and where another
  * way had to be taken.
@@ -42,12 +41,11 @@ struct Patch_report {
   }
 };
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingPatches
  * The report on a cut and the parameterizations of its patches. */
 Patch_report patch_report(const Surface_cut& cut, const std::vector<Patch_parameterization>& maps);
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
 #include <CGAL/Tubular_meshing/Patches/Patch_report_impl.h>

@@ -10,8 +10,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
 CGAL_TUBULAR_MESHING_INLINE Patch_report patch_report(const Surface_cut& cut,
                                                       const std::vector<Patch_parameterization>& maps) {
@@ -28,7 +27,6 @@ CGAL_TUBULAR_MESHING_INLINE Patch_report patch_report(const Surface_cut& cut,
   return report;
 }
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #endif // CGAL_TUBULAR_MESHING_PATCHES_PATCH_REPORT_IMPL_H

@@ -6,10 +6,9 @@
 
 #include <cstddef>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingPatches
  *
  * The quads of a surface: how they were made, and how good those of the wall are.
  */
@@ -27,7 +26,6 @@ struct Quad_report {
   std::size_t wall_quads() const { return structured_quads + unstructured_quads; }
 };
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #endif // CGAL_TUBULAR_MESHING_PATCHES_QUAD_REPORT_H

@@ -12,10 +12,9 @@
 
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingPatches
  *
  * A closed surface in new triangles or quads, turned outward, with the labels of its patches: `labels::wall`, or the
  * label of an opening.
@@ -32,7 +31,6 @@ struct Remeshed_surface : Labelled_surface {
   }
 };
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #endif // CGAL_TUBULAR_MESHING_PATCHES_REMESHED_SURFACE_H

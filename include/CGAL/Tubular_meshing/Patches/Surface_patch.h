@@ -11,10 +11,9 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingPatches
  *
  * A closed curve of the cut surface on which patches end: a cut across a branch, or the rim of an opening. The patches
  * on its two sides know it by the same index.
@@ -36,7 +35,7 @@ struct Cut_curve {
   bool is_rim() const { return opening != 0; }
 };
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingPatches
  * What a patch is, by the number of its loops. */
 enum class Patch_kind {
   closed,  ///< no loop: a surface without openings, uncut
@@ -45,7 +44,7 @@ enum class Patch_kind {
   junction ///< three or more loops
 };
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingPatches
  * One boundary of a patch. */
 struct Patch_loop {
   std::size_t curve;     ///< index of the Cut_curve
@@ -53,7 +52,7 @@ struct Patch_loop {
   std::size_t neighbour; ///< the patch on the other side; `Cut_curve::none` if that is a cap
 };
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingPatches
  *
  * A part of the wall between cuts, small enough in length to be mapped onto the plane.
  */
@@ -76,7 +75,7 @@ struct Surface_patch {
   bool is_sphere_with_holes() const { return euler_characteristic == 2 - int(loops.size()); }
 };
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingPatches
  * Something that cut_by_centerlines() could not do, and where. */
 struct Cut_problem {
   enum Kind {
@@ -101,7 +100,7 @@ struct Cut_problem {
   }
 };
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingPatches
  *
  * What cut_by_centerlines() makes of a surface: patches, numbered along the centerlines from their root, and the curves
  * between them. Its descriptors are those of the surface, which must not change while they are used.
@@ -119,7 +118,6 @@ struct Surface_cut {
   bool is_valid() const { return problems.empty(); }
 };
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #endif // CGAL_TUBULAR_MESHING_PATCHES_SURFACE_PATCH_H

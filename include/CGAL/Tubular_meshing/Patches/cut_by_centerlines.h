@@ -9,9 +9,8 @@
 #include <CGAL/Tubular_meshing/Patches/Surface_patch.h>
 #include <CGAL/Tubular_meshing/base/parameters.h>
 
-namespace CGAL {
-namespace Tubular_meshing {
-/*! \ingroup PkgTubularMeshingRef
+namespace CGAL::Tubular_meshing {
+/*! \ingroup PkgTubularMeshingPatches
  * The named parameters of cut_by_centerlines(). */
 struct Cut_by_centerlines_options {
   double aspect_ratio = 4; ///< the largest one of a patch, length over mean diameter; 1 or more
@@ -27,7 +26,7 @@ Surface_cut cut_by_centerlines(Surface& surface, const Centerline_graph& graph, 
                                const Cut_by_centerlines_options& options);
 } // namespace internal
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingPatches
  *
  * The cut operator (Algorithm 2 and section 2.3 of the paper): cuts the wall of a tree by disks across its branches
  * into patches that can be mapped onto the plane, each of moderate aspect ratio.
@@ -81,8 +80,7 @@ Surface_cut cut_by_centerlines(Surface& surface, const Centerline_graph& graph, 
   return internal::cut_by_centerlines(surface, graph, patch, Cut_by_centerlines_options(np));
 }
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
 #include <CGAL/Tubular_meshing/Patches/cut_by_centerlines_impl.h>

@@ -23,8 +23,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
 namespace internal {
 
@@ -142,7 +141,6 @@ CGAL_TUBULAR_MESHING_INLINE Surface_cut cut_by_centerlines(Surface& surface, con
 
 } // namespace internal
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #endif // CGAL_TUBULAR_MESHING_PATCHES_CUT_BY_CENTERLINES_IMPL_H

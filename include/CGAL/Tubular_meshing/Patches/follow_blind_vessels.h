@@ -9,9 +9,7 @@
 
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* The tips of vessels that end without an opening and have no centerline, each in the order of its vessel's first face.
  * The surface is as it was afterwards. O(n log n). */
@@ -36,9 +34,7 @@ void follow_blind_vessels(Surface& surface, Face_patch_map patch, Computation& c
   }
 }
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
 #include <CGAL/Tubular_meshing/Patches/follow_blind_vessels_impl.h>

@@ -11,8 +11,7 @@
 
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
 namespace internal {
 
@@ -27,7 +26,6 @@ tips_of_blind_vessels(Surface& surface, Face_patch_map patch, const Centerline_g
 
 } // namespace internal
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #endif // CGAL_TUBULAR_MESHING_PATCHES_FOLLOW_BLIND_VESSELS_IMPL_H

@@ -9,8 +9,7 @@
 #include <CGAL/Tubular_meshing/Fields/Metric_tensor_3.h>
 #include <CGAL/Tubular_meshing/Plane/Metric_tensor_2.h>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
 /*! \addtogroup PkgTubularMeshingRef
  * @{
@@ -58,7 +57,6 @@ typedef Function_view<Metric_tensor_3(const Point_3&)> Metric_function;
 
 } // namespace internal
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #endif // CGAL_TUBULAR_MESHING_PATCHES_METRIC_ON_SURFACE_H

@@ -9,10 +9,9 @@
 
 #include <cmath>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingPatches
  *
  * How triangles fit a metric. Each has the mean of the metrics at its corners, restricted to its plane.
  */
@@ -29,7 +28,7 @@ struct Metric_fit {
   }
 };
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingPatches
  *
  * How a surface fits the metric that it was made by: see metric_surface_report().
  */
@@ -38,7 +37,7 @@ struct Metric_surface_report {
   Metric_fit caps; ///< in its section, metric_section()
 };
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingPatches
  *
  * measures the triangles of a surface in the metric that it was made by. O(n log n).
  *
@@ -47,8 +46,7 @@ struct Metric_surface_report {
  */
 Metric_surface_report metric_surface_report(const Remeshed_surface& remeshed);
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
 #include <CGAL/Tubular_meshing/Patches/metric_surface_report_impl.h>

@@ -20,8 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
 namespace internal {
 
@@ -86,7 +85,6 @@ CGAL_TUBULAR_MESHING_INLINE Metric_surface_report metric_surface_report(const Re
   return {wall.take(), caps.take()};
 }
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #endif // CGAL_TUBULAR_MESHING_PATCHES_METRIC_SURFACE_REPORT_IMPL_H

@@ -12,9 +12,8 @@
 
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-/*! \ingroup PkgTubularMeshingRef
+namespace CGAL::Tubular_meshing {
+/*! \ingroup PkgTubularMeshingPatches
  *
  * Maps a patch, a sphere with one hole or more, onto the plane (section 2.3 of the paper): one to one, and conformally
  * where that is possible.
@@ -50,7 +49,7 @@ namespace Tubular_meshing {
 Patch_parameterization parameterize_patch(Indexed_patch patch,
                                           Parameterization_method first_method = Parameterization_method::conformal);
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingPatches
  * The named parameters of parameterize_patches(). */
 struct Parameterize_patches_options {
   int number_of_threads = 0; ///< 0: as many as there are cores
@@ -66,7 +65,7 @@ std::vector<Patch_parameterization> parameterize_patches(const Surface& surface,
                                                          const Parameterize_patches_options& options);
 } // namespace internal
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingPatches
  *
  * Maps all patches of a cut surface onto the plane, each by parameterize_patch() of its make_indexed_patch(): loop i of
  * a parameterization is the patch's loop i, and the input triangle i its face i.
@@ -90,8 +89,7 @@ parameterize_patches(const Surface& surface, const Surface_cut& cut,
   return internal::parameterize_patches(surface, cut, Parameterize_patches_options(np));
 }
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
 #include <CGAL/Tubular_meshing/Patches/parameterize_patch_impl.h>

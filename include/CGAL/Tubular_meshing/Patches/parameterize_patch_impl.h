@@ -21,8 +21,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
 namespace internal {
 
@@ -87,7 +86,6 @@ parameterize_patches(const Surface& surface, const Surface_cut& cut, const Param
 
 } // namespace internal
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #endif // CGAL_TUBULAR_MESHING_PATCHES_PARAMETERIZE_PATCH_IMPL_H

@@ -17,9 +17,8 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-/*! \ingroup PkgTubularMeshingRef
+namespace CGAL::Tubular_meshing {
+/*! \ingroup PkgTubularMeshingPatches
  * The named parameters of remesh_patches(). */
 struct Remesh_patches_options {
   bool even_curves = false;  ///< whether each curve gets an even number of points
@@ -47,7 +46,7 @@ using Is_metric_field =
 
 } // namespace internal
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingPatches
  *
  * meshes a cut surface again with triangles of a given size, or of unit size in a given metric, patch by patch in the
  * parametric plane (section 3.1 of the paper).
@@ -106,8 +105,7 @@ Remeshed_surface remesh_patches(const Surface& surface, const Surface_cut& cut,
     return internal::remesh_patches_by_size(surface, cut, maps, size, Remesh_patches_options(np));
 }
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
 #include <CGAL/Tubular_meshing/Patches/remesh_patches_impl.h>

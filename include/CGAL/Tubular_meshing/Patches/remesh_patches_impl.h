@@ -13,8 +13,7 @@
 
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
 namespace internal {
 
@@ -41,7 +40,6 @@ CGAL_TUBULAR_MESHING_INLINE Remeshed_surface remesh_patches_by_metric(const Surf
 
 } // namespace internal
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #endif // CGAL_TUBULAR_MESHING_PATCHES_REMESH_PATCHES_IMPL_H

@@ -16,7 +16,7 @@ namespace internal {
 void surface_to_mixed_mesh(const Surface& surface, Face_patch_map patch, Mixed_mesh& mesh);
 }
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingPatches
  *
  * A closed labelled surface as a mesh without cells: its points, triangles and quads, in the surface's own order.
  * Linear.
@@ -43,7 +43,7 @@ void surface_to_mixed_mesh(const FaceGraph& surface, FacePatchMap patch, Mixed_m
   internal::surface_to_mixed_mesh(core.surface(), core.patch(), mesh);
 }
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingPatches
  *
  * The same, with the point array `metric` (xx, xy, xz, yy, yz, zz) of a surface that was made by a metric.
  *

@@ -17,8 +17,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
 namespace internal {
 
@@ -63,7 +62,6 @@ CGAL_TUBULAR_MESHING_INLINE void surface_to_mixed_mesh(const Remeshed_surface& r
   mesh.point_arrays.push_back(std::move(array));
 }
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #endif // CGAL_TUBULAR_MESHING_PATCHES_SURFACE_TO_MIXED_MESH_IMPL_H

@@ -18,10 +18,9 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingPipelines
  * What a Mesher reports beside its meshes. */
 struct Mesher_report {
   std::vector<std::string> fallbacks; ///< a sentence each time another way was taken than the one chosen, and why
@@ -29,7 +28,7 @@ struct Mesher_report {
   Layer_report wall;                  ///< likewise those of a mixed mesh's wall
 };
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingPipelines
  *
  * Makes meshes of a vessel or airway tree. It holds what they have in common (the model in a frame of its own, the mesh
  * size, the cut surface and the maps of its patches), each made once, when it is first needed; so that a second mesh of
@@ -155,8 +154,7 @@ private:
   std::unique_ptr<Impl> impl_;
 };
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
 #include <CGAL/Tubular_meshing/Pipelines/Mesher_impl.h>

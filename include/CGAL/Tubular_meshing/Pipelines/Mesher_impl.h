@@ -20,8 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
 class Mesher::Impl {
 public:
@@ -301,7 +300,6 @@ CGAL_TUBULAR_MESHING_INLINE const Mesher_report& Mesher::report() const {
   return impl_->report();
 }
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #endif // CGAL_TUBULAR_MESHING_PIPELINES_MESHER_IMPL_H

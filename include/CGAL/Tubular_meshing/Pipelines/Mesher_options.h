@@ -23,17 +23,16 @@
 #include <functional>
 #include <optional>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingPipelines
  * What meshes the surface of an isotropic mesh. */
 enum class Surface_mesher {
   parametric, ///< patch by patch in the parametric plane, see remesh_patches(); then the lumen is filled
   mesh_3      ///< CGAL's Mesh_3, which meshes surface and lumen at once
 };
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingPipelines
  * The elements of a surface mesh. */
 enum class Surface_elements {
   triangles,             ///< isotropic, of mesh size h = 2 π r / N
@@ -41,7 +40,7 @@ enum class Surface_elements {
   quads                  ///< of mesh size h; triangles on the caps, unless quads are wanted there too
 };
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingPipelines
  *
  * All that a Mesher can be told: the options of its stages, and which stages these are. Named parameters set them by
  * their names, see Mesher; a program may set the members as well.
@@ -94,7 +93,6 @@ struct Mesher_options {
   bool has_boundary_layer() const { return boundary_layer.boundary_layer_prisms.value_or(0) != 0; }
 };
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #endif // CGAL_TUBULAR_MESHING_PIPELINES_MESHER_OPTIONS_H

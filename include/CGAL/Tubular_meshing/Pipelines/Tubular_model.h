@@ -16,10 +16,9 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingPipelines
  *
  * A vessel or airway tree, ready to be meshed: its surface closed and labelled, its branches with their radii, its
  * openings. Every kind of mesh starts from one; make_tubular_model() prepares it.
@@ -29,7 +28,7 @@ struct Tubular_model : Labelled_surface { ///< the surface is closed and turned 
   std::vector<Opening> openings;          ///< the inlet first
 };
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingPipelines
  * What make_tubular_model() can be told; each member is the named parameter of that name. */
 struct Tubular_model_options {
   std::optional<Point_3> inlet; ///< the nearest opening is the inlet
@@ -57,7 +56,7 @@ void prepare(Tubular_model& model, const Tubular_model_options& options);
 
 } // namespace internal
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingPipelines
  *
  * prepares a surface and its centerlines for meshing: merges the lines into branches, finds the openings, closes them,
  * measures the local radii, and brings the branches' ends to the caps' centres.
@@ -101,7 +100,7 @@ Tubular_model make_tubular_model(const FaceGraph& surface, const Centerline_poly
   return model;
 }
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingPipelines
  *
  * the same for a surface alone: its centerlines are computed, by compute_centerlines(), from the inlet to each outlet,
  * and to the tips of vessels that end blind.
@@ -152,8 +151,7 @@ Tubular_model make_tubular_model(const FaceGraph& surface,
   return model;
 }
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
 #include <CGAL/Tubular_meshing/Pipelines/Tubular_model_impl.h>

@@ -22,9 +22,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 // Gives the openings their branches.
 inline void connect(Tubular_model& model, const std::vector<std::size_t>& node_of_opening) {
@@ -89,8 +87,6 @@ CGAL_TUBULAR_MESHING_INLINE void prepare(Tubular_model& model, const Tubular_mod
   connect(model, nodes_at(model.centerlines, model.openings));
 }
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_PIPELINES_TUBULAR_MODEL_IMPL_H

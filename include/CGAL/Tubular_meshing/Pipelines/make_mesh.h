@@ -8,10 +8,9 @@
 
 #include <utility>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingPipelines
  *
  * The pipelines in one call each. All of these functions take
  *  - a `Tubular_model`, see make_tubular_model();
@@ -58,7 +57,6 @@ template <class... Arguments> Remeshed_surface make_quad_surface_mesh(Arguments&
 
 ///@}
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #endif // CGAL_TUBULAR_MESHING_PIPELINES_MAKE_MESH_H

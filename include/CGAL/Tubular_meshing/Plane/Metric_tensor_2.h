@@ -10,10 +10,9 @@
 #include <array>
 #include <cmath>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingPlane
  *
  * A symmetric 2×2 tensor, positive definite when it is the metric of a mesh in the plane: the matrix with rows
  * (xx, xy) and (xy, yy). A vector e has the length \f$ \sqrt{e^T M e} \f$; a size h in the direction of a unit
@@ -117,7 +116,6 @@ private:
   }
 };
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #endif // CGAL_TUBULAR_MESHING_PLANE_METRIC_TENSOR_2_H

@@ -10,9 +10,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* Edge flips over the whole triangulation, or around what has changed. */
 class Plane_flips {
@@ -78,8 +76,6 @@ private:
   std::vector<Index> stack_;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_PLANE_PLANE_FLIPS_H

@@ -10,9 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* The connectivity of a triangulated domain in compact arrays. Half-edge h = 3t + i runs counterclockwise along
  * triangle t and has a twin in the neighbour, or none on the boundary: hence no boundary edge can be flipped or
@@ -190,8 +188,6 @@ private:
   std::vector<Index> moved_;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_PLANE_PLANE_STORE_H

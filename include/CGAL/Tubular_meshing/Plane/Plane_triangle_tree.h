@@ -15,9 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* The point of a triangle of the plane that is nearest to a query. */
 struct Nearest_in_triangle {
@@ -162,8 +160,6 @@ private:
   std::vector<Node> nodes_;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_PLANE_PLANE_TRIANGLE_TREE_H

@@ -13,10 +13,9 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingPlane
  *
  * A triangulated domain of the plane. The first points are those of the polygons that bound it, in their order, each
  * point as it was given; those inside follow. Triangles are counterclockwise. */
@@ -33,7 +32,6 @@ typedef Function_view<Metric_tensor_2(const Plane_point&)> Plane_field;
 typedef Function_view<Vector_3d(const Plane_point&)> Plane_embedding;
 
 } // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #endif // CGAL_TUBULAR_MESHING_PLANE_PLANE_TRIANGULATION_H

@@ -8,9 +8,7 @@
 
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* Insertion into a triangulation that is Delaunay in a varying metric. A point's conflict region is a matter of taste
  * there, and need not be star-shaped; so the point splits the triangle it lies in, and edges opposite to it are flipped
@@ -125,8 +123,6 @@ private:
   std::vector<Index> stack_;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_PLANE_POINT_INSERTION_H

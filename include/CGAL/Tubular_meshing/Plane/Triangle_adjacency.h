@@ -14,9 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 typedef std::array<int, 3> Patch_triangle;
 
@@ -88,8 +86,6 @@ struct Outgoing_halfedges {
   const int* end(int v) const { return halfedges.data() + first[std::size_t(v) + 1]; }
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_PLANE_TRIANGLE_ADJACENCY_H

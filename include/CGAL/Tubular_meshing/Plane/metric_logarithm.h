@@ -10,8 +10,7 @@
 #include <cmath>
 #include <limits>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
 namespace internal {
 
@@ -44,7 +43,6 @@ inline Metric_tensor_2 exponential(const Metric_tensor_2& m) {
 }
 
 } // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #endif // CGAL_TUBULAR_MESHING_PLANE_METRIC_LOGARITHM_H

@@ -20,10 +20,9 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingPlane
  *
  * What triangulate_in_metric() may be given beside the domain and the metric: its named parameters of the same names.
  */
@@ -67,7 +66,7 @@ template <class Point_3> Vector_3d space_vector(const Point_3& p) {
 
 } // namespace internal
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingPlane
  *
  * triangulates a domain of the plane with edges of length one, and triangles close to equilateral, in a given metric.
  *
@@ -167,8 +166,7 @@ auto triangulate_in_metric(const PolygonRange& polygons, const MetricField_2& me
   }
 }
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
 #include <CGAL/Tubular_meshing/Plane/triangulate_in_metric_impl.h>

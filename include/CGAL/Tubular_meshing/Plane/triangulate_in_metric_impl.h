@@ -21,9 +21,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 // The points that the caller wants, into the few triangles that there are yet. One on the boundary, or outside, is
 // none.
@@ -79,8 +77,6 @@ mesh_plane(const Plane_polygons& polygons, Plane_field metric, const Plane_embed
   return plane.triangulation();
 }
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_PLANE_TRIANGULATE_IN_METRIC_IMPL_H

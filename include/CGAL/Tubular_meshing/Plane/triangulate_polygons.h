@@ -10,18 +10,14 @@
 #include <optional>
 #include <string>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* The constrained Delaunay triangulation of what lies inside the first polygon and outside the others, without new
  * vertices; vertices are numbered as the points come. None if the polygons do not bound a domain, as they touch each
  * other, say; `problem` is a sentence on it then. O(n log n). */
 std::optional<Plane_store> triangulate_polygons(const Plane_polygons& polygons, std::string& problem);
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
 #include <CGAL/Tubular_meshing/Plane/triangulate_polygons_impl.h>

@@ -25,9 +25,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* See triangulate_polygons(). The polygons are checked on the way. */
 class Polygon_triangulator {
@@ -209,8 +207,6 @@ CGAL_TUBULAR_MESHING_INLINE std::optional<Plane_store> triangulate_polygons(cons
   return triangulator.store();
 }
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_PLANE_TRIANGULATE_POLYGONS_IMPL_H

@@ -9,10 +9,9 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingQuads
  *
  * Whether the library was built with LEMON, which recombine_triangles() needs. CMake sees to that where it finds LEMON;
  * otherwise define `CGAL_TUBULAR_MESHING_WITH_LEMON`. LEMON 1.3 is C++17 at most: later, this is false. LEMON is free
@@ -34,8 +33,7 @@ struct Node_pair {
 std::vector<std::size_t> minimum_cost_matching(std::size_t number_of_nodes, const std::vector<Node_pair>& pairs);
 
 } // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
 #include <CGAL/Tubular_meshing/Quads/blossom_recombination_impl.h>

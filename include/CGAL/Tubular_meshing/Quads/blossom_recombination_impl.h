@@ -22,8 +22,7 @@
 #include <lemon/smart_graph.h>
 #endif
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
 CGAL_TUBULAR_MESHING_INLINE bool has_lemon() {
 #ifdef CGAL_TUBULAR_MESHING_HAS_LEMON
@@ -152,7 +151,6 @@ CGAL_TUBULAR_MESHING_INLINE std::vector<std::size_t> minimum_cost_matching(std::
 }
 
 } // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #endif // CGAL_TUBULAR_MESHING_QUADS_BLOSSOM_RECOMBINATION_IMPL_H

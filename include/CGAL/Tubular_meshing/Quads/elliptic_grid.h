@@ -14,10 +14,9 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingQuads
  *
  * A grid of quads around an annular patch: (rows + 1) times as many points as there are columns, row after row from
  * loop 0 to loop 1. Those of row 0 are the given ones of loop 0, in their order. */
@@ -39,7 +38,7 @@ struct Elliptic_grid {
   }
 };
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingQuads
  *
  * The options of elliptic_grid(): its named parameters. */
 struct Elliptic_grid_options {
@@ -59,7 +58,7 @@ Elliptic_grid elliptic_grid(const Patch_parameterization& map,
 
 } // namespace internal
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingQuads
  *
  * covers an annular patch with a structured grid of quads, whose lines meet at right angles on the surface as nearly
  * as the points of its loops allow (section 2.5 of the paper, figure 7).
@@ -99,8 +98,7 @@ Elliptic_grid elliptic_grid(const Patch_parameterization& map,
                                  Elliptic_grid_options(np));
 }
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
 #include <CGAL/Tubular_meshing/Quads/elliptic_grid_impl.h>

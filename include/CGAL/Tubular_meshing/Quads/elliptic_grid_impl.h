@@ -10,9 +10,7 @@
 
 #include <string>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 CGAL_TUBULAR_MESHING_INLINE Elliptic_grid elliptic_grid(const Patch_parameterization& map,
                                                         const std::array<std::vector<Patch_location>, 2>& loop_points,
@@ -39,8 +37,6 @@ CGAL_TUBULAR_MESHING_INLINE Elliptic_grid elliptic_grid(const Patch_parameteriza
   return grid;
 }
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_QUADS_ELLIPTIC_GRID_IMPL_H

@@ -14,10 +14,9 @@
 
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingQuads
  *
  * Grids of quads on the annular patches of a cut surface, and the points of all its curves. */
 struct Annular_quads {
@@ -27,7 +26,7 @@ struct Annular_quads {
   std::vector<Elliptic_grid> grids;
 };
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingQuads
  *
  * The options of quadrangulate_annular_patches(): its named parameters. */
 struct Quadrangulate_annular_patches_options {
@@ -47,7 +46,7 @@ Annular_quads quadrangulate_annular_patches(const Surface& surface, const Surfac
 
 } // namespace internal
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingQuads
  *
  * covers the annular patches of a cut surface with structured grids of quads (section 2.5 of the paper), each by
  * elliptic_grid().
@@ -85,8 +84,7 @@ Annular_quads quadrangulate_annular_patches(const Surface& surface, const Surfac
                                                  Quadrangulate_annular_patches_options(np));
 }
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
 #include <CGAL/Tubular_meshing/Quads/quadrangulate_annular_patches_impl.h>

@@ -14,9 +14,7 @@
 #include <cstddef>
 #include <string>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 // The ends of a grid become the points of the curves, bit for bit.
 inline void share_points(const std::vector<std::vector<Point_3>>& curve_points, const Surface_patch& patch,
@@ -60,8 +58,6 @@ CGAL_TUBULAR_MESHING_INLINE Annular_quads quadrangulate_annular_patches(
   return result;
 }
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_QUADS_QUADRANGULATE_ANNULAR_PATCHES_IMPL_H

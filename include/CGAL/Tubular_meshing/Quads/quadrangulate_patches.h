@@ -23,10 +23,9 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingQuads
  *
  * The options of quadrangulate_patches(): its named parameters. */
 struct Quadrangulate_patches_options {
@@ -48,7 +47,7 @@ Remeshed_surface quadrangulate_patches(const Surface& surface, const Surface_cut
 
 } // namespace internal
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingQuads
  *
  * meshes a cut surface again, with quads alone (section 2.5 of the paper): its wall; caps get triangles, unless quads
  * are wanted there too.
@@ -101,7 +100,7 @@ Remeshed_surface quadrangulate_patches(const Surface& surface, const Surface_cut
                                          Quadrangulate_patches_options(np));
 }
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingQuads
  *
  * The same for a closed, labelled surface and its centerlines: cuts it, maps its patches, and meshes them, with the
  * mesh size h = 2 π r / N of a Centerline_sizing_field.
@@ -131,8 +130,7 @@ Remeshed_surface quadrangulate_patches(FaceGraph& surface, FacePatchMap patch, c
   }
 }
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
 #include <CGAL/Tubular_meshing/Quads/quadrangulate_patches_impl.h>

@@ -9,9 +9,7 @@
 #include <CGAL/Tubular_meshing/Quads/internal/surface/make_quad_report.h>
 #include <CGAL/Tubular_meshing/Quads/quadrangulate_patches.h>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 CGAL_TUBULAR_MESHING_INLINE Remeshed_surface quadrangulate_patches(const Surface& surface, const Surface_cut& cut,
                                                                    const std::vector<Patch_parameterization>& maps,
@@ -23,8 +21,6 @@ CGAL_TUBULAR_MESHING_INLINE Remeshed_surface quadrangulate_patches(const Surface
   return result;
 }
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_QUADS_QUADRANGULATE_PATCHES_IMPL_H

@@ -18,10 +18,9 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingQuads
  *
  * What recombine_triangles() did. */
 struct Recombination_report {
@@ -31,7 +30,7 @@ struct Recombination_report {
   std::size_t invalid_quads = 0;  ///< of \f$ \eta_q = 0 \f$, with an angle of π or more
 };
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingQuads
  *
  * Quads and triangles, all counterclockwise, and of which patch they are. The first points are the given ones. */
 struct Recombined_triangles {
@@ -49,7 +48,7 @@ Recombination_report recombine_faces(Surface& surface, const std::vector<int>& p
 
 } // namespace internal
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingQuads
  *
  * makes quads of triangles, two of each: those pairs of neighbours for which \f$ \sum (1 - \eta_q) \f$, by (14), is
  * smallest among all ways to leave as few triangles as possible. That is a matching of minimum cost in the dual graph,
@@ -87,7 +86,7 @@ Recombined_triangles recombine_triangles(const std::vector<Point>& points,
   return recombine_triangles(core, triangles, patches);
 }
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingQuads
  *
  * The same for a surface, in place: of each two faces, one is removed. The vertices of a Surface, and its faces of
  * which a quad is made, keep their properties; removed elements remain until `collect_garbage()`. Any other surface is
@@ -127,8 +126,7 @@ template <class FaceGraph> Recombination_report recombine_triangles(FaceGraph& s
   return recombine_triangles(surface, CGAL::parameters::default_values());
 }
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
 #include <CGAL/Tubular_meshing/Quads/recombine_triangles_impl.h>

@@ -9,10 +9,9 @@
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/base/config.h>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingQuality
  *
  * How well the tetrahedra of an anisotropic mesh follow the wall and the vessel.
  */
@@ -35,7 +34,7 @@ struct Boundary_layer_report {
   }
 };
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingQuality
  *
  * measures the first layer at the wall, and how the long edges lie along the vessel.
  *
@@ -49,8 +48,7 @@ struct Boundary_layer_report {
  */
 Boundary_layer_report boundary_layer_report(const Mixed_mesh& mesh, const Centerline_graph& centerlines);
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
 #include <CGAL/Tubular_meshing/Quality/boundary_layer_report_impl.h>

@@ -19,8 +19,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
 namespace internal {
 
@@ -141,7 +140,6 @@ CGAL_TUBULAR_MESHING_INLINE Boundary_layer_report boundary_layer_report(const Mi
   return internal::Boundary_layer_reporter(mesh, centerlines).report();
 }
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #endif // CGAL_TUBULAR_MESHING_QUALITY_BOUNDARY_LAYER_REPORT_IMPL_H

@@ -11,10 +11,9 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingQuality
  *
  * How finely a mesh resolves each branch: the number of points round its circumference, 2 π times the mean distance of
  * the wall's edges to the centerline over their mean length; 0 for a branch without wall of its own. It is what the
@@ -29,8 +28,7 @@ namespace Tubular_meshing {
 std::vector<double> points_per_circumference(const Mixed_mesh& mesh, const Centerline_field& centerlines,
                                              std::size_t number_of_branches);
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
 #include <CGAL/Tubular_meshing/Quality/branch_resolution_impl.h>

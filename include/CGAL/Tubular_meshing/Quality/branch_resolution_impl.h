@@ -12,8 +12,7 @@
 #include <cstdint>
 #include <utility>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
 CGAL_TUBULAR_MESHING_INLINE std::vector<double>
 points_per_circumference(const Mixed_mesh& mesh, const Centerline_field& centerlines, std::size_t number_of_branches) {
@@ -39,7 +38,6 @@ points_per_circumference(const Mixed_mesh& mesh, const Centerline_field& centerl
   return points;
 }
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #endif // CGAL_TUBULAR_MESHING_QUALITY_BRANCH_RESOLUTION_IMPL_H

@@ -11,10 +11,9 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingQuality
  *
  * How the values of a measure are spread over the elements of a mesh. All zero where there are no elements.
  */
@@ -45,7 +44,7 @@ private:
   double mean_ = 0;
 };
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingQuality
  *
  * The quality of a mesh by the paper's measures. A measure of elements that the mesh does not have is empty.
  */
@@ -60,21 +59,20 @@ struct Quality_report {
   double efficiency = 0;               ///< (17), over the edges of the tetrahedra, where the mesh carries a `metric`
 };
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingQuality
  *
  * measures all elements of a mesh, (12)-(15), and (16)-(17) if it carries a point array `metric` of six components.
  * O(n log n).
  */
 Quality_report quality_report(const Mixed_mesh& mesh);
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingQuality
  *
  * the same for the cells of one region; facets are left out.
  */
 Quality_report quality_report(const Mixed_mesh& mesh, int region);
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
 #include <CGAL/Tubular_meshing/Quality/quality_report_impl.h>

@@ -15,8 +15,7 @@
 #include <cstdint>
 #include <utility>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
 CGAL_TUBULAR_MESHING_INLINE Measure_statistics::Measure_statistics(std::vector<double> values)
     : values_(std::move(values)) {
@@ -142,7 +141,6 @@ CGAL_TUBULAR_MESHING_INLINE Quality_report quality_report(const Mixed_mesh& mesh
   return internal::Quality_reporter(mesh, &region).report();
 }
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #endif // CGAL_TUBULAR_MESHING_QUALITY_QUALITY_REPORT_IMPL_H

@@ -13,8 +13,7 @@
 #include <cstddef>
 #include <limits>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
 namespace internal {
 
@@ -103,7 +102,6 @@ double metric_length(const Point& p, const Point& q, const std::array<double, 6>
 ///@}
 /*! @} */
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #endif // CGAL_TUBULAR_MESHING_QUALITY_SHAPE_MEASURES_H

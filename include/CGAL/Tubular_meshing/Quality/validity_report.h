@@ -11,10 +11,9 @@
 #include <map>
 #include <string>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingQuality
  *
  * What makes a volume mesh valid, counted.
  */
@@ -40,15 +39,14 @@ struct Validity_report {
   std::string defects() const;
 };
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingQuality
  *
  * checks a volume mesh of any kinds of cells: orientation, conformity, boundary, labels, connectedness, of the whole
  * and of each region. O(n log n).
  */
 Validity_report validity_report(const Mixed_mesh& mesh);
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
 #include <CGAL/Tubular_meshing/Quality/validity_report_impl.h>

@@ -16,8 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
 CGAL_TUBULAR_MESHING_INLINE bool Validity_report::is_valid() const {
   return cells > 0 && inverted_cells == 0 && overfull_faces == 0 && nonmanifold_edges == 0 && unlabelled_faces == 0 &&
@@ -220,7 +219,6 @@ CGAL_TUBULAR_MESHING_INLINE Validity_report validity_report(const Mixed_mesh& me
   return internal::Validity_checker(mesh).report();
 }
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #endif // CGAL_TUBULAR_MESHING_QUALITY_VALIDITY_REPORT_IMPL_H

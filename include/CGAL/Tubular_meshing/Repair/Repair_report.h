@@ -10,10 +10,9 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingRepair
  *
  * What repair_surface() may find wrong with a surface, and what it does about it. */
 enum class Surface_defect {
@@ -72,7 +71,7 @@ struct Repair {
   std::string sentence; ///< what was done, for the person at the keyboard
 };
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingRepair
  *
  * What repair_surface() has done, in the order in which it was done. */
 struct Repair_report {
@@ -112,7 +111,6 @@ struct Repair_report {
   }
 };
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #endif // CGAL_TUBULAR_MESHING_REPAIR_REPAIR_REPORT_H

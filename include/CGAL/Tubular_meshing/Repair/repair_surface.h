@@ -15,10 +15,9 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingRepair
  *
  * How far repair_surface() goes. */
 enum class Repair_mode {
@@ -27,7 +26,7 @@ enum class Repair_mode {
   wrap       ///< the surface is repaired as far as possible, and then wrapped in any case
 };
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingRepair
  *
  * The options of repair_surface(): its named parameters of the same names. */
 struct Repair_surface_options {
@@ -50,7 +49,7 @@ Repair_report repair_mesh(Surface& mesh, const Repair_surface_options& options);
 
 } // namespace internal
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingRepair
  *
  * Makes a clean tubular surface of triangles as they come: connected, manifold, oriented outward, without triangles
  * that cross each other, open or closed by flat caps at its ends as before.
@@ -136,7 +135,7 @@ Repair_report repair_surface(const std::vector<Point>& points, const std::vector
   }
 }
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingRepair
  *
  * repairs a mesh in place. If nothing is wrong it is not touched; else its descriptors and property maps are lost.
  *
@@ -157,8 +156,7 @@ Repair_report repair_surface(TriangleMesh& mesh, const NamedParameters& np = CGA
   }
 }
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
 #include <CGAL/Tubular_meshing/Repair/repair_surface_impl.h>

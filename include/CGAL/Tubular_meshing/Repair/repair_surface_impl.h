@@ -17,9 +17,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 CGAL_TUBULAR_MESHING_INLINE Repair_report repair_soup(const std::vector<Point_3>& points,
                                                       const std::vector<std::array<std::size_t, 3>>& triangles,
@@ -62,8 +60,6 @@ CGAL_TUBULAR_MESHING_INLINE Repair_report repair_mesh(Surface& mesh, const Repai
   return report;
 }
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_REPAIR_REPAIR_SURFACE_IMPL_H

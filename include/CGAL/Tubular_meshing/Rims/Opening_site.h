@@ -18,9 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* Where an opening is in a mesh: its rim, and the faces of its cap if it has one. */
 struct Opening_site {
@@ -142,8 +140,6 @@ inline bool is_inside_out(const Surface& mesh, const std::vector<Opening_site>& 
   return closed_volume(mesh, loops) < 0;
 }
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_RIMS_OPENING_SITE_H

@@ -12,9 +12,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* A plane, and a point's height over it. */
 class Oriented_plane {
@@ -89,9 +87,7 @@ void measure_in_plane(const std::vector<Point_3>& rim, Rim_shape& shape);
  * about 8 for a circle at a tolerance of 0.08 radius. */
 std::size_t number_of_corners(const std::vector<Point_3>& rim, const Point_3& center, double tolerance);
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
 #include <CGAL/Tubular_meshing/Rims/Rim_shape_impl.h>

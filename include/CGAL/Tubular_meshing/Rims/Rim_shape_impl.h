@@ -14,9 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 CGAL_TUBULAR_MESHING_INLINE std::vector<double> rim_weights(const std::vector<Point_3>& rim, double& perimeter) {
   const std::size_t n = rim.size();
@@ -144,8 +142,6 @@ CGAL_TUBULAR_MESHING_INLINE std::size_t number_of_corners(const std::vector<Poin
          number_of_corners_between(rim, second, first + rim.size(), tolerance);
 }
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_RIMS_RIM_SHAPE_IMPL_H

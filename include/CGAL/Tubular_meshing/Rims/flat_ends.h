@@ -15,9 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* What makes a flat region of a closed surface the end of a tube. All of it is relative to the region's own size. */
 struct Flat_end_criteria {
@@ -229,8 +227,6 @@ private:
   double min_cosine_ = 0;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_RIMS_FLAT_ENDS_H

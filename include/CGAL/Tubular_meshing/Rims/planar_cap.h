@@ -13,9 +13,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* The triangles of the constrained Delaunay triangulation of some points of the plane, as indices, counterclockwise,
  * that are not reached from outside without crossing a constraint. Constraints must not cross. O(n log n). */
@@ -37,9 +35,7 @@ std::vector<Surface::Face_index> fill_loop(const std::vector<Surface::Halfedge_i
  * and on the cap. Returns the new loop; it keeps at least three edges. */
 std::vector<Surface::Halfedge_index> peel_ears(std::vector<Surface::Halfedge_index> rim, Surface& mesh);
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
 #include <CGAL/Tubular_meshing/Rims/planar_cap_impl.h>

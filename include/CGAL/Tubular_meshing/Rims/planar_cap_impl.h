@@ -17,9 +17,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 CGAL_TUBULAR_MESHING_INLINE std::vector<Index_triangle>
 triangulate_inside(const std::vector<Kernel::Point_2>& points,
@@ -124,8 +122,6 @@ CGAL_TUBULAR_MESHING_INLINE std::vector<Surface::Halfedge_index> peel_ears(std::
   return rim;
 }
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_RIMS_PLANAR_CAP_IMPL_H

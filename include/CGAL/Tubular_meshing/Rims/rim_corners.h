@@ -11,9 +11,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* Whether a rim turns by more than 30 degrees at a vertex: a mesh whose edges are as long as the rim's would cut such a
  * corner off, so that it keeps a vertex there. */
@@ -61,8 +59,6 @@ inline std::vector<std::vector<Point_3>> split_at_corners(std::vector<Point_3> r
   return pieces;
 }
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_RIMS_RIM_CORNERS_H

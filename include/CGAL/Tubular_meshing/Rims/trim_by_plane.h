@@ -10,9 +10,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /*
  * Cuts the part off a triangulated surface that lies above a plane and is connected to a set of vertices, and leaves a
@@ -57,9 +55,7 @@ Surface::Halfedge_index trim_by_plane(Surface& mesh, const Point_3& origin, cons
                                       Surface::Halfedge_index seed,
                                       double reach = (std::numeric_limits<double>::infinity)());
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
 #include <CGAL/Tubular_meshing/Rims/trim_by_plane_impl.h>

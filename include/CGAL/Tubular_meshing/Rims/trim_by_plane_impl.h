@@ -13,9 +13,7 @@
 #include <cmath>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 CGAL_TUBULAR_MESHING_INLINE Surface::Halfedge_index trim_by_plane(Surface& mesh, const Point_3& origin,
                                                                   const Vector_3& normal,
@@ -39,8 +37,6 @@ CGAL_TUBULAR_MESHING_INLINE Surface::Halfedge_index trim_by_plane(Surface& mesh,
   return trim_by_plane(mesh, origin, normal, seeds, reach);
 }
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_RIMS_TRIM_BY_PLANE_IMPL_H

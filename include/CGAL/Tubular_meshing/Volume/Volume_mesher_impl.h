@@ -7,8 +7,7 @@
 #include <CGAL/Tubular_meshing/Volume/Volume_mesher.h>
 #include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/boundary_recovery.h>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
 CGAL_TUBULAR_MESHING_INLINE bool has_tetgen() {
   return internal::tetgen_recovery().is_there();
@@ -17,7 +16,6 @@ CGAL_TUBULAR_MESHING_INLINE bool has_ccdt() {
   return internal::ccdt_recovery().is_there();
 }
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #endif // CGAL_TUBULAR_MESHING_VOLUME_VOLUME_MESHER_IMPL_H

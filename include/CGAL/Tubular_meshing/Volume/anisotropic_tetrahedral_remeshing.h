@@ -14,10 +14,9 @@
 
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingVolume
  * The named parameters of anisotropic_tetrahedral_remeshing(), as a struct. */
 struct Anisotropic_tetrahedral_remeshing_options {
   bool keep_boundary = false;
@@ -44,7 +43,7 @@ void anisotropic_tetrahedral_remeshing(Mixed_mesh& mesh, const Surface& surface,
 
 } // namespace internal
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingVolume
  *
  * remeshes a tetrahedral mesh to a metric: into tetrahedra that are as nearly regular, with edges as nearly of length
  * one, as the metric allows when lengths are taken in it by (10). The metric may be anything that varies from place to
@@ -116,7 +115,7 @@ void anisotropic_tetrahedral_remeshing(Mixed_mesh& mesh, const MetricField& metr
                                               Anisotropic_tetrahedral_remeshing_options(np));
 }
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingVolume
  *
  * The same for a mesh that approximates a given surface: vertices on the boundary come to lie on that surface, not on
  * the facets that the mesh has.
@@ -149,8 +148,7 @@ void anisotropic_tetrahedral_remeshing(Mixed_mesh& mesh, const FaceGraph& surfac
                                               Anisotropic_tetrahedral_remeshing_options(np));
 }
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
 #include <CGAL/Tubular_meshing/Volume/anisotropic_tetrahedral_remeshing_impl.h>

@@ -12,10 +12,9 @@
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 #include <CGAL/Tubular_meshing/base/parameters.h>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingVolume
  * The named parameters of fill_keeping_boundary(), as a struct. */
 struct Fill_keeping_boundary_options {
   Volume_mesher volume_mesher = default_volume_mesher();
@@ -37,7 +36,7 @@ void fill_keeping_boundary(const Surface& surface, Face_patch_map patch, Length_
 
 } // namespace internal
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingVolume
  *
  * fills a closed labelled surface with tetrahedra and keeps it as it is, facet for facet. TetGen (\cgalCite{si2015}),
  * or \cgal's own `Conforming_constrained_Delaunay_triangulation_3`, connects the points of the surface; where the
@@ -100,8 +99,7 @@ void fill_keeping_boundary(const FaceGraph& surface, FacePatchMap patch, const S
                                   Fill_keeping_boundary_options(np));
 }
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
 #include <CGAL/Tubular_meshing/Volume/fill_keeping_boundary_impl.h>

@@ -11,9 +11,7 @@
 
 #include <string>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 CGAL_TUBULAR_MESHING_INLINE void fill_keeping_boundary(const Surface& surface, Face_patch_map patch,
                                                        Length_function size, Mixed_mesh& mesh,
@@ -25,8 +23,6 @@ CGAL_TUBULAR_MESHING_INLINE void fill_keeping_boundary(const Surface& surface, F
     throw Meshing_error(*failure);
 }
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_VOLUME_FILL_KEEPING_BOUNDARY_IMPL_H

@@ -11,10 +11,9 @@
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 #include <CGAL/Tubular_meshing/base/parameters.h>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingVolume
  * The named parameters of fill_with_mesh_3(), as a struct. */
 struct Fill_with_mesh_3_options {
   double facet_distance = 0.07;
@@ -34,7 +33,7 @@ void fill_with_mesh_3(const Surface& surface, Face_patch_map patch, Length_funct
 
 } // namespace internal
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingVolume
  *
  * fills a closed labelled surface with tetrahedra by CGAL's Mesh_3: the surface is remeshed, its rims are protected as
  * features, its labels are kept. Refinement only; what makes the mesh good is optimize_tetrahedra().
@@ -81,8 +80,7 @@ void fill_with_mesh_3(const FaceGraph& surface, FacePatchMap patch, const Sizing
                              Fill_with_mesh_3_options(np));
 }
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
 #include <CGAL/Tubular_meshing/Volume/fill_with_mesh_3_impl.h>

@@ -24,9 +24,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 // Mesh_3 on one thread or on several, which are two meshers: that for several is compiled in Mesh_3_parallel.cpp, as
 // one unit of both would take too much memory.
@@ -75,8 +73,6 @@ CGAL_TUBULAR_MESHING_INLINE void fill_with_mesh_3(const Surface& surface, Face_p
   mesh.region_names = {{labels::lumen, "lumen"}};
 }
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_VOLUME_FILL_WITH_MESH_3_IMPL_H

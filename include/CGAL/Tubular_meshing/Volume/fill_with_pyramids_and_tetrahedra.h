@@ -12,10 +12,9 @@
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 #include <CGAL/Tubular_meshing/base/parameters.h>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingVolume
  * The named parameters of fill_with_pyramids_and_tetrahedra(), as a struct: those of fill_keeping_boundary(), and more.
  */
 struct Fill_with_pyramids_and_tetrahedra_options : Fill_keeping_boundary_options {
@@ -43,7 +42,7 @@ void fill_with_pyramids_and_tetrahedra(const Surface& surface, Face_patch_map pa
 
 } // namespace internal
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingVolume
  *
  * fills a closed labelled surface of triangles and quads, and keeps it as it is, facet for facet: a pyramid stands on
  * the inside of each quad (\cgalCite{owen1997}), and tetrahedra fill what is left (section 2.5 of the paper). A mesh of
@@ -120,8 +119,7 @@ void fill_with_pyramids_and_tetrahedra(const FaceGraph& surface, FacePatchMap pa
                                               mesh, Fill_with_pyramids_and_tetrahedra_options(np));
 }
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
 #include <CGAL/Tubular_meshing/Volume/fill_with_pyramids_and_tetrahedra_impl.h>

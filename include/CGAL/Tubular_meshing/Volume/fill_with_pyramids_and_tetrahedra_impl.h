@@ -61,7 +61,7 @@ fill_with_pyramids_and_tetrahedra(const Surface& surface, Face_patch_map patch, 
   surface_to_mixed_mesh(surface, patch, boundary);
   Crowned_surface crowned = crown_quads(boundary, options.split_quads);
 
-  const Filling_limits limits(options, crowned.surface(), "mend the surface, or mesh it finer");
+  const Filling_limits limits(options, crowned.surface(), "repair the surface, or mesh it finer");
   Mixed_mesh result;
   const Size_near_surface graded(size, boundary);
   fill_between_pyramids(crowned, graded, recovery_by(options.volume_mesher), limits, result);

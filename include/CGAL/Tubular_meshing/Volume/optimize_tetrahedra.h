@@ -10,10 +10,9 @@
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 #include <CGAL/Tubular_meshing/base/parameters.h>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingVolume
  * The named parameters of optimize_tetrahedra(), as a struct. */
 struct Optimize_tetrahedra_options {
   int optimization_passes = 2;
@@ -35,7 +34,7 @@ void optimize_tetrahedra(Mixed_mesh& mesh, const Surface& surface, Face_patch_ma
 
 } // namespace internal
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingVolume
  *
  * improves the shape of a tetrahedral mesh, its surface included, by flips and by moving vertices.
  *
@@ -93,8 +92,7 @@ void optimize_tetrahedra(Mixed_mesh& mesh, const FaceGraph& surface, FacePatchMa
   internal::optimize_tetrahedra(mesh, core.surface(), core.patch(), Optimize_tetrahedra_options(np));
 }
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
 #include <CGAL/Tubular_meshing/Volume/optimize_tetrahedra_impl.h>

@@ -13,9 +13,7 @@
 #include <cmath>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* A frame that moves, turns and grows with a set of points: their mean, principal axes, and root mean square extent.
  *
@@ -92,8 +90,6 @@ private:
   double scale_ = 1;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_BASE_CANONICAL_FRAME_H

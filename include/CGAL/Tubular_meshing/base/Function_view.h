@@ -10,9 +10,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 template <class Signature> class Function_view;
 
@@ -55,8 +53,6 @@ private:
   const Field* field_;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_BASE_FUNCTION_VIEW_H

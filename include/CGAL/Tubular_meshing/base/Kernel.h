@@ -7,10 +7,9 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingBase
  *
  * The kernel in which the package computes: coordinates are doubles. Surfaces of any other kernel are converted where
  * they come in, and back where they go out.
@@ -20,7 +19,7 @@ typedef Exact_predicates_inexact_constructions_kernel Kernel;
 typedef Kernel::Point_3 Point_3;
 typedef Kernel::Vector_3 Vector_3;
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingBase
  *
  * The surface that the package's stages pass on. Functions that read a surface take any model of `FaceListGraph` too.
  */
@@ -29,7 +28,6 @@ typedef CGAL::Surface_mesh<Point_3> Surface;
 /// The label of each face of a Surface: its property map `f:patch`.
 typedef Surface::Property_map<Surface::Face_index, int> Face_patch_map;
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #endif // CGAL_TUBULAR_MESHING_BASE_KERNEL_H

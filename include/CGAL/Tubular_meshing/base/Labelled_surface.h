@@ -6,10 +6,9 @@
 
 #include <CGAL/Tubular_meshing/base/Kernel.h>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingBase
  *
  * A surface and the label of each of its faces (see labels.h), kept together. It moves, and is not copied: the map is
  * one of the surface's own properties.
@@ -29,7 +28,6 @@ struct Labelled_surface {
   Labelled_surface& operator=(Labelled_surface&&) = default;
 };
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #endif // CGAL_TUBULAR_MESHING_BASE_LABELLED_SURFACE_H

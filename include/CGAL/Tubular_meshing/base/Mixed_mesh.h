@@ -13,10 +13,9 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingBase
  *
  * Elements of one kind: the vertices of each, and its label (a region for cells, a patch for facets).
  */
@@ -38,11 +37,11 @@ template <std::size_t N> struct Element_block {
   }
 };
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingBase
  * The name of the point array of a metric: xx, xy, xz, yy, yz, zz. */
 constexpr const char* metric_array_name = "metric";
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingBase
  *
  * Values at the points of a mesh: `components` numbers a point, point after point.
  */
@@ -54,7 +53,7 @@ struct Point_array {
   bool is_metric() const { return name == metric_array_name && components == 6; }
 };
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingBase
  *
  * A volume mesh of tetrahedra, pyramids, prisms and hexahedra with a region a cell, together with the facets of its
  * boundary and of the interfaces between regions, with a patch each.
@@ -92,7 +91,6 @@ struct Mixed_mesh {
   std::size_t number_of_facets() const { return triangles.size() + quads.size(); }
 };
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #endif // CGAL_TUBULAR_MESHING_BASE_MIXED_MESH_H

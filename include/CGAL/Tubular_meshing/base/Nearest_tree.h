@@ -17,9 +17,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 // Distances need no exact predicates, and filtered ones cost several times more: all of this is in plain doubles.
 typedef CGAL::Simple_cartesian<double> Double_kernel;
@@ -171,8 +169,6 @@ private:
   std::shared_ptr<Tree> tree_;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_BASE_NEAREST_TREE_H

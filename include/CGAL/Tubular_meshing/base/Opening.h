@@ -11,10 +11,9 @@
 #include <cstddef>
 #include <limits>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingBase
  *
  * An end of the tubular surface through which fluid enters or leaves: an open boundary loop, or the flat cap that
  * closes it. Openings are numbered in the order in which they are listed: 0 is the inlet, i > 0 is outlet i.
@@ -34,7 +33,6 @@ struct Opening {
   int patch = 0;                  ///< the label of the cap's facets
 };
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #endif // CGAL_TUBULAR_MESHING_BASE_OPENING_H

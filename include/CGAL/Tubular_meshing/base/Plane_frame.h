@@ -9,9 +9,7 @@
 #include <array>
 #include <cmath>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* Coordinates in a plane and above it; counterclockwise is what turns so seen against the normal. */
 struct Plane_frame {
@@ -28,8 +26,6 @@ struct Plane_frame {
   Vector_3d point(double x, double y, double height) const { return origin + x * u + y * v + height * normal; }
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_BASE_PLANE_FRAME_H

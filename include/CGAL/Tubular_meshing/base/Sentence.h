@@ -10,12 +10,11 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
 typedef std::array<double, 3> Place; ///< coordinates in the unit of the surface
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingBase
  *
  * A message in which places stay coordinates until it is read: text, then a place and the text behind it, and so on.
  * The core works in a frame of the model's own; a sentence that comes from there is brought back by transform().
@@ -77,7 +76,6 @@ template <class Vector> auto place_of(const Vector& v) -> decltype(v.x + 0., Sen
 }
 
 } // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #endif // CGAL_TUBULAR_MESHING_BASE_SENTENCE_H

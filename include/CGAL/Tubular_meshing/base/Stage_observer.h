@@ -6,9 +6,7 @@
 
 #include <CGAL/Tubular_meshing/base/parameters.h>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 struct Ignore_stages {
   void operator()(const char*) const {}
@@ -20,8 +18,6 @@ template <class NamedParameters> auto stage_observer(const NamedParameters& np) 
                                             Ignore_stages());
 }
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_BASE_STAGE_OBSERVER_H

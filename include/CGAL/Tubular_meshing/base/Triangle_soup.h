@@ -11,9 +11,7 @@
 #include <cstring>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 typedef std::array<double, 3> Coordinates;
 typedef std::array<std::size_t, 3> Index_triangle;
@@ -142,8 +140,6 @@ inline void drop_unused_points(std::vector<Coordinates>& points, std::vector<Ind
       v = number[v];
 }
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_BASE_TRIANGLE_SOUP_H

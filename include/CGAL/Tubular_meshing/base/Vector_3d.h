@@ -6,9 +6,7 @@
 
 #include <cmath>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* Three doubles: positions and vectors inside the mesh optimizers, where compact arrays and inlined arithmetic matter
  * and no kernel's predicate is needed. */
@@ -61,8 +59,6 @@ inline Vector_3d normalized(const Vector_3d& v) {
   return n > 0 ? (1 / n) * v : v;
 }
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_BASE_VECTOR_3D_H

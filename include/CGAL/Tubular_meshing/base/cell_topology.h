@@ -8,9 +8,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 typedef std::array<int, 3> Triangle_corners;
 typedef std::array<int, 4> Quad_corners;
@@ -83,8 +81,6 @@ template <> struct Cell_topology<8> {
   }
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_BASE_CELL_TOPOLOGY_H

@@ -14,9 +14,7 @@
 #include <CGAL/AABB_traits.h>
 #endif
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 #if CGAL_VERSION_NR >= 1060000000
 template <class GeomTraits, class Primitive> using Aabb_traits = CGAL::AABB_traits_3<GeomTraits, Primitive>;
@@ -24,8 +22,6 @@ template <class GeomTraits, class Primitive> using Aabb_traits = CGAL::AABB_trai
 template <class GeomTraits, class Primitive> using Aabb_traits = CGAL::AABB_traits<GeomTraits, Primitive>;
 #endif
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_BASE_CGAL_COMPATIBILITY_H

@@ -4,14 +4,10 @@
 #ifndef CGAL_TUBULAR_MESHING_BASE_CONSTANTS_H
 #define CGAL_TUBULAR_MESHING_BASE_CONSTANTS_H
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 constexpr double root_of_3 = 1.7320508075688772935;
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_BASE_CONSTANTS_H

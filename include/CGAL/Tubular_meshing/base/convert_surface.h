@@ -19,9 +19,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* Any kernel's point as the core has it. */
 template <class Point> Point_3 to_core(const Point& p) {
@@ -170,8 +168,6 @@ void copy_from_core(const Surface& surface, Face_patch_map patch, FaceGraph& mes
     put(labels, c.second, patch[c.first]);
 }
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_BASE_CONVERT_SURFACE_H

@@ -11,9 +11,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 constexpr double pi = 3.14159265358979323846;
 
@@ -101,8 +99,6 @@ inline double prism_jacobian(const std::array<Vector_3d, 6>& p) {
   return smallest;
 }
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_BASE_ELEMENT_MEASURES_H

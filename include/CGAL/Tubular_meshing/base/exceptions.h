@@ -11,10 +11,9 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingBase
  *
  * The base of all exceptions of this package. what() is one sentence, meant for the person at the keyboard: what is
  * wrong, where (file and line, byte, vertex or face), and what to do about it.
@@ -46,7 +45,7 @@ private:
   std::string what_, stage_;
 };
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingBase
  *
  * The input cannot be read, or cannot be used: a broken file, a surface or centerlines that do not fit together.
  */
@@ -55,7 +54,7 @@ public:
   using Error::Error;
 };
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingBase
  *
  * An option has a value outside its documented range.
  */
@@ -64,7 +63,7 @@ public:
   using Error::Error;
 };
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingBase
  *
  * The input is usable, but no valid mesh came out of it.
  */
@@ -73,7 +72,7 @@ public:
   using Error::Error;
 };
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingBase
  *
  * A file cannot be written. The file that was there before, if any, is as it was.
  */
@@ -82,7 +81,6 @@ public:
   using Error::Error;
 };
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #endif // CGAL_TUBULAR_MESHING_BASE_EXCEPTIONS_H

@@ -7,10 +7,9 @@
 #include <map>
 #include <string>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingBase
  *
  * The integers that tell volume cells (regions) and boundary facets (patches) apart, in memory and in every file. */
 namespace labels {
@@ -44,11 +43,11 @@ constexpr int outer_wall_for(int largest) {
 
 } // namespace labels
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingBase
  * From label to name, e.g. 2 → "inlet". */
 typedef std::map<int, std::string> Label_names;
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingBase
  * The names of the lumen's patches for a number of openings: wall, inlet, outlet_1, outlet_2, … */
 inline Label_names lumen_patch_names(int number_of_openings) {
   Label_names names = {{labels::wall, "wall"}};
@@ -57,7 +56,7 @@ inline Label_names lumen_patch_names(int number_of_openings) {
   return names;
 }
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingBase
  * Adds the names of a wall's patches to those of the lumen's: outer_wall, inlet_ring, outlet_ring_1, …
  * \param names those of the lumen's patches, with all openings
  * \param second_wall whether there is a middle_wall */
@@ -73,7 +72,6 @@ inline void add_wall_patch_names(Label_names& names, bool second_wall) {
   names.insert(added.begin(), added.end());
 }
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #endif // CGAL_TUBULAR_MESHING_BASE_LABELS_H

@@ -16,9 +16,7 @@
 #include <tbb/parallel_for.h>
 #endif
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* Runs a parallel loop on at most `threads` threads (0: as many as there are cores). */
 void run_on(int threads, Function_view<void()> loop);
@@ -63,9 +61,7 @@ template <class Body> void for_each_task(std::size_t n, int threads, const Body&
     body(i);
 }
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
 #include <CGAL/Tubular_meshing/base/parallel_impl.h>

@@ -13,9 +13,7 @@
 #include <mutex>
 #endif
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* Arenas are kept, one for each number of threads: some loops are as short as their making, and those given up live on
  * for as long as a thread has not left them. */
@@ -38,8 +36,6 @@ CGAL_TUBULAR_MESHING_INLINE void run_on(int threads, Function_view<void()> loop)
   loop();
 }
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_BASE_PARALLEL_IMPL_H

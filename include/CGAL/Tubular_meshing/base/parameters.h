@@ -8,8 +8,7 @@
 
 #include <type_traits>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
 namespace internal_np {
 
@@ -20,7 +19,7 @@ namespace internal_np {
 
 } // namespace internal_np
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingBase
  *
  * A sequence of named parameters that can be continued with this package's names: any function that takes CGAL's named
  * parameters takes it too. CGAL's own names may follow ours in a chain, not precede them:
@@ -43,7 +42,7 @@ struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base> {
 #undef CGAL_TUBULAR_MESHING_PARAMETER
 };
 
-/*! \ingroup PkgTubularMeshingRef
+/*! \ingroup PkgTubularMeshingBase
  *
  * The named parameters of the package as free functions, to start a chain with.
  */
@@ -71,7 +70,6 @@ Default choose(const NamedParameters& np, Tag tag, const Default& default_value)
 }
 
 } // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #endif // CGAL_TUBULAR_MESHING_BASE_PARAMETERS_H

@@ -22,9 +22,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* A place where centerlines begin or end: the centre of a cap, or any point, which stands for the pole nearest to it.
  */
@@ -201,8 +199,6 @@ private:
   std::vector<Sampled_line> lines_;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_CENTERLINES_INTERNAL_CENTERLINE_TRACER_H

@@ -10,9 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* The nearest of a growing set of segments: a row of static trees, each more than twice as large as the next (the
  * logarithmic method of Bentley and Saxe). A segment is rebuilt into a larger tree O(log n) times in all. Segments are
@@ -60,8 +58,6 @@ private:
   std::size_t size_ = 0;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_CENTERLINES_INTERNAL_GROWING_SEGMENT_TREE_H

@@ -21,9 +21,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* The part of the Voronoi diagram of a surface's samples that lies inside the surface: an approximation of its medial
  * axis (N. Amenta, S. Choi and R. Kolluri, The power crust, unions of balls, and the medial axis transform, 2001).
@@ -212,8 +210,6 @@ private:
   Delaunay delaunay_;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_CENTERLINES_INTERNAL_INTERIOR_VORONOI_DIAGRAM_H

@@ -15,9 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* Overlays lines into one network of segments, line after line (long ones first, so that the outcome does not depend on
  * their order).
@@ -240,8 +238,6 @@ private:
   std::vector<Foot> feet_; // of the line being inserted
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_CENTERLINES_INTERNAL_LINE_MERGER_H

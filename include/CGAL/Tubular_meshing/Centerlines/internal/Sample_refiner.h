@@ -16,9 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* Adds samples on the edges and in the triangles of the wall that are large against the spheres that touch them: the
  * spheres would bulge out between the vertices. */
@@ -128,8 +126,6 @@ private:
   std::set<Point> added_;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_CENTERLINES_INTERNAL_SAMPLE_REFINER_H

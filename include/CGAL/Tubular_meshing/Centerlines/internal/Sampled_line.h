@@ -11,9 +11,7 @@
 #include <cmath>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 struct Line_point {
   Double_kernel::Point_3 point;
@@ -94,8 +92,6 @@ inline Sampled_line with_short_steps(const Sampled_line& line, Radius_at_new_poi
   return result;
 }
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_CENTERLINES_INTERNAL_SAMPLED_LINE_H

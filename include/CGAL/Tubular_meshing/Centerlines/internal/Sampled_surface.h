@@ -19,9 +19,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* Points on a closed surface with their outward normals, in canonical coordinates and canonical order: all that the
  * Voronoi diagram is made from. Built in O(n log n).
@@ -176,8 +174,6 @@ private:
   std::vector<std::pair<Triangle, int>> caps_; // faces and their labels
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_CENTERLINES_INTERNAL_SAMPLED_SURFACE_H

@@ -16,9 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* The time at which a front that starts at one vertex and moves with speed R, the radius of the inscribed sphere,
  * arrives at the vertices of the Voronoi diagram: the smallest integral of 1/R along a path (L. Antiga, B. Ene-Iordache
@@ -220,8 +218,6 @@ private:
   std::priority_queue<Event, std::vector<Event>, std::greater<Event>> queue_;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_CENTERLINES_INTERNAL_VORONOI_FRONT_H

@@ -13,9 +13,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 typedef Double_kernel::Vector_3 Double_vector;
 
@@ -172,8 +170,6 @@ private:
   std::vector<std::vector<Double_vector>> tangents_, normals_;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_CENTERLINES_INTERNAL_BRANCH_AXES_H

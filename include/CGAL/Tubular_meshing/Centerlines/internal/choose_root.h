@@ -14,9 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 // Half-way along the branch: at the very end of a closed surface the nearest wall is the cap.
 inline double radius_of_end(const Centerline_graph& graph, std::size_t node) {
@@ -60,8 +58,6 @@ inline std::size_t choose_root(const Centerline_graph& graph, const std::vector<
   return best;
 }
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_CENTERLINES_INTERNAL_CHOOSE_ROOT_H

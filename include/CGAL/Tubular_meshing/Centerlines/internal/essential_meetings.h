@@ -16,9 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* Where a front meets itself after it has gone round something: the edges of the Voronoi diagram that close a cycle
  * which no faces fill.
@@ -215,8 +213,6 @@ essential_meetings(const Interior_voronoi_diagram& diagram, const Voronoi_front&
   return result;
 }
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_CENTERLINES_INTERNAL_ESSENTIAL_MEETINGS_H

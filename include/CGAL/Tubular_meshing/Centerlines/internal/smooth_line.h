@@ -14,9 +14,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* The line with points at equal steps of about `step` local radii. O(n) in points, old and new. */
 inline Sampled_line resampled(const Sampled_line& line, double step) {
@@ -74,8 +72,6 @@ inline Sampled_line smoothed(const Sampled_line& line, double width, int passes)
   return current;
 }
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_CENTERLINES_INTERNAL_SMOOTH_LINE_H

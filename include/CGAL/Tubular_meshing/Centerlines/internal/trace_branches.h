@@ -12,9 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 typedef std::vector<std::size_t> Vertex_path;
 
@@ -136,8 +134,6 @@ inline std::vector<Vertex_path> without_short_inner_branches(std::vector<Vertex_
   return result;
 }
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_CENTERLINES_INTERNAL_TRACE_BRANCHES_H

@@ -15,9 +15,7 @@
 #include <limits>
 #include <string>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 inline void require(bool condition, const char* name, double value, const char* advice) {
   if (!condition)
@@ -130,8 +128,6 @@ private:
   double log_beta_, log_max_anisotropy_;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_FIELDS_INTERNAL_BOUNDARY_LAYER_SIZES_H

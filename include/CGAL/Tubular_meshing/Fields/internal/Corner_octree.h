@@ -18,9 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* An octree over a domain, as fine as asked for, whose leaves share their corners: a function known at the corners is
  * interpolated anywhere, for the cost of a descent. The values are the user's, one a corner. Built in O(n log n) in the
@@ -240,8 +238,6 @@ private:
   std::vector<Lattice_point> corners_;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_FIELDS_INTERNAL_CORNER_OCTREE_H

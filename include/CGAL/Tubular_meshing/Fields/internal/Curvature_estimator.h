@@ -14,9 +14,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* The second fundamental form in a tangent plane: uu, uv, vv for the plane's axes u and v. */
 struct Shape_tensor {
@@ -190,8 +188,6 @@ private:
   std::vector<double> confidence_;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_FIELDS_INTERNAL_CURVATURE_ESTIMATOR_H

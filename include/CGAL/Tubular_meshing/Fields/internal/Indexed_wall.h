@@ -21,9 +21,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* Some of a mesh's faces, the wall of a lumen as a rule, in compact arrays: what lies beyond (a cap) does not exist.
  * Faces without an area are left out. Built in O(n). */
@@ -148,8 +146,6 @@ private:
   std::uint32_t round_ = 0;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_FIELDS_INTERNAL_INDEXED_WALL_H

@@ -20,9 +20,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* All that varies slowly in a boundary layer, continuous in space: the directions and curvatures of the nearest wall,
  * and the local radius. What is taken from the nearest point of the wall jumps where another part of it becomes the
@@ -155,8 +153,6 @@ private:
   std::vector<std::uint32_t> near_face_;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_FIELDS_INTERNAL_LAYER_OCTREE_H

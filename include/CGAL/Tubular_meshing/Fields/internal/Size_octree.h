@@ -19,9 +19,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* A positive function on space, sampled at the corners of an octree that is as fine as the function asks for, limited
  * in its growth, and interpolated. A query costs a descent through the tree (about 0.1 µs) instead of a search for the
@@ -143,8 +141,6 @@ private:
   std::vector<double> values_; // one a corner
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_FIELDS_INTERNAL_SIZE_OCTREE_H

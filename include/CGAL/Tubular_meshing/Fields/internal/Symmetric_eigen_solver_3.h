@@ -10,9 +10,7 @@
 #include <array>
 #include <cmath>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* Eigenvalues and eigenvectors of a symmetric 3×3 matrix by Jacobi's rotations. Of a positive definite matrix the small
  * eigenvalues are as exact, relative to themselves, as its entries allow (Demmel and Veselić, 1992): the sizes of a
@@ -80,8 +78,6 @@ private:
   std::array<Vector_3d, 3> vectors_ = {Vector_3d(1, 0, 0), Vector_3d(0, 1, 0), Vector_3d(0, 0, 1)};
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_FIELDS_INTERNAL_SYMMETRIC_EIGEN_SOLVER_3_H

@@ -19,9 +19,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* Part of a symmetric tensor: Σ a_i d_i d_iᵀ is what interpolates directions, which have no sign. */
 typedef Metric_tensor_3 Direction_tensor;
@@ -177,8 +175,6 @@ private:
   std::vector<Wall_frame> frames_; // one a vertex
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_FIELDS_INTERNAL_WALL_FRAMES_H

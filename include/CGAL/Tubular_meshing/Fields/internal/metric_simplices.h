@@ -13,9 +13,7 @@
 #include <cstddef>
 #include <limits>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 template <std::size_t N> Metric_tensor_3 mean_metric(const std::array<Metric_tensor_3, N>& metrics) {
   Metric_tensor_3 sum = metrics[0];
@@ -54,8 +52,6 @@ inline double metric_circumradius(const std::array<Vector_3d, 4>& p, const Metri
   return m.inverse().length(y);
 }
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_FIELDS_INTERNAL_METRIC_SIMPLICES_H

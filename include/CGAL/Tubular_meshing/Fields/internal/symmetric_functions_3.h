@@ -8,9 +8,7 @@
 #include <array>
 #include <cmath>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* Exponential and logarithm of a symmetric 3×3 matrix without its eigenvectors: the polynomial that interpolates the
  * function at the three eigenvalues, taken of the matrix. Several times faster than a decomposition. Entries have an
@@ -66,8 +64,6 @@ inline bool fast_logarithm(const std::array<double, 6>& m, std::array<double, 6>
   return true;
 }
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_FIELDS_INTERNAL_SYMMETRIC_FUNCTIONS_3_H

@@ -16,9 +16,7 @@
 #include <unordered_set>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* An octree that is refined near the surface of tubes, to cells smaller than the local radius, and balanced: cells that
  * share a face or an edge differ by one level at most. Linear in the number of cells, hashed.
@@ -169,8 +167,6 @@ private:
   std::vector<Cell> leaves_;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_GENERATORS_INTERNAL_TUBULAR_OCTREE_H

@@ -19,9 +19,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* Isotropic remeshing of the zero surface of a Tubular_distance_function, to edges of 2 pi r / n: collapses, splits,
  * Delaunay flips, and tangential relaxation, each vertex being projected back onto the surface (compare M. Botsch, L.
@@ -302,8 +300,6 @@ private:
   Surface::Property_map<Vertex, int> end_;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_GENERATORS_INTERNAL_TUBULAR_REMESHER_H

@@ -17,9 +17,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* The zero surface of a function on the conforming tetrahedra of a balanced octree, as a closed manifold triangle mesh
  * that is oriented towards positive values.
@@ -202,8 +200,6 @@ inline void march_tetrahedra(const Tubular_distance_function& function, const Tu
   Tetrahedra_marcher(function, octree, mesh);
 }
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_GENERATORS_INTERNAL_MARCH_TETRAHEDRA_H

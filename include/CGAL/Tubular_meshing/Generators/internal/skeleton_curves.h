@@ -8,9 +8,7 @@
 
 #include <cmath>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 // The cubic from p to q with tangents along u and v, of a speed that makes an arc out of perpendicular ones.
 struct Hermite_curve {
@@ -38,8 +36,6 @@ struct Smooth_taper {
   double operator()(double t) const { return from + (to - from) * t * t * (3 - 2 * t); }
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_GENERATORS_INTERNAL_SKELETON_CURVES_H

@@ -16,9 +16,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 // A right-handed frame (u, v, n) of the plane of an end, and angles in it.
 struct End_frame {
@@ -115,8 +113,6 @@ private:
   Surface& mesh_;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_GENERATORS_INTERNAL_TUBULAR_CAPS_H

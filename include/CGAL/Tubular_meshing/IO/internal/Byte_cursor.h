@@ -13,10 +13,7 @@
 #include <string_view>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace IO {
-namespace internal {
+namespace CGAL::Tubular_meshing::IO::internal {
 
 inline bool host_is_little_endian() {
   const std::uint16_t one = 1;
@@ -125,9 +122,6 @@ private:
   bool swapped_;
 };
 
-} // namespace internal
-} // namespace IO
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::IO::internal
 
 #endif // CGAL_TUBULAR_MESHING_IO_INTERNAL_BYTE_CURSOR_H

@@ -10,10 +10,7 @@
 #include <string>
 #include <string_view>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace IO {
-namespace internal {
+namespace CGAL::Tubular_meshing::IO::internal {
 
 inline int base64_digit(char c) {
   static const std::array<signed char, 256> digits = [] {
@@ -90,9 +87,6 @@ private:
   const Input_file* file_;
 };
 
-} // namespace internal
-} // namespace IO
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::IO::internal
 
 #endif // CGAL_TUBULAR_MESHING_IO_INTERNAL_ENCODED_STREAM_H

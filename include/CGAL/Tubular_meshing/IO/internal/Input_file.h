@@ -15,10 +15,7 @@
 #include <string>
 #include <system_error>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace IO {
-namespace internal {
+namespace CGAL::Tubular_meshing::IO::internal {
 
 // Lower-case letters behind the last dot of the file's name, without the dot.
 inline std::string extension_of(const std::string& file) {
@@ -68,9 +65,6 @@ private:
   }
 };
 
-} // namespace internal
-} // namespace IO
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::IO::internal
 
 #endif // CGAL_TUBULAR_MESHING_IO_INTERNAL_INPUT_FILE_H

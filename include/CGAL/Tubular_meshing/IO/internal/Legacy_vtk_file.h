@@ -12,10 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace IO {
-namespace internal {
+namespace CGAL::Tubular_meshing::IO::internal {
 
 // Cells as VTK 5 lists them: corners of cell i end before ends[i].
 struct Vtk_cells {
@@ -280,9 +277,6 @@ private:
   bool at_points_ = false;
 };
 
-} // namespace internal
-} // namespace IO
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::IO::internal
 
 #endif // CGAL_TUBULAR_MESHING_IO_INTERNAL_LEGACY_VTK_FILE_H

@@ -12,10 +12,7 @@
 #include <string_view>
 #include <type_traits>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace IO {
-namespace internal {
+namespace CGAL::Tubular_meshing::IO::internal {
 
 // The bytes of a number, in the machine's order or the other.
 template <class T> void append_bytes(std::string& out, T value, bool swapped = false) {
@@ -69,9 +66,6 @@ private:
   std::string buffer_;
 };
 
-} // namespace internal
-} // namespace IO
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::IO::internal
 
 #endif // CGAL_TUBULAR_MESHING_IO_INTERNAL_NUMBER_WRITER_H

@@ -14,10 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace IO {
-namespace internal {
+namespace CGAL::Tubular_meshing::IO::internal {
 
 using Tubular_meshing::internal::Coordinates;
 using Tubular_meshing::internal::cross;
@@ -160,9 +157,6 @@ inline std::vector<Index_triangle> triangulate(const Polygon_soup& soup, const I
   return triangles;
 }
 
-} // namespace internal
-} // namespace IO
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::IO::internal
 
 #endif // CGAL_TUBULAR_MESHING_IO_INTERNAL_POLYGON_SOUP_H

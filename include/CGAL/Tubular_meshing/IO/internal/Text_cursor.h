@@ -13,10 +13,7 @@
 #include <string>
 #include <string_view>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace IO {
-namespace internal {
+namespace CGAL::Tubular_meshing::IO::internal {
 
 inline bool is_space(char c) {
   return c == ' ' || (c >= '\t' && c <= '\r');
@@ -164,9 +161,6 @@ private:
   std::size_t position_ = 0;
 };
 
-} // namespace internal
-} // namespace IO
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::IO::internal
 
 #endif // CGAL_TUBULAR_MESHING_IO_INTERNAL_TEXT_CURSOR_H

@@ -17,10 +17,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace IO {
-namespace internal {
+namespace CGAL::Tubular_meshing::IO::internal {
 
 inline Number_type vtk_xml_type(std::string_view name) {
   const std::string_view digits = name.substr((std::min)(name.find_first_of("0123456789"), name.size()));
@@ -234,9 +231,6 @@ void for_each_vtk_cell(const std::vector<std::int64_t>& offsets, std::size_t con
   }
 }
 
-} // namespace internal
-} // namespace IO
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::IO::internal
 
 #endif // CGAL_TUBULAR_MESHING_IO_INTERNAL_VTK_XML_FILE_H

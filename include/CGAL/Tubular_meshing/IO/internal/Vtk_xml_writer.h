@@ -16,10 +16,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace IO {
-namespace internal {
+namespace CGAL::Tubular_meshing::IO::internal {
 
 inline std::string escaped_for_xml(std::string_view text) {
   std::string out;
@@ -116,9 +113,6 @@ template <class Point> std::vector<double> coordinates_of(const std::vector<Poin
   return xyz;
 }
 
-} // namespace internal
-} // namespace IO
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::IO::internal
 
 #endif // CGAL_TUBULAR_MESHING_IO_INTERNAL_VTK_XML_WRITER_H

@@ -11,10 +11,7 @@
 #include <string>
 #include <string_view>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace IO {
-namespace internal {
+namespace CGAL::Tubular_meshing::IO::internal {
 
 // What the formats call the kinds of elements of a Mixed_mesh.
 struct Element_kind {
@@ -90,9 +87,6 @@ constexpr std::size_t symmetric_component[9] = {0, 1, 2, 1, 3, 4, 2, 4, 5};
 // Medit's order is xx xy yy xz yz zz:
 constexpr std::size_t medit_component[6] = {0, 1, 3, 2, 4, 5};
 
-} // namespace internal
-} // namespace IO
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::IO::internal
 
 #endif // CGAL_TUBULAR_MESHING_IO_INTERNAL_ELEMENT_KINDS_H

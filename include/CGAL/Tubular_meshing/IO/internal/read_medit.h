@@ -13,10 +13,7 @@
 #include <filesystem>
 #include <string>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace IO {
-namespace internal {
+namespace CGAL::Tubular_meshing::IO::internal {
 
 // "# region 1 lumen" or "# patch 2 inlet", as write_medit() writes them; any other comment says nothing here.
 inline void read_medit_comment(std::string_view line, Mixed_mesh& mesh) {
@@ -122,9 +119,6 @@ inline void read_medit(const Input_file& file, Mixed_mesh& mesh) {
   read_medit_solution(medit_solution_name(file.name), mesh);
 }
 
-} // namespace internal
-} // namespace IO
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::IO::internal
 
 #endif // CGAL_TUBULAR_MESHING_IO_INTERNAL_READ_MEDIT_H

@@ -10,10 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace IO {
-namespace internal {
+namespace CGAL::Tubular_meshing::IO::internal {
 
 inline bool is_symmetric_tensor(const double* t) {
   return t[1] == t[3] && t[2] == t[6] && t[5] == t[7];
@@ -65,9 +62,6 @@ inline void read_msh(const Input_file& file, Mixed_mesh& mesh) {
     read_msh_point_array(d, mesh);
 }
 
-} // namespace internal
-} // namespace IO
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::IO::internal
 
 #endif // CGAL_TUBULAR_MESHING_IO_INTERNAL_READ_MSH_H

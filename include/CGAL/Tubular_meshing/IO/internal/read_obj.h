@@ -9,10 +9,7 @@
 
 #include <string>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace IO {
-namespace internal {
+namespace CGAL::Tubular_meshing::IO::internal {
 
 inline std::string_view next_word(std::string_view& line) {
   while (!line.empty() && is_space(line.front()))
@@ -64,9 +61,6 @@ inline Polygon_soup read_obj(const Input_file& file) {
   return soup;
 }
 
-} // namespace internal
-} // namespace IO
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::IO::internal
 
 #endif // CGAL_TUBULAR_MESHING_IO_INTERNAL_READ_OBJ_H

@@ -9,10 +9,7 @@
 
 #include <string>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace IO {
-namespace internal {
+namespace CGAL::Tubular_meshing::IO::internal {
 
 inline void skip_off_comments(Text_cursor& in) {
   while (!in.at_end() && in.peek().front() == '#')
@@ -62,9 +59,6 @@ inline Polygon_soup read_off(const Input_file& file) {
   return soup;
 }
 
-} // namespace internal
-} // namespace IO
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::IO::internal
 
 #endif // CGAL_TUBULAR_MESHING_IO_INTERNAL_READ_OFF_H

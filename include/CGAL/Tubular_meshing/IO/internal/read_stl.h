@@ -10,10 +10,7 @@
 
 #include <string>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace IO {
-namespace internal {
+namespace CGAL::Tubular_meshing::IO::internal {
 
 constexpr std::size_t stl_header_bytes = 84;
 constexpr std::size_t stl_facet_bytes = 50;
@@ -110,9 +107,6 @@ inline Polygon_soup read_stl(const Input_file& file) {
             "); if it was truncated, export or copy it again");
 }
 
-} // namespace internal
-} // namespace IO
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::IO::internal
 
 #endif // CGAL_TUBULAR_MESHING_IO_INTERNAL_READ_STL_H

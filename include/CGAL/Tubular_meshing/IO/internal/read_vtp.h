@@ -10,10 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace IO {
-namespace internal {
+namespace CGAL::Tubular_meshing::IO::internal {
 
 // Every second triangle of a strip turns the other way.
 inline void add_strip(const std::vector<std::int64_t>& strip, std::size_t begin, std::size_t end, std::int64_t shift,
@@ -64,9 +61,6 @@ inline Polygon_soup read_vtp_surface(const Input_file& file) {
   return soup;
 }
 
-} // namespace internal
-} // namespace IO
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::IO::internal
 
 #endif // CGAL_TUBULAR_MESHING_IO_INTERNAL_READ_VTP_H

@@ -12,10 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace IO {
-namespace internal {
+namespace CGAL::Tubular_meshing::IO::internal {
 
 // Field arrays that are pairs of a label and a dimension; other arrays are passed over.
 inline void read_names(const Vtk_xml_file& vtu, pugi::xml_node fields, Mixed_mesh& mesh) {
@@ -94,9 +91,6 @@ inline void read_vtu(const Input_file& file, Mixed_mesh& mesh) {
   }
 }
 
-} // namespace internal
-} // namespace IO
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::IO::internal
 
 #endif // CGAL_TUBULAR_MESHING_IO_INTERNAL_READ_VTU_H

@@ -22,10 +22,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace IO {
-namespace internal {
+namespace CGAL::Tubular_meshing::IO::internal {
 
 /* How input decks of Abaqus and CalculiX name a kind of cells and number the faces of one: by its corners, in the order
  * of Mixed_mesh, which is theirs. */
@@ -248,9 +245,6 @@ private:
   std::size_t element_ = 0; // the last one written; they count from 1
 };
 
-} // namespace internal
-} // namespace IO
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::IO::internal
 
 #endif // CGAL_TUBULAR_MESHING_IO_INTERNAL_WRITE_INP_H

@@ -13,10 +13,7 @@
 #include <filesystem>
 #include <string>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace IO {
-namespace internal {
+namespace CGAL::Tubular_meshing::IO::internal {
 
 inline std::string medit_solution_name(const std::string& file) {
   return std::filesystem::path(file).replace_extension(".sol").string();
@@ -65,9 +62,6 @@ inline void write_medit(Output_file& file, const Mixed_mesh& mesh) {
       write_medit_solution(file.companion(medit_solution_name(file.name())), a);
 }
 
-} // namespace internal
-} // namespace IO
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::IO::internal
 
 #endif // CGAL_TUBULAR_MESHING_IO_INTERNAL_WRITE_MEDIT_H

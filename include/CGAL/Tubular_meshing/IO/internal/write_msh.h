@@ -15,10 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace IO {
-namespace internal {
+namespace CGAL::Tubular_meshing::IO::internal {
 
 // Writes a mesh for Gmsh, format 4.1 in binary or 2.2 in ASCII (older programs rarely read another form of it). Each
 // label is an entity and a physical group of the same number; elements of label 0 are in no group. Nodes and elements
@@ -221,9 +218,6 @@ private:
   std::array<int, 4> highest_label_ = {0, 0, 0, 0};
 };
 
-} // namespace internal
-} // namespace IO
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::IO::internal
 
 #endif // CGAL_TUBULAR_MESHING_IO_INTERNAL_WRITE_MSH_H

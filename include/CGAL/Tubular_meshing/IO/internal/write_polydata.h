@@ -11,10 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace IO {
-namespace internal {
+namespace CGAL::Tubular_meshing::IO::internal {
 
 // What VTK calls PolyData, of cells of one sort: lines with values at points, or polygons with labels.
 struct Polydata {
@@ -94,9 +91,6 @@ inline void write_legacy_vtk(Output_file& file, const Polydata& data) {
   out.flush();
 }
 
-} // namespace internal
-} // namespace IO
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::IO::internal
 
 #endif // CGAL_TUBULAR_MESHING_IO_INTERNAL_WRITE_POLYDATA_H

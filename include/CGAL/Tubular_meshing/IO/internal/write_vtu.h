@@ -11,10 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace IO {
-namespace internal {
+namespace CGAL::Tubular_meshing::IO::internal {
 
 // Each name is a field array of pairs (label, dimension), as Gmsh's names are: dimension 3 for regions, 2 for patches.
 // A region and a patch of the same name share the array, one pair after the other.
@@ -74,9 +71,6 @@ inline void write_vtu(Output_file& file, const Mixed_mesh& mesh) {
   out.write(file);
 }
 
-} // namespace internal
-} // namespace IO
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::IO::internal
 
 #endif // CGAL_TUBULAR_MESHING_IO_INTERNAL_WRITE_VTU_H

@@ -27,9 +27,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* The layers' heights, in local radii. */
 struct Boundary_layer_heights {
@@ -235,8 +233,6 @@ private:
   Boundary_layer& result_;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_LAYERS_INTERNAL_BOUNDARY_LAYER_MAKER_H

@@ -14,9 +14,7 @@
 #include <numeric>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* Triangles in a tree of boxes. Unlike CGAL's AABB tree, a search may pass over triangles as the caller pleases, and
  * pairs of triangles with overlapping boxes are found in one descent. Nearest_tree is that AABB tree, which splits in
@@ -224,8 +222,6 @@ private:
   std::vector<Node> nodes_;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_LAYERS_INTERNAL_BOX_TREE_H

@@ -15,9 +15,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* Turns the directions of single columns of cells, thicknesses kept, until the angles of the cells around are as close
  * to right angles as they get: of hexahedra all, of prisms those of their sides. What is lowered is the sum of the
@@ -143,8 +141,6 @@ private:
   std::vector<Vector_3d>& directions_;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_LAYERS_INTERNAL_COLUMN_OPTIMIZER_H

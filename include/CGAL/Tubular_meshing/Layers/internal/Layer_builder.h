@@ -15,9 +15,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* Adds layers of cells on a surface to a mesh that has its vertices: those of a layer after those of the layer before,
  * in the order of the surface's. */
@@ -132,8 +130,6 @@ private:
   Mixed_mesh& mesh_;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_LAYERS_INTERNAL_LAYER_BUILDER_H

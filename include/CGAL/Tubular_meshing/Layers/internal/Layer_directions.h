@@ -14,9 +14,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* The unit vectors along which layers grow, one a vertex: the Gouraud normal, turned where a face around the vertex
  * would not see it, smoothed, and kept in the plane of the rim at rims. Each keeps at least a part of the largest
@@ -124,8 +122,6 @@ private:
   std::vector<double> least_visibility_;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_LAYERS_INTERNAL_LAYER_DIRECTIONS_H

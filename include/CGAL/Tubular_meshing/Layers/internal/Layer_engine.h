@@ -24,9 +24,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 struct Layer_options {
   std::vector<double> levels; // 0 at the surface, …, 1 on the far side of the last layer
@@ -275,8 +273,6 @@ inline Layer_report report_of(const Layer_surface& surface, const Layer_engine& 
   return report;
 }
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_LAYERS_INTERNAL_LAYER_ENGINE_H

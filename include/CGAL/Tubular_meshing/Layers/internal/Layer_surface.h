@@ -15,9 +15,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* The part of a surface that layers of cells grow on: its triangles and quads, turned so that their normals point where
  * the layers go, what is around each vertex, and its rims. Compact arrays; built in O(n log n). */
@@ -222,8 +220,6 @@ private:
   std::vector<Index> rim_plane_;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_LAYERS_INTERNAL_LAYER_SURFACE_H

@@ -17,9 +17,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* Lowers a thickness, one a vertex, until it changes along no edge by more than `slope` times its length. O(n log n),
  * and less where little is to be lowered. */
@@ -99,8 +97,6 @@ inline void share_gaps(const Layer_surface& surface, const std::vector<Vector_3d
   });
 }
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_LAYERS_INTERNAL_LAYER_THICKNESS_H

@@ -24,9 +24,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* One wall, or the second one: its thickness in local radii, its layers, and how they grow outward. */
 struct Wall_layers {
@@ -220,8 +218,6 @@ private:
   const int threads_;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_LAYERS_INTERNAL_WALL_EXTRUDER_H

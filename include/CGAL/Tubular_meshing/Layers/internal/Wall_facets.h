@@ -20,9 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* The facets of a mesh, parted into those of its wall and those of its openings. The vertices of the wall are numbered
  * in the order of the mesh's points. */
@@ -222,8 +220,6 @@ private:
   std::size_t relabelled_ = 0;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_LAYERS_INTERNAL_WALL_FACETS_H

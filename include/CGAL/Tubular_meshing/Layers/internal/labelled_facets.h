@@ -13,9 +13,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* A surface, open or closed, as a mesh of nothing but facets. Vertices keep their order. */
 inline Mixed_mesh labelled_facets(const Surface& surface, Face_patch_map patch) {
@@ -92,8 +90,6 @@ inline void remove_openings(Mixed_mesh& mesh) {
   remove_unused_points(mesh);
 }
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_LAYERS_INTERNAL_LABELLED_FACETS_H

@@ -15,9 +15,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* Whether two triangles of a surface, given by the indices of their vertices, meet in more than the vertices and the
  * edge that they share. Exact. */
@@ -94,8 +92,6 @@ inline std::vector<std::array<std::size_t, 2>> triangle_crossings(const std::vec
   return crossings;
 }
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_LAYERS_INTERNAL_TRIANGLE_CROSSINGS_H

@@ -24,9 +24,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* Gives one opening a planar cap. There are two ways to a planar rim: to flatten the one there is, and to trim the tube
  * by a plane a bit further in. The first is tried where the rim sags little; a result counts only if no triangle has
@@ -217,8 +215,6 @@ private:
   Surface& mesh_;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_OPENINGS_INTERNAL_OPENING_CLOSER_H

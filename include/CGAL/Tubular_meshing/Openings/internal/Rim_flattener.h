@@ -17,9 +17,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* Moves a rim, and the cap in it if there is one, onto a plane, and the wall behind along with it.
  *
@@ -166,8 +164,6 @@ private:
   std::vector<Face> faces_; // around moved vertices
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_OPENINGS_INTERNAL_RIM_FLATTENER_H

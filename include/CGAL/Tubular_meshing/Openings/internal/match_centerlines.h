@@ -17,9 +17,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* The free ends of a centerline graph, and which opening each belongs to.
  *
@@ -151,8 +149,6 @@ private:
   Nearest_tree<Segment> tree_;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_OPENINGS_INTERNAL_MATCH_CENTERLINES_H

@@ -19,9 +19,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 inline void set_shape(Opening& opening, const Rim_shape& shape, bool inside_out) {
   opening.center = shape.center;
@@ -116,8 +114,6 @@ inline Surface_sites turn_outward_and_find_sites(const std::vector<Opening>& ope
   return result;
 }
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_OPENINGS_INTERNAL_OPENING_SITES_H

@@ -17,9 +17,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* The rank of each value, equal for values that differ by no more than rounding: what is equal stays so when the model
  * is moved, turned or scaled. */
@@ -102,8 +100,6 @@ inline void order_openings(std::vector<Opening>& openings, std::size_t inlet) {
   openings.swap(ordered);
 }
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_OPENINGS_INTERNAL_ORDER_OPENINGS_H

@@ -14,9 +14,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* A point of a closed polyline: on edge `edge`, which it divides as t : 1 − t. */
 struct Curve_position {
@@ -180,8 +178,6 @@ private:
   std::vector<std::size_t> corners_; // stations at which points must be
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_PATCHES_PIECES_CURVE_DIVIDER_H

@@ -16,9 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* How near the curves that bound a patch come to each other: where two junction loops nearly touch, edges much longer
  * than the gap between them would give flat triangles. O(n log n) to build, O(log n) a query and neighbour. */
@@ -57,8 +55,6 @@ private:
   std::vector<std::vector<std::size_t>> neighbours_;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_PATCHES_PIECES_CURVE_GAPS_H

@@ -11,9 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* The vertices inside a triangulation at which a function peaks, at `prominence` times or more the highest pass on the
  * way to a higher peak, or to the border. By union-find over the vertices in descending order: O(n log n).
@@ -88,8 +86,6 @@ private:
   std::vector<Pass> passes_;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_PATCHES_PIECES_PEAK_FINDER_H

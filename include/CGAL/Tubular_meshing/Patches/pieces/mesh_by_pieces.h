@@ -11,9 +11,7 @@
 
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* The steps of remesh_patches(), and those of quadrangulate_patches(): meshes the pieces of a cut surface and joins
  * them. Where the outcome is no surface, as pieces touch themselves or each other in meshes that are too coarse for
@@ -23,9 +21,7 @@ namespace internal {
 Remeshed_surface mesh_by_pieces(const Surface_cut& cut, const std::vector<Patch_parameterization>& maps,
                                 Piece_mesher& mesher);
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
 #include <CGAL/Tubular_meshing/Patches/pieces/mesh_by_pieces_impl.h>

@@ -19,9 +19,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* See mesh_by_pieces(). */
 class Surface_remesher {
@@ -190,8 +188,6 @@ CGAL_TUBULAR_MESHING_INLINE Remeshed_surface mesh_by_pieces(const Surface_cut& c
   return Surface_remesher(cut, maps, mesher).run();
 }
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_PATCHES_PIECES_MESH_BY_PIECES_IMPL_H

@@ -12,9 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* The triangles of the marked patches of a cut surface, and of their neighbours, to move vertices on. */
 inline Nearest_tree<Double_kernel::Triangle_3> old_triangles(const Surface& surface, const Surface_cut& cut,
@@ -37,8 +35,6 @@ inline Nearest_tree<Double_kernel::Triangle_3> old_triangles(const Surface& surf
   return Nearest_tree<Double_kernel::Triangle_3>(std::move(triangles));
 }
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_PATCHES_PIECES_OLD_TRIANGLES_H

@@ -27,9 +27,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* A model's surface and centerlines in the model's own frame: around the origin, along its principal axes, of unit
  * extent. Meshed there, it gives the same mesh in any unit, place and orientation, but for what rounding makes of it.
@@ -119,8 +117,6 @@ private:
   Centerline_graph centerlines_;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_PIPELINES_INTERNAL_MODEL_IN_ITS_FRAME_H

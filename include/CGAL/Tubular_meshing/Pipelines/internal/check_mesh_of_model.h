@@ -16,9 +16,7 @@
 #include <set>
 #include <string>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 // What a mesh of the model must be beyond valid: of the model's topology, with all of its patches.
 inline std::string differences(const Mixed_mesh& mesh, const Tubular_model& model) {
@@ -54,8 +52,6 @@ inline void check_differences(const Mixed_mesh& mesh, const Tubular_model& model
                         ": the mesh size may be too coarse for the surface; try a finer one.");
 }
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_PIPELINES_INTERNAL_CHECK_MESH_OF_MODEL_H

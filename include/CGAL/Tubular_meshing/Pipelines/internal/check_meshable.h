@@ -19,9 +19,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* What no mesher can do with: a surface in pieces, or one that intersects itself. Named here, with its place, rather
  * than by a mesher that fails or never ends. */
@@ -60,8 +58,6 @@ inline void check_one_piece(CGAL::Surface_mesh<Point_3>& surface) {
                       ": keep one connected wall, or let repair_surface() choose it.");
 }
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_PIPELINES_INTERNAL_CHECK_MESHABLE_H

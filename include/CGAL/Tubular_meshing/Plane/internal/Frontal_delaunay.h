@@ -16,9 +16,7 @@
 #include <sstream>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* Rebay's frontal Delaunay method in a metric. Triangles whose circumradius is small enough are accepted; the front is
  * what parts them, and the boundary, from the others. The largest triangle on the front gets a point at the apex of the
@@ -197,8 +195,6 @@ private:
   double side_ = 1;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_PLANE_INTERNAL_FRONTAL_DELAUNAY_H

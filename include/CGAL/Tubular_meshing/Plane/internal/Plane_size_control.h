@@ -13,9 +13,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* Splits edges that are too long in the metric, and removes vertices with edges that are too short. */
 class Plane_size_control {
@@ -137,8 +135,6 @@ private:
   Plane_flips flips_;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_PLANE_INTERNAL_PLANE_SIZE_CONTROL_H

@@ -12,9 +12,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* Moves vertices inside the domain towards the mean of the apexes of the equilateral triangles, in the metric, on the
  * edges around them. A move is taken if all triangles around stay positive, the worst does not get worse, and the sum
@@ -134,8 +132,6 @@ private:
   std::uint32_t sweep_ = 0;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_PLANE_INTERNAL_PLANE_SMOOTHING_H

@@ -12,9 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 inline double length(const Coordinates& v) {
   return std::sqrt(dot(v, v));
@@ -76,8 +74,6 @@ private:
   std::vector<Side> sides_;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_REPAIR_INTERNAL_SOUP_EDGES_H

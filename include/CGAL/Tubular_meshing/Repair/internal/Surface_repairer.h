@@ -36,9 +36,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* The corners of each face, as indices of vertices. */
 inline std::vector<Index_triangle> triangles_of(const Surface& mesh) {
@@ -404,8 +402,6 @@ private:
   std::string reason_; ///< why the surface is wrapped
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_REPAIR_INTERNAL_SURFACE_REPAIRER_H

@@ -10,17 +10,13 @@
 
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* CGAL's alpha_wrap_3() of some triangles: alone in a file of its own, as it takes long to compile. */
 void alpha_wrap(const std::vector<Point_3>& points, const std::vector<Index_triangle>& triangles, double alpha,
                 double offset, Surface& wrap);
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
 #include <CGAL/Tubular_meshing/Repair/internal/alpha_wrap_impl.h>

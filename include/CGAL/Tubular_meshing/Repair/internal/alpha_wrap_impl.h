@@ -10,9 +10,7 @@
 
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 CGAL_TUBULAR_MESHING_INLINE void alpha_wrap(const std::vector<Point_3>& points,
                                             const std::vector<Index_triangle>& triangles, double alpha, double offset,
@@ -20,8 +18,6 @@ CGAL_TUBULAR_MESHING_INLINE void alpha_wrap(const std::vector<Point_3>& points,
   CGAL::alpha_wrap_3(points, triangles, alpha, offset, wrap);
 }
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_REPAIR_INTERNAL_ALPHA_WRAP_IMPL_H

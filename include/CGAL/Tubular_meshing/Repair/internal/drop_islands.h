@@ -18,9 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 struct Dropped_islands {
   std::size_t count = 0, triangles = 0;
@@ -133,8 +131,6 @@ inline Dropped_islands drop_islands(Surface& mesh) {
   return Island_dropper(mesh).drop();
 }
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_REPAIR_INTERNAL_DROP_ISLANDS_H

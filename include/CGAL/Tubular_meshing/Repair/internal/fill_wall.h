@@ -17,9 +17,7 @@
 #include <unordered_set>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* The mean of a vertex' neighbours, relative to the vertex: the umbrella vector. */
 inline Vector_3 umbrella(Surface::Vertex_index v, const Surface& mesh) {
@@ -78,8 +76,6 @@ inline bool fill_wall(Surface& mesh, Surface::Halfedge_index border, bool bent) 
   return true;
 }
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_REPAIR_INTERNAL_FILL_WALL_H

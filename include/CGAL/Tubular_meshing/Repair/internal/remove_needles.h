@@ -15,9 +15,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* Removes triangles of which the height is below a thousandth of the longest side: those with a short side by
  * collapsing it, flat ones by flipping the longest side, or, where this is on a rim, by removing the triangle. Each of
@@ -151,8 +149,6 @@ private:
   Surface& mesh_;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_REPAIR_INTERNAL_REMOVE_NEEDLES_H

@@ -24,9 +24,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* What is wrong with the shape of a surface: faces that cross each other, or turn back on each other. */
 struct Bad_faces {
@@ -304,8 +302,6 @@ private:
   Surface& mesh_;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_REPAIR_INTERNAL_REPAIR_CROSSINGS_H

@@ -15,9 +15,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 // "1 triangle", "2 triangles"
 inline std::string counted(std::size_t n, const std::string& one, const std::string& many) {
@@ -74,8 +72,6 @@ inline void report_orientation(const std::vector<Point_3>& points, const std::ve
                points[first_doubled]);
 }
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_REPAIR_INTERNAL_REPORT_ORIENTATION_H

@@ -17,9 +17,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 struct Sewn_seams {
   std::size_t edges = 0; ///< pairs of free edges that have become one
@@ -225,8 +223,6 @@ private:
   Sewn_seams sewn_;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_REPAIR_INTERNAL_SEW_SEAMS_H

@@ -12,9 +12,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* Takes staircase noise off a surface and keeps its volume: Taubin's alternation of a smoothing and an inflating step
  * (A signal processing approach to fair surface design, 1995), pass band 0.1, ten rounds; what volume that gains or
@@ -90,8 +88,6 @@ private:
   std::vector<Vector_3> moves_;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_REPAIR_INTERNAL_SMOOTH_NOISE_H

@@ -15,9 +15,7 @@
 #include <set>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* Where a border loop comes back to a point that it has passed, in another vertex of the same coordinates, it is two
  * loops that touch: the end of a vessel, say, and a triangle that is missing beside it. There the two vertices become
@@ -98,8 +96,6 @@ private:
   std::vector<Halfedge> moved_;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_REPAIR_INTERNAL_SPLIT_TOUCHING_LOOPS_H

@@ -12,9 +12,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 inline std::vector<Opening_site> flat_ends(const Surface& mesh) {
   return Flat_end_finder(mesh, false).find(certain_flat_end());
@@ -39,8 +37,6 @@ inline const Rim_shape* first_not_among(const std::vector<Rim_shape>& ends, cons
   return nullptr;
 }
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_REPAIR_INTERNAL_TUBE_ENDS_H

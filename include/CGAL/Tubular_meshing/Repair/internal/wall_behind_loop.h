@@ -16,9 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* How the wall lies behind a border loop, out to twice the loop's radius (that of the
  * circle of its length): what tells the end of a tube from a hole in
@@ -123,8 +121,6 @@ private:
   double reach_ = 0, area_ = 0, depth_ = 0;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_REPAIR_INTERNAL_WALL_BEHIND_LOOP_H

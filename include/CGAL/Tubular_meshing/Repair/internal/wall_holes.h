@@ -19,9 +19,7 @@
 #include <memory>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* How much a border loop lies in the wall: the mean over its edges, by length, of the cosine between the normals of the
  * loop and of the faces behind it. Near 0 at the end of a tube, however oblique, since the wall stands upright on its
@@ -163,8 +161,6 @@ private:
   std::unique_ptr<Tree> tree_;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_REPAIR_INTERNAL_WALL_HOLES_H

@@ -22,9 +22,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* Replaces a surface that cannot be repaired in place by an alpha wrap around it (Portaneri et al., Alpha wrapping with
  * an offset, 2022; CGAL's Alpha_wrap_3): the ends are closed by fans, the whole is wrapped with balls of a third of the
@@ -153,8 +151,6 @@ private:
   double alpha_ = 0, offset_ = 0;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_REPAIR_INTERNAL_WRAP_SURFACE_H

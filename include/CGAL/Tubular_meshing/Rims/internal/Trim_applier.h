@@ -14,9 +14,7 @@
 #include <unordered_set>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* Does what a Trim_plan says, on the mesh that it was made for. */
 class Trim_applier {
@@ -91,8 +89,6 @@ private:
   std::unordered_set<Vertex> cut_vertices_;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_RIMS_INTERNAL_TRIM_APPLIER_H

@@ -11,9 +11,7 @@
 #include <unordered_set>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* What trim_by_plane() does to a mesh, where.
  *
@@ -41,8 +39,6 @@ struct Trim_plan {
   }
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_RIMS_INTERNAL_TRIM_PLAN_H

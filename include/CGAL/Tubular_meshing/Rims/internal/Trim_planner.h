@@ -20,9 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* Decides everything about a trim on the untouched mesh: its application then cannot fail. */
 class Trim_planner {
@@ -389,8 +387,6 @@ private:
   std::unordered_map<Node, std::vector<Node>, Node_hash> cut_;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_RIMS_INTERNAL_TRIM_PLANNER_H

@@ -12,9 +12,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* The stars of all vertices of a mesh whose topology stays as it is, and the vertices in colors, no two of a color
  * sharing a tetrahedron: those of one color may be moved at the same time, so that the result is the same for any
@@ -112,8 +110,6 @@ private:
   std::vector<Index> by_color_;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_COLORED_STARS_H

@@ -19,9 +19,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* Brings the mesh to the vertices of the surface that it has cut off: where one is further from the mesh than a part of
  * the facet there, the nearest vertex of that facet with the same patches is moved onto it, if the elements around
@@ -114,8 +112,6 @@ private:
   Nearest_tree<Triangle> tree_;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_DEVIATION_REDUCER_H

@@ -13,9 +13,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* Looks for a flip that raises the quality of the worst tetrahedron of the cavity it changes: an edge is removed (the
  * ring around it is filled by the best of all triangulations of its link, found by dynamic programming [Klincsek 1980];
@@ -244,8 +242,6 @@ private:
   Facets facets_;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_FLIP_SEARCH_H

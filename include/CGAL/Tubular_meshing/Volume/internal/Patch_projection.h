@@ -18,9 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* Nearest points on the patches of a labelled surface and on the rims between them. A planar patch (a cap) is taken as
  * its plane: what is inside its rim stays inside, and planar to rounding. Safe to query from several threads. */
@@ -162,8 +160,6 @@ private:
   std::set<Double_kernel::Point_3> corners_;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_PATCH_PROJECTION_H

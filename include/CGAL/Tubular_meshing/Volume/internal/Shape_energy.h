@@ -9,9 +9,7 @@
 
 #include <cmath>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 struct Symmetric_matrix_3d {
   double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
@@ -102,8 +100,6 @@ struct Shape_energy {
   }
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_SHAPE_ENERGY_H

@@ -11,9 +11,7 @@
 #include <deque>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* Does many local operations on a mesh, one after the other, and yet on several threads: what costs time is to find out
  * whether an operation is possible and what it would lead to, and that only reads. So candidates are looked at in
@@ -67,8 +65,6 @@ private:
   int threads_;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_SPECULATION_H

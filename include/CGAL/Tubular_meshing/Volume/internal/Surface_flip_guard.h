@@ -12,9 +12,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* Says whether a flip on the surface keeps the surface's shape: it may neither fold it nor take it away from the
  * surface it approximates. */
@@ -48,8 +46,6 @@ private:
   const Patch_projection& projection_;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_SURFACE_FLIP_GUARD_H

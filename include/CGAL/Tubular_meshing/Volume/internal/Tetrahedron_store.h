@@ -19,9 +19,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* Tetrahedra with neighbors and labelled facets in compact arrays, for algorithms that change a mesh in place.
  *
@@ -422,8 +420,6 @@ inline double gamma_of(const Tetrahedron_store& store, const Tetrahedron_store::
   return tetrahedron_gamma(store.point(v[0]), store.point(v[1]), store.point(v[2]), store.point(v[3]));
 }
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_TETRAHEDRON_STORE_H

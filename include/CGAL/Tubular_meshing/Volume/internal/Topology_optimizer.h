@@ -15,9 +15,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* The measure of isotropic meshes: eq. (13), and eq. (12) of triangles, which count with the tetrahedra, scaled to a
  * like range. */
@@ -146,8 +144,6 @@ private:
   Store::Index_list new_tetrahedra_;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_TOPOLOGY_OPTIMIZER_H

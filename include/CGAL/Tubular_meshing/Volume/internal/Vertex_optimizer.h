@@ -17,9 +17,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* Moves vertices, topology fixed, down the shape energy of the elements around them, by Newton steps with backtracking:
  * no element is ever inverted. Vertices inside the volume move freely; those inside one patch of the surface move in
@@ -204,8 +202,6 @@ private:
   std::vector<Location> location_; // of each vertex
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_VERTEX_OPTIMIZER_H

@@ -11,9 +11,7 @@
 #include <cmath>
 #include <limits>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 // The Newton step for a Hessian and a gradient.
 inline Vector_3d newton_step(Symmetric_matrix_3d h, const Vector_3d& g) {
@@ -54,8 +52,6 @@ template <class Try> void backtrack(Vector_3d step, const Try& try_step) {
     step = 0.4 * step;
 }
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_NEWTON_STEPS_H

@@ -13,9 +13,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 // Sorts the numbers of points along a Hilbert curve through the points. O(n log n).
 inline void order_in_space(const std::vector<Point_3>& points, std::vector<std::size_t>& numbers) {
@@ -23,8 +21,6 @@ inline void order_in_space(const std::vector<Point_3>& points, std::vector<std::
   hilbert_sort(numbers.begin(), numbers.end(), Spatial_sort_traits_adapter_3<Kernel, decltype(point)>(point));
 }
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_ORDER_IN_SPACE_H

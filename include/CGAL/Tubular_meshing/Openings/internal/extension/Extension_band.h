@@ -16,9 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* The triangles between the rim, which is oblique, uneven or fine as it comes, and the first regular ring of an
  * extension. They are made in the plane, where the unrolled tube becomes an annulus by the exponential map: that is
@@ -253,8 +251,6 @@ private:
   std::vector<double> sizes_; // of the edges at each vertex of the rim
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_OPENINGS_INTERNAL_EXTENSION_EXTENSION_BAND_H

@@ -16,9 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* A point of an extension unrolled into the plane: the angle along the circumference, and the height along the axis,
  * in radii, so that the plane is nearly isometric to the tube. */
@@ -172,8 +170,6 @@ private:
   double circle_radius_ = 1; // in radii: the polygon of the corners has the area of the disk
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_OPENINGS_INTERNAL_EXTENSION_EXTENSION_PROFILE_H

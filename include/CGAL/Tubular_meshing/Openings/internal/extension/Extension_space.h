@@ -22,9 +22,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 typedef CGAL::AABB_tree<Aabb_traits<Kernel, CGAL::AABB_face_graph_triangle_primitive<Surface>>> Wall_tree;
 
@@ -190,8 +188,6 @@ private:
   std::vector<std::vector<std::size_t>> near_;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_OPENINGS_INTERNAL_EXTENSION_EXTENSION_SPACE_H

@@ -18,9 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* The vertices within `reach` of the rim along edges of the wall, with their distances. O(k log k) in their number. */
 inline std::unordered_map<Surface::Vertex_index, double> depths_behind_rim(const Opening_site& site, double reach,
@@ -100,8 +98,6 @@ inline Vector_3 wall_direction(const Opening_site& site, const Vector_3& outward
   return direction / std::sqrt(direction.squared_length());
 }
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_OPENINGS_INTERNAL_EXTENSION_WALL_DIRECTION_H

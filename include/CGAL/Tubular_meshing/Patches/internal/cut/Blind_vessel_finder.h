@@ -15,9 +15,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* Finds vessels that have no centerline, as they end blind: parts of a patch that are far from the centerlines for the
  * radius there, that no curve bounds, and that are longer than wide. An aneurysm's sac is round, and is none.
@@ -148,8 +146,6 @@ private:
   std::vector<char> is_far_;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_PATCHES_INTERNAL_CUT_BLIND_VESSEL_FINDER_H

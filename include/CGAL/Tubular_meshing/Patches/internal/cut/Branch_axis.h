@@ -13,9 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* A branch as a curve: position, direction and radius by abscissa. */
 class Branch_axis {
@@ -110,8 +108,6 @@ private:
   const Graph::Branch& branch_;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_PATCHES_INTERNAL_CUT_BRANCH_AXIS_H

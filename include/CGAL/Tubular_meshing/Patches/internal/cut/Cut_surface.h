@@ -18,9 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* A point of a curve that is going to be cut: a vertex, or a point on an edge; and the face that the curve enters. */
 struct Curve_point {
@@ -171,8 +169,6 @@ private:
   std::vector<std::size_t> origin_; // of the new faces
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_PATCHES_INTERNAL_CUT_CUT_SURFACE_H

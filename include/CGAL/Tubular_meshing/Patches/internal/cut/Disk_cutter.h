@@ -17,9 +17,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* A disk across a branch: where, how tilted (0: not), and the perimeter of its section; infinite, if it cannot be cut.
  */
@@ -130,8 +128,6 @@ private:
   Cut_surface::Curve curve_;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_PATCHES_INTERNAL_CUT_DISK_CUTTER_H

@@ -15,9 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* A part of a branch: between two of its cuts, or a cut and an end, or all of it. */
 struct Branch_part {
@@ -263,8 +261,6 @@ private:
   std::vector<Graph_piece> pieces_;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_PATCHES_INTERNAL_CUT_GRAPH_PIECES_H

@@ -11,9 +11,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* Cuts branches off their junctions (the first half of Algorithm 2).
  *
@@ -149,8 +147,6 @@ private:
   size_type moved_ = 0;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_PATCHES_INTERNAL_CUT_JUNCTION_CUTTER_H

@@ -18,9 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* Turns the cuts into patches: flood fill between curves, then records, in the order of the centerlines. O(n) in the
  * surface, O(n log n) in the number of patches. */
@@ -262,8 +260,6 @@ private:
   std::vector<bool> has_several_pieces_;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_PATCHES_INTERNAL_CUT_PATCH_LABELLER_H

@@ -16,9 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* What Algorithm 2 leaves undone where branches stayed uncut: cycles of centerlines inside one piece are cut open, and
  * pieces around bifurcations that are too long are divided. */
@@ -189,8 +187,6 @@ private:
   size_type cuts_ = 0;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_PATCHES_INTERNAL_CUT_PIECE_DIVIDER_H

@@ -16,9 +16,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* A plane through a point of the centerlines, with coordinates in it. */
 class Section_plane {
@@ -101,8 +99,6 @@ private:
   CGAL::Bbox_3 box_;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_PATCHES_INTERNAL_CUT_PLANE_SECTION_H

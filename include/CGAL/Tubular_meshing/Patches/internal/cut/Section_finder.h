@@ -17,9 +17,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* Finds the disks across a tube: of all curves in which a plane meets the surface, the one around a point of the
  * centerlines. It is walked triangle by triangle from a first one that a ray hits, so that it costs what the curve
@@ -153,8 +151,6 @@ private:
   Segments_in_box centerlines_;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_PATCHES_INTERNAL_CUT_SECTION_FINDER_H

@@ -16,9 +16,7 @@
 #include <unordered_map>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* Makes of a section the curve to cut: where the section crosses an edge near one of its ends, it goes through that
  * vertex instead, or the triangles there would be slivers.
@@ -138,8 +136,6 @@ private:
   std::unordered_map<Vertex, std::size_t> about_;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_PATCHES_INTERNAL_CUT_SECTION_SNAPPER_H

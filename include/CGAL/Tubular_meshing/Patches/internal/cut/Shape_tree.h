@@ -19,9 +19,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* CGAL's AABB tree over segments or triangles of doubles, for other questions than which is nearest: a visitor says
  * which boxes to enter. Copies of the shapes are searched, so that the surface they come from may be refined. */
@@ -184,8 +182,6 @@ private:
   Tree tree_;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_PATCHES_INTERNAL_CUT_SHAPE_TREE_H

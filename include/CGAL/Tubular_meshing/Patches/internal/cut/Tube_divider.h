@@ -13,9 +13,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* Divides tubes that are too long for their width (the second half of Algorithm 2): into as many parts, equally long in
  * local diameters, as it takes. A disk that cannot be cut at its place, or that runs into a sac there, moves along the
@@ -103,8 +101,6 @@ private:
   size_type moved_ = 0;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_PATCHES_INTERNAL_CUT_TUBE_DIVIDER_H

@@ -18,9 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* A patch whose holes, all loops but the longest, are filled by fans of triangles around their centers: a disk. The
  * patch's own points and triangles come first. One interior vertex is the pole, which goes to the plane's origin: the
@@ -176,8 +174,6 @@ private:
   }
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_PATCHES_INTERNAL_PARAMETERIZATION_FILLED_PATCH_H

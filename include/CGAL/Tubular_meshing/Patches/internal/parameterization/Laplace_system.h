@@ -14,9 +14,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* Σ_j w_ij (x_i − x_j) = b_i for each vertex i that is not fixed, one column of x and b a function. Fixed rows of x are
  * given, the others are found. About O(n^1.5) for the vertices of a surface. */
@@ -116,8 +114,6 @@ private:
   int rows_ = 0;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_PATCHES_INTERNAL_PARAMETERIZATION_LAPLACE_SYSTEM_H

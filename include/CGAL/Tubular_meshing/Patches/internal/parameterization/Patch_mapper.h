@@ -22,9 +22,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* Maps a filled patch into the unit circle, by the first method of which a bijection comes. */
 class Patch_mapper {
@@ -231,8 +229,6 @@ private:
   bool is_mapped_ = false;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_PATCHES_INTERNAL_PARAMETERIZATION_PATCH_MAPPER_H

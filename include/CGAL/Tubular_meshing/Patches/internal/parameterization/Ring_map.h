@@ -16,9 +16,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* The conformal map of a filled patch without the triangles around its pole, an annulus, onto a ring: u + i v =
  * exp(h + i θ), where h is harmonic and constant on both loops, and θ, harmonic too, grows by 2π around them and is
@@ -173,8 +171,6 @@ private:
   double height_of_ring_ = 0; // L
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_PATCHES_INTERNAL_PARAMETERIZATION_RING_MAP_H

@@ -15,9 +15,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 typedef std::vector<Eigen::Vector2d> Plane_points;
 
@@ -63,8 +61,6 @@ inline bool is_bijective(const Filled_patch& patch, const Plane_points& uv) {
   return flipped_triangles(patch, uv).empty() && are_loops_simple(patch, uv);
 }
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_PATCHES_INTERNAL_PARAMETERIZATION_CHECK_BIJECTION_H

@@ -12,9 +12,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* The pull of each end of an edge on the other one: `of_b` is that of b on a. */
 struct Weighted_edge {
@@ -109,8 +107,6 @@ inline std::vector<Weighted_edge> edge_weights(const Filled_patch& patch, Edge_w
   return edges;
 }
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_PATCHES_INTERNAL_PARAMETERIZATION_EDGE_WEIGHTS_H

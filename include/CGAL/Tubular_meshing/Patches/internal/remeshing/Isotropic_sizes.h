@@ -10,9 +10,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* Sizes that are the same in all directions. */
 class Isotropic_sizes final : public Surface_sizes {
@@ -43,8 +41,6 @@ private:
   const Shape_in_space shape_{};
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_PATCHES_INTERNAL_REMESHING_ISOTROPIC_SIZES_H

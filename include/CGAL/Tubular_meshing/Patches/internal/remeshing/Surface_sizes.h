@@ -14,9 +14,7 @@
 
 #include <cstddef>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* What Triangle_piece_mesher asks of the sizes that are wanted: lengths along the curves between pieces, metrics over
  * the plane of a patch and in that of a cap. A `fineness` below 1 makes the sizes smaller. */
@@ -32,8 +30,6 @@ public:
   virtual const Triangle_shape& shape() const = 0;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_PATCHES_INTERNAL_REMESHING_SURFACE_SIZES_H

@@ -13,9 +13,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* A plane in space, by two unit vectors perpendicular to each other. */
 struct Plane_axes {
@@ -96,8 +94,6 @@ private:
   std::vector<Plane_axes> axes_; // of the vertices
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_PATCHES_INTERNAL_REMESHING_TANGENT_PLANES_H

@@ -18,9 +18,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* Improves the few triangles that the plane left bad: where curves have kinks or nearly touch, patch by patch nothing
  * better is possible, but across the curves there is. Vertices move, on the surface, off their curves too, and edges
@@ -159,8 +157,6 @@ private:
   std::vector<Ray> star_;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_PATCHES_INTERNAL_REMESHING_TRIANGLE_IMPROVER_H

@@ -17,9 +17,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* Meshes the pieces of a cut surface with triangles. */
 class Triangle_piece_mesher final : public Piece_mesher {
@@ -104,8 +102,6 @@ private:
   const Curve_gaps gaps_;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_PATCHES_INTERNAL_REMESHING_TRIANGLE_PIECE_MESHER_H

@@ -15,9 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* Pairs of faces of a surface of triangles and quads that meet each other. A quad is two triangles, in both ways: a
  * face meets itself if these overlap, or if its diagonal is an edge already. O(n log n). */
@@ -80,8 +78,6 @@ inline Crossing_faces::Pairs crossing_faces(const Surface& s) {
   return Crossing_faces(s).find();
 }
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_PATCHES_INTERNAL_REMESHING_CROSSING_FACES_H

@@ -14,9 +14,7 @@
 
 #include <array>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* By what Triangle_improver judges: the quality of a triangle, and where the apex of the best one on an edge is, to the
  * left of it as seen along the normal. */
@@ -79,8 +77,6 @@ private:
   const Metric_function metric_;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_PATCHES_INTERNAL_REMESHING_TRIANGLE_SHAPES_H

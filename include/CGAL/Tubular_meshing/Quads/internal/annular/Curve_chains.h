@@ -19,9 +19,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* The points of a curve on a loop of a patch, in the order of the loop. */
 inline std::vector<Patch_location> on_loop(const Patch_parameterization& map, std::size_t l, const Patch_loop& loop,
@@ -191,8 +189,6 @@ private:
   std::vector<std::vector<size_type>> patches_at_; // annular ones, of each curve
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_QUADS_INTERNAL_ANNULAR_CURVE_CHAINS_H

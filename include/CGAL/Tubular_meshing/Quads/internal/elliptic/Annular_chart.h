@@ -12,9 +12,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* Coordinates of an annular patch that unroll it: X, of period 2π, grows along loop 0, Y from loop 0 to loop 1. They
  * are the angle and the logarithm of the radius in the plane, so that they are conformal if the map is, and a tube is a
@@ -100,8 +98,6 @@ private:
   bool is_unrolled_;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_QUADS_INTERNAL_ELLIPTIC_ANNULAR_CHART_H

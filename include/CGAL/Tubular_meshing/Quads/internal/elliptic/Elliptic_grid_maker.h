@@ -20,9 +20,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* Makes the grid of an annular patch, in the coordinates of its chart. */
 class Elliptic_grid_maker {
@@ -256,8 +254,6 @@ private:
   Vector_3d folded_at_;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_QUADS_INTERNAL_ELLIPTIC_ELLIPTIC_GRID_MAKER_H

@@ -15,9 +15,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* Nodes of a grid that is periodic along its rows; X grows by the period once around. */
 struct Ring_nodes {
@@ -167,8 +165,6 @@ private:
   double epsilon_ = 0;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_QUADS_INTERNAL_ELLIPTIC_WINSLOW_SMOOTHER_H

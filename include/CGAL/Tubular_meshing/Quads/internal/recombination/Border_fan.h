@@ -14,9 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* The triangles around a vertex v of the border, counterclockwise, by their halfedges that leave v: the first one is
  * the border's that leaves v; that which precedes the last one is the border's that comes to v.
@@ -81,8 +79,6 @@ private:
   double eta_ = 0;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_QUADS_INTERNAL_RECOMBINATION_BORDER_FAN_H

@@ -15,9 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* Decides which triangles become quads: by the edges between two that go, and the vertices of the border that are
  * split. The border is that of each patch. */
@@ -149,8 +147,6 @@ private:
   std::size_t invalid_ = 0;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_QUADS_INTERNAL_RECOMBINATION_TRIANGLE_RECOMBINER_H

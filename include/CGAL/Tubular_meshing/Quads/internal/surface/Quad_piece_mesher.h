@@ -29,9 +29,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* How a piece got its faces. */
 enum class Quad_piece_kind { grid, unstructured, unstructured_for_grid, cap };
@@ -199,8 +197,6 @@ private:
   std::vector<Quad_piece_kind> kinds_;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_QUADS_INTERNAL_SURFACE_QUAD_PIECE_MESHER_H

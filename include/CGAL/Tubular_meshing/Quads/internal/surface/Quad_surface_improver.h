@@ -19,9 +19,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* Triangles in space as a sheet, see Patch_sheet: places move to the nearest ones. Normals are those that they had. */
 class Triangle_sheet final : public Sheet {
@@ -104,8 +102,6 @@ private:
   Wall_quads wall_;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_QUADS_INTERNAL_SURFACE_QUAD_SURFACE_IMPROVER_H

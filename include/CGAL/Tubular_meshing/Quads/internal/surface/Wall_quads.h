@@ -13,9 +13,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* The wall of a surface of quads as a whole. Its first vertices are those on rims, which stay; normals are the means of
  * the quads' own. */
@@ -69,8 +67,6 @@ private:
   std::vector<int> number_; // of the surface's vertices
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_QUADS_INTERNAL_SURFACE_WALL_QUADS_H

@@ -15,9 +15,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* Measures the faces of a surface of quads; `kinds` are those of its pieces. */
 inline Quad_report make_quad_report(const Remeshed_surface& result, const std::vector<Quad_piece_kind>& kinds) {
@@ -47,8 +45,6 @@ inline Quad_report make_quad_report(const Remeshed_surface& result, const std::v
   return report;
 }
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_QUADS_INTERNAL_SURFACE_MAKE_QUAD_REPORT_H

@@ -18,9 +18,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* The square root of a metric, and its inverse: between vectors of the plane, and those of unit lengths and right
  * angles. */
@@ -170,8 +168,6 @@ private:
   std::vector<double> sizes_; // logarithms
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_QUADS_INTERNAL_UNSTRUCTURED_CROSS_FIELD_H

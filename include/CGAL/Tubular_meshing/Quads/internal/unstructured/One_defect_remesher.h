@@ -16,9 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* Clean-up across many quads: regions with corners at which they have one quad, and two at all other vertices of their
  * border, are meshed again with one irregular vertex, or with none: G. Bunin, *Non-local topological clean-up*, 15th
@@ -328,8 +326,6 @@ private:
   int stamp_ = 0;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_QUADS_INTERNAL_UNSTRUCTURED_ONE_DEFECT_REMESHER_H

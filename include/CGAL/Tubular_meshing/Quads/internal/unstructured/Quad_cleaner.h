@@ -12,9 +12,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* Local clean-up: what a few quads can do for the vertices around. Doublets, two quads that share two edges, become
  * one; a diamond, a quad between two vertices with too few quads, goes; edges turn within their two quads; vertices
@@ -167,8 +165,6 @@ private:
   Quad_exchange exchange_;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_QUADS_INTERNAL_UNSTRUCTURED_QUAD_CLEANER_H

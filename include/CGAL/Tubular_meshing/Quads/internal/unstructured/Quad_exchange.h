@@ -13,9 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* Exchanges some quads of a patch for others with the same border, if that makes its vertices more regular: as many
  * quads at each as there should be, four inside. Vertices around are moved to their new best places; if quads are bad
@@ -149,8 +147,6 @@ private:
   Quad_smoother smoother_;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_QUADS_INTERNAL_UNSTRUCTURED_QUAD_EXCHANGE_H

@@ -15,9 +15,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* The quads of a patch while they are improved: its vertices, of which the first ones are on its loops and stay, and
  * its quads, counterclockwise; removed ones keep their number. */
@@ -127,8 +125,6 @@ private:
   }
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_QUADS_INTERNAL_UNSTRUCTURED_QUAD_PATCH_H

@@ -15,9 +15,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* A place on a sheet: in the plane, and on the surface. */
 struct Sheet_place {
@@ -129,8 +127,6 @@ private:
   Vector_3d origin_, first_, second_;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_QUADS_INTERNAL_UNSTRUCTURED_SHEET_H

@@ -17,9 +17,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* Fills a triangulated domain with points at the corners of squares, so that right triangles arise, of which two make a
  * square: the frontal Delaunay method of J.-F. Remacle et al. (*A frontal Delaunay quad mesh generator using the L∞
@@ -106,8 +104,6 @@ private:
   std::vector<Index> star_;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_QUADS_INTERNAL_UNSTRUCTURED_SQUARE_PACKER_H

@@ -15,9 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* Takes the points that a conforming triangulation has put on its boundary off it again: each goes a little way inside,
  * and between it and the boundary come tetrahedra on the facets that are there without it.
@@ -183,8 +181,6 @@ private:
   std::vector<std::vector<std::size_t>> tetrahedra_at_, facets_at_; // by Steiner point
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_CCDT_STEINER_POINTS_INSIDE_H

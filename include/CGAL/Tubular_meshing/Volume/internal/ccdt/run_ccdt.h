@@ -19,9 +19,7 @@
 #include <unordered_set>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 // The cells that cannot be reached from outside without crossing the surface.
 template <class Ccdt> auto cells_inside(const Ccdt& ccdt) {
@@ -93,8 +91,6 @@ inline int run_ccdt(const Boundary_arrays& boundary, Recovered_boundary& recover
   return 0;
 }
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_CCDT_RUN_CCDT_H

@@ -18,9 +18,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 // How a child process ended.
 struct Child_ending {
@@ -167,8 +165,6 @@ Child_ending run_in_child_process(const Work& work, const Read& read, double sec
   return {Child_ending::gave_up, ended == child && WIFEXITED(status) ? WEXITSTATUS(status) : 255};
 }
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_KEPT_BOUNDARY_CHILD_PROCESS_H

@@ -16,9 +16,7 @@
 #include <deque>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* Adds points inside a mesh until no tetrahedron is larger than `size`, a length, allows, but for those that
  * only a point too near to the boundary could split: facets with a label, and all their vertices, stay [Shewchuk 1998].
@@ -177,8 +175,6 @@ private:
   std::vector<Store::Vertices> cells_;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_KEPT_BOUNDARY_DELAUNAY_REFINEMENT_H

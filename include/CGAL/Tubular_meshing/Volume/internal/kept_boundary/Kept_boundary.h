@@ -9,9 +9,7 @@
 
 #include <cstdint>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* A surface that is to stay as it is, as the optimizers see it: no vertex moves on it (see Vertex_optimizer), no edge
  * of it is flipped (see Topology_optimizer). */
@@ -25,8 +23,6 @@ struct Kept_boundary {
   bool operator()(Index, Index, Index, Index, std::int32_t) const { return false; }
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_KEPT_BOUNDARY_KEPT_BOUNDARY_H

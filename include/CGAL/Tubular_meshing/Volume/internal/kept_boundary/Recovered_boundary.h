@@ -10,9 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 // What goes into an algorithm that fills a surface and keeps it.
 struct Boundary_arrays {
@@ -26,8 +24,6 @@ struct Recovered_boundary {
   std::vector<std::array<std::uint32_t, 4>> tetrahedra;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_KEPT_BOUNDARY_RECOVERED_BOUNDARY_H

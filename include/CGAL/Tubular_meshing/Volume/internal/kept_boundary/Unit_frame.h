@@ -13,9 +13,7 @@
 #include <cmath>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* The frame of unit extent around the middle of a set of points. Tolerances that are relative, but to numbers
  * that are squared and multiplied, mean the same there for a model in micrometres, far from the origin.
@@ -45,8 +43,6 @@ private:
   double scale_ = 1;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_KEPT_BOUNDARY_UNIT_FRAME_H

@@ -14,9 +14,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* Replaces a bad tetrahedron and some of those around it by the tetrahedra between a new vertex and the facets of the
  * cavity, if the worst of them is better: what helps where all vertices of a bad tetrahedron are fixed [Klingner and
@@ -224,8 +222,6 @@ private:
   Store::Ring ring_;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_KEPT_BOUNDARY_VERTEX_INSERTION_H

@@ -12,9 +12,7 @@
 #include <array>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* Takes an inner vertex of a bad tetrahedron away, by drawing an edge at it together into its other end, if the worst
  * tetrahedron of what was around the vertex gets better by it. Vertices on facets with a label stay. */
@@ -97,8 +95,6 @@ private:
   std::vector<Index> star_;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_KEPT_BOUNDARY_VERTEX_REMOVAL_H

@@ -21,9 +21,7 @@
 #include <CGAL/Tubular_meshing/Volume/internal/ccdt/run_ccdt.h>
 #endif
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* What connects the points of a boundary. `run` returns 0 or one of TetGen's numbers for what went wrong; `name` is
  * what it is called in a sentence. */
@@ -66,8 +64,6 @@ inline Boundary_recovery recovery_by(Volume_mesher mesher) {
                       "or CGAL 6.1 or later, and choose one of these, or use fill_with_mesh_3().");
 }
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_KEPT_BOUNDARY_BOUNDARY_RECOVERY_H

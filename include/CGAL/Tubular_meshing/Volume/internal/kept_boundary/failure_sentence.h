@@ -17,9 +17,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 // What went wrong with a recovery of the boundary, as the second half of a sentence; the codes are TetGen's.
 inline std::string what_went_wrong(const Child_ending& ending) {
@@ -74,8 +72,6 @@ inline Sentence failure_sentence(const std::string& name, const Child_ending& en
          ((crossing.places().empty() ? ": " : "; repair it, or ") + instead + ".");
 }
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_KEPT_BOUNDARY_FAILURE_SENTENCE_H

@@ -32,9 +32,7 @@
 #include <string>
 #include <utility>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 // What a filling may take before it is given up, and what to do instead then.
 struct Filling_limits {
@@ -157,8 +155,6 @@ inline std::optional<Sentence> fill_by_recovery(const Surface& surface, Face_pat
   return std::nullopt;
 }
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_KEPT_BOUNDARY_FILL_BY_RECOVERY_H

@@ -12,9 +12,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* Takes inner vertices away from the tetrahedra below `threshold`, or adds some, where that makes the worst of those
  * around better: for the few that flips and moves cannot improve. The boundary stays as it is. Returns the number of
@@ -43,8 +41,6 @@ inline std::size_t remesh_worst(Tetrahedron_store& store, double threshold) {
   return changes;
 }
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_KEPT_BOUNDARY_REMESH_WORST_H

@@ -14,9 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* Sorts tetrahedra along a Hilbert curve through their centers. TetGen lists them in the order of its memory blocks;
  * sorted, they are optimized in two thirds of the time. O(n log n). */
@@ -37,8 +35,6 @@ inline void sort_in_space(const std::vector<Point_3>& points, std::vector<std::a
   tetrahedra = std::move(sorted);
 }
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_KEPT_BOUNDARY_SORT_IN_SPACE_H

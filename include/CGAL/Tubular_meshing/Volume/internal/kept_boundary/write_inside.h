@@ -10,9 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* Writes a store whose inside alone has changed back to its mesh: the labelled triangles stay in their order, and with
  * their vertices in theirs. */
@@ -24,8 +22,6 @@ inline void write_inside(const Tetrahedron_store& store, Mixed_mesh& mesh) {
   mesh.triangles = std::move(triangles);
 }
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_KEPT_BOUNDARY_WRITE_INSIDE_H

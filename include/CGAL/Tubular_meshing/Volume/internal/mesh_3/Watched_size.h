@@ -13,9 +13,7 @@
 #include <cstdint>
 #include <mutex>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* A size field that knows how often it is asked. Mesh_3 is proved to come to an end on smooth surfaces; where one
  * crosses itself, or has sharp folds inside of a patch, it may put points closer and closer for ever. A mesh of sizes h
@@ -78,8 +76,6 @@ private:
   mutable double samples_ = 0, square_ = 0, cube_ = 0;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_MESH_3_WATCHED_SIZE_H

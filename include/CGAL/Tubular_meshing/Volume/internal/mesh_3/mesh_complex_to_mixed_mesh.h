@@ -11,9 +11,7 @@
 #include <cstdint>
 #include <utility>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* The cells and labelled facets of a Mesh_3 complex as a Mixed_mesh; its vertices are those that a cell of the complex
  * uses. Linear in the size of the triangulation. */
@@ -51,8 +49,6 @@ template <class C3t3> void mesh_complex_to_mixed_mesh(const C3t3& c3t3, Mixed_me
   }
 }
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_MESH_3_MESH_COMPLEX_TO_MIXED_MESH_H

@@ -13,9 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 struct Rim_polyline {
   std::vector<Point_3> points; // where closed, the first comes again at the end
@@ -64,8 +62,6 @@ struct Rim_patches_map {
   friend reference get(const Rim_patches_map&, const Rim_polyline& rim) { return rim.patches; }
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_MESH_3_RIM_POLYLINES_H

@@ -15,9 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 // The size times a constant, light enough for Mesh_3's habit of copying fields by value.
 struct Scaled_size {
@@ -59,8 +57,6 @@ void run_mesh_3(Surface& labelled_surface, const Watched_size& size, double face
     mesh_complex_to_mixed_mesh(complex, mesh);
 }
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_MESH_3_RUN_MESH_3_H

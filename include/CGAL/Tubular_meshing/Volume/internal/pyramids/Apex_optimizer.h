@@ -14,9 +14,7 @@
 #include <array>
 #include <cstddef>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* Moves the apexes of pyramids down the shape energy of the tetrahedra around them and of the pyramids themselves, by
  * Newton steps with backtracking: neither is ever inverted. The energy of a pyramid is that of the four tetrahedra of
@@ -77,8 +75,6 @@ private:
   Colored_stars stars_;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_PYRAMIDS_APEX_OPTIMIZER_H

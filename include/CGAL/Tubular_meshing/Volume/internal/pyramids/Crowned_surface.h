@@ -23,9 +23,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* A closed surface with a pyramid on the inside of each of its quads, and the surface that is left: its own triangles
  * and the sides of the pyramids, without quads.
@@ -116,7 +114,7 @@ private:
       const Face f = surface_.add_face(a, b, c);
       if (f == Surface::null_face())
         throw Meshing_error("The surface is not manifold at the edge of its points " + std::to_string(std::size_t(a)) +
-                            " and " + std::to_string(std::size_t(b)) + ": mend it there.");
+                            " and " + std::to_string(std::size_t(b)) + ": repair it there.");
       return f;
     };
     for (std::size_t i = 0; i < triangles_; ++i) {
@@ -189,8 +187,6 @@ private:
   Face_patch_map patch_;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_PYRAMIDS_CROWNED_SURFACE_H

@@ -11,9 +11,7 @@
 #include <cstddef>
 #include <limits>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* The ray on which the apex of a quad's pyramid lies: from the quad's middle inward. The pyramid is positive at all
  * corners of its base where the apex lies beyond the planes of all of them, that is, higher than `lowest`; that is 0
@@ -71,8 +69,6 @@ private:
   }
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_PYRAMIDS_QUAD_CROWN_H

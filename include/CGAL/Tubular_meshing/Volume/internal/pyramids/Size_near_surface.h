@@ -21,9 +21,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* A size field, but no larger than the edges of a surface near it, from which sizes grow by a part of the distance.
  * Structured quads need not have the size that was asked for, and what is left by layers of cells does not know of it;
@@ -98,8 +96,6 @@ private:
   Tree tree_;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_PYRAMIDS_SIZE_NEAR_SURFACE_H

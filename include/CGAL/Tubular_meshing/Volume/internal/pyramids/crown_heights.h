@@ -17,9 +17,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* Faces of a closed surface that meet at an edge, as they turn outward: of the halves of all edges, that of an edge's
  * first face and that of its second follow each other. */
@@ -92,8 +90,6 @@ inline std::vector<double> crown_heights(const Mixed_mesh& surface, const std::v
   return height;
 }
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_PYRAMIDS_CROWN_HEIGHTS_H

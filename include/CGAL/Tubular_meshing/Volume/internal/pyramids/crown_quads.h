@@ -20,9 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 [[noreturn]] inline void refuse_quads(const Crowned_surface& crowned, const std::vector<std::size_t>& quads) {
   Sentence sentence = "No pyramid fits on the quad at " + place_of(crowned.middle(quads.front()));
@@ -112,8 +110,6 @@ inline Crowned_surface crown_quads(Mixed_mesh& surface, bool may_split) {
   }
 }
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_PYRAMIDS_CROWN_QUADS_H

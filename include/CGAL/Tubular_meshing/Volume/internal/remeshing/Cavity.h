@@ -14,9 +14,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* The one operation by which vertices come and go: a set of tetrahedra, the cavity, is replaced by the cones from a
  * kernel (a new point, or a vertex of the cavity) over the facets of its boundary, those at the kernel excepted. As all
@@ -193,8 +191,6 @@ private:
   Facets facets_;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REMESHING_CAVITY_H

@@ -14,9 +14,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* Takes a vertex out: it is pulled onto a neighbor that lies where it may move itself (a vertex on a patch onto one on
  * the same patch or its rim, and so on). On the surface that must not change the surface's shape or topology.
@@ -182,8 +180,6 @@ private:
   Index from_ = Store::none, to_ = Store::none;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REMESHING_EDGE_COLLAPSER_H

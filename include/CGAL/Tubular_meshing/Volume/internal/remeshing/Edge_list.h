@@ -14,9 +14,7 @@
 #include <tuple>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* An edge, its length in the metric, and a tetrahedron where it was found. */
 struct Listed_edge {
@@ -91,8 +89,6 @@ inline std::vector<Tetrahedron_store::Index> list_tetrahedra(const Tetrahedron_s
   return all;
 }
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REMESHING_EDGE_LIST_H

@@ -11,9 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* Puts a vertex at the middle, in the metric, of an edge; on the surface, at the nearest point of the edge's patch or
  * rim. First it is found whether that is possible, which only reads: several splitters may do so at the same time. */
@@ -118,8 +116,6 @@ private:
   bool on_surface_ = false;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REMESHING_EDGE_SPLITTER_H

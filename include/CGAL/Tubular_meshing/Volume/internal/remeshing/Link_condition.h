@@ -11,9 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* Whether a vertex on labelled facets may be pulled onto another one: what the links of both have in common must be the
  * link of the edge between them. That is asked of the tetrahedra, of the labelled facets, and of the rims where facets
@@ -160,8 +158,6 @@ private:
   std::vector<std::pair<Index, std::int32_t>> ends_;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REMESHING_LINK_CONDITION_H

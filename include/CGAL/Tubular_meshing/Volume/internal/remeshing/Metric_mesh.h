@@ -22,9 +22,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* Whether a tetrahedron is positively oriented with a thousand times the rounding error of its determinant to spare:
  * exact arithmetic would say the same, and still would if the coordinates were written to a file with fewer digits. */
@@ -220,8 +218,6 @@ private:
   std::vector<char> on_surface_; // written by several threads, for vertices of their own
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REMESHING_METRIC_MESH_H

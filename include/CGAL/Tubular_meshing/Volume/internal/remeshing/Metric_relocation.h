@@ -14,9 +14,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* What is to be small around a vertex, as a function of its position: of each tetrahedron its Q, eq. (16), and how far
  * its edges are from unit length, s + 1/s with s their mean square; in a boundary layer the height as well. Q goes to
@@ -341,8 +339,6 @@ private:
   Colored_stars stars_;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REMESHING_METRIC_RELOCATION_H

@@ -6,9 +6,7 @@
 
 #include <algorithm>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* What a split or a collapse has to keep to: the worst quality of its cavity, and the lengths of the new edges. By
  * itself it allows what makes the worst quality no worse. */
@@ -42,8 +40,6 @@ struct Operation_bounds {
   }
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REMESHING_OPERATION_BOUNDS_H

@@ -10,9 +10,7 @@
 
 #include <cstdint>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* Flips that change the surface are refused where it is to stay. */
 struct Remeshing_flip_guard {
@@ -34,8 +32,6 @@ struct Metric_measure {
 
 typedef Topology_optimizer<Remeshing_flip_guard, Metric_measure> Remeshing_flips;
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REMESHING_REMESHING_FLIPS_H

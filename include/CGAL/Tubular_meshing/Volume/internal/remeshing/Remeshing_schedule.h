@@ -9,9 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* How the remesher goes about it: what is done how often, from which quality on, and what each operation has to keep
  * to. Lengths are those of the metric, where they should be one; qualities are those of (16), inverted: one is best.
@@ -68,8 +66,6 @@ struct Remeshing_schedule {
   static Operation_bounds repair() { return Operation_bounds().quality(1, 1.1).lengths(0.4, 2); }
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REMESHING_REMESHING_SCHEDULE_H

@@ -12,9 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* Where a vertex or an edge lies: inside the volume, on a patch, on a rim, or (vertices only) at a corner. */
 struct Surface_location {
@@ -107,8 +105,6 @@ private:
   std::vector<Patches> rims_;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REMESHING_SURFACE_LOCATIONS_H

@@ -11,9 +11,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* When vertices moved last, and when each was looked at last: most of a mesh is at rest soon, and need not be looked at
  * again before something near it has changed.
@@ -75,8 +73,6 @@ private:
   std::vector<Time> moved_, renewed_, visited_;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REMESHING_VERTEX_CLOCK_H

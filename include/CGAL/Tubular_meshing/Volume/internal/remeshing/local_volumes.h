@@ -11,9 +11,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* For each vertex, the mean volume in the metric of the tetrahedra around it, over that of the regular one, smoothed
  * once over the neighbors: whether vertices are too many there (below one) or too few. Linear. */
@@ -45,8 +43,6 @@ inline std::vector<float> local_volumes(const Metric_mesh& mesh) {
   return of_vertex;
 }
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REMESHING_LOCAL_VOLUMES_H

@@ -11,9 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* A vertex as the measures see it. */
 struct Metric_point {
@@ -62,8 +60,6 @@ inline double metric_length(const Metric_point& a, const Metric_point& b) {
   return l + m > 0 ? 2. / 3 * (s + l * m + t) / (l + m) : 0;
 }
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REMESHING_METRIC_QUALITY_H

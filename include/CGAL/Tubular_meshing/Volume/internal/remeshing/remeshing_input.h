@@ -17,9 +17,7 @@
 #include <sstream>
 #include <string>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* Refuses meshes that the remesher cannot start from. O(n log n) */
 inline void check_mesh_to_remesh(const Mixed_mesh& mesh) {
@@ -104,8 +102,6 @@ private:
   double extent_;
 };
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REMESHING_REMESHING_INPUT_H

@@ -35,9 +35,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 inline void give_to_tetgen(const Boundary_arrays& boundary, tetgenio& in) {
   in.numberofpoints = int(boundary.points.size());
@@ -84,8 +82,6 @@ inline int run_tetgen(const Boundary_arrays& boundary, Recovered_boundary& recov
   return 0;
 }
 
-} // namespace internal
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_TETGEN_RUN_TETGEN_H
