@@ -4,6 +4,10 @@
 #ifndef CGAL_TUBULAR_MESHING_BASE_PARAMETERS_H
 #define CGAL_TUBULAR_MESHING_BASE_PARAMETERS_H
 
+// What every caller of a function with named parameters meets besides.
+#include <CGAL/Tubular_meshing/base/exceptions.h>
+#include <CGAL/Tubular_meshing/base/labels.h>
+
 #include <CGAL/Named_function_parameters.h>
 
 #include <type_traits>

@@ -1,10 +1,6 @@
 // Copyright (c) 2026 The Tubular_meshing authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// make_mesh_3() for one kind of domain, without the optimizers that may follow it: that of CGAL 5.5, with its named
-// parameters, takes two thirds of the memory and half of the time of a unit that includes it, so that its two steps are
-// spelled out for that version.
-
 #ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_MESH_3_MAKE_COMPLEX_H
 #define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_MESH_3_MAKE_COMPLEX_H
 
@@ -17,13 +13,7 @@
 #include <CGAL/Polyhedral_mesh_domain_with_features_3.h>
 #include <CGAL/version.h>
 
-#if CGAL_VERSION_NR >= 1050600000
 #include <CGAL/make_mesh_3.h>
-#else
-#include <CGAL/Mesh_3/C3T3_helpers.h>
-#include <CGAL/Mesh_3/Mesher_3.h>
-#include <CGAL/Mesh_3/Protect_edges_sizing_field.h>
-#endif
 
 #include <atomic>
 #include <iterator>
@@ -42,6 +32,17 @@ typedef Polyhedral_mesh_domain_with_features_3<Kernel, Surface> Lumen_domain;
 template <class Triangulation>
 struct Lumen_complex
     : Mesh_complex_3_in_triangulation_3<Triangulation, Lumen_domain::Corner_index, Lumen_domain::Curve_index> {};
+
+/* The optimizers that make_mesh_3() may run afterwards are off. These come before CGAL's for our complex, so that CGAL's
+ * are not compiled: they would take half of the unit's time and 1.4 of its 3.4 GB. */
+template <class Triangulation, class... Arguments>
+void odt_optimize_mesh_3(Lumen_complex<Triangulation>&, const Lumen_domain&, const Arguments&...) {}
+template <class Triangulation, class... Arguments>
+void lloyd_optimize_mesh_3(Lumen_complex<Triangulation>&, const Lumen_domain&, const Arguments&...) {}
+template <class Triangulation, class... Arguments>
+void perturb_mesh_3(Lumen_complex<Triangulation>&, const Lumen_domain&, const Arguments&...) {}
+template <class Triangulation, class... Arguments>
+void exude_mesh_3(Lumen_complex<Triangulation>&, const Arguments&...) {}
 
 } // namespace internal
 } // namespace Tubular_meshing
@@ -83,51 +84,16 @@ void make_complex(const Lumen_domain& domain, const Lumen_criteria<Triangulation
 
 #else
 
-template <class Triangulation> struct Edge_sizes {
-  typedef typename Mesh_edge_criteria_3<Triangulation>::FT FT;
-  const Mesh_edge_criteria_3<Triangulation>* criteria;
-  template <class Index> FT operator()(const Point_3& p, int dimension, const Index& index) const {
-    return criteria->sizing_field(p, dimension, index);
-  }
-};
-
-template <class Triangulation>
-void add_initial_points(const Lumen_domain& domain, Lumen_complex<Triangulation>& complex) {
-  std::vector<std::pair<Point_3, Lumen_domain::Index>> points;
-  domain.construct_initial_points_object()(std::back_inserter(points));
-  const auto weighted = complex.triangulation().geom_traits().construct_weighted_point_3_object();
-  for (const auto& p : points) {
-    const auto v = complex.triangulation().insert(weighted(p.first));
-    if (v == typename Triangulation::Vertex_handle()) // hidden by a ball on a rim
-      continue;
-    complex.set_dimension(v, 2);
-    complex.set_index(v, p.second);
-  }
-}
-
-// Refines until all criteria hold and the surface is a manifold, or `stop` is set.
+// Refines until all criteria hold and the surface is a manifold, or `stop` is set. Before CGAL 5.6 the named parameters
+// have no name for it.
 template <class Triangulation>
 void make_complex(const Lumen_domain& domain, const Lumen_criteria<Triangulation>& criteria, std::atomic<bool>& stop,
                   Lumen_complex<Triangulation>& complex) {
-  typedef Lumen_complex<Triangulation> Complex;
-  typedef Edge_sizes<Triangulation> Sizes;
-  Mesh_3::Protect_edges_sizing_field<Complex, Lumen_domain, Sizes> protect(complex, domain, Sizes{&criteria.edges}, 0,
-                                                                           0, nullptr, &stop);
-  protect.set_nonlinear_growth_of_balls(false);
-  protect(true);
-  bool has_facets = complex.triangulation().dimension() == 3;
-  if (has_facets) {
-    Mesh_3::C3T3_helpers<Complex, Lumen_domain>(complex, domain).update_restricted_facets();
-    has_facets = complex.number_of_facets() != 0;
-  }
-  if (!has_facets)
-    add_initial_points(domain, complex);
-
-  const int manifold = 24; // parameters::internal::Manifold_options::MANIFOLD
-  Mesh_3::Mesher_3<Complex, Lumen_criteria<Triangulation>, Lumen_domain> mesher(complex, domain, criteria, manifold, 0,
-                                                                                nullptr, &stop);
-  mesher.refine_mesh();
-  complex.clear_manifold_info();
+  namespace params = CGAL::parameters;
+  params::internal::Mesh_3_options options;
+  options.pointer_to_stop_atomic_boolean = &stop;
+  make_mesh_3_impl(complex, domain, criteria, params::no_exude(), params::no_perturb(), params::no_odt(),
+                   params::no_lloyd(), true, options, params::manifold());
 }
 
 #endif
