@@ -61,7 +61,7 @@ private:
 // A copy of its own for each iteration, since cuts divide the surface.
 struct Copy {
   Surface surface;
-  Model::Face_patch_map patch;
+  tubular::Face_patch_map patch;
 
   explicit Copy(const Model& model)
       : surface(model.surface)

@@ -5,6 +5,7 @@
 
 #include "command_line/Points.h"
 #include "command_line/run_tool.h"
+#include "command_line/validators.h"
 
 #include <CGAL/Tubular_meshing/Centerlines/branched_centerlines.h>
 #include <CGAL/Tubular_meshing/Centerlines/compute_centerlines.h>

@@ -6,6 +6,7 @@
 
 #include "computed_centerlines.h"
 
+#include <CGAL/Tubular_meshing/base/cgal_compatibility.h>
 #include <CGAL/Tubular_meshing/Generators/bronchial_tree.h>
 #include <CGAL/Tubular_meshing/Generators/tubular_shapes.h>
 #include <CGAL/Tubular_meshing/Repair/repair_surface.h>

@@ -482,8 +482,9 @@ template <class Recovery> std::string sentence_of(const Recovery& recover, bool 
   options.in_child_process = in_child_process;
   options.time_limit = 60;
   const tubular::internal::Filling_limits limits(options, tube.surface, "use fill_with_mesh_3()");
-  return tubular::internal::fill_by_recovery(
+  const auto failure = tubular::internal::fill_by_recovery(
       tube.surface, tube.patch, [](const Point&) { return 0.5; }, {recover, "Some mesher"}, limits, mesh);
+  return failure ? failure->str() : std::string();
 }
 
 TEST(Fill_keeping_boundary, Explains_whatever_happens) {
@@ -522,9 +523,10 @@ TEST_F(Fill_with_tetgen, Refuses_more_points_than_memory_holds) {
   tubular::internal::Filling_limits limits({}, tube.surface, "");
   limits.most_points = 5;
   Mesh mesh;
-  const std::string sentence = tubular::internal::fill_by_recovery(
+  const auto failure = tubular::internal::fill_by_recovery(
       tube.surface, tube.patch, [](const Point&) { return 0.2; }, tubular::internal::tetgen_recovery(), limits, mesh);
-  EXPECT_NE(sentence.find("more than 5 points"), std::string::npos) << sentence;
+  ASSERT_TRUE(failure);
+  EXPECT_NE(failure->str().find("more than 5 points"), std::string::npos) << failure->str();
   EXPECT_TRUE(mesh.points.empty());
 }
 

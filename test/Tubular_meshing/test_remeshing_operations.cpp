@@ -3,6 +3,7 @@
 
 // What the remesher to a metric is made of: its measures, its store, its conditions, one by one.
 
+#include <CGAL/Tubular_meshing/Quality/shape_measures.h>
 #include <CGAL/Tubular_meshing/Quality/quality_report.h>
 #include <CGAL/Tubular_meshing/Volume/internal/Speculation.h>
 #include <CGAL/Tubular_meshing/Volume/internal/Tetrahedron_store.h>
@@ -44,11 +45,11 @@ TEST(Metric_quality, Is_that_of_the_report) {
       metric[i] = v[i].metric.components();
     }
     const double q = tubular::internal::metric_quality(v[0], v[1], v[2], v[3]);
-    EXPECT_NEAR(1 / std::abs(q), tubular::internal::tetrahedron_Q(p, metric), 1e-9 / std::abs(q));
+    EXPECT_NEAR(1 / std::abs(q), tubular::tetrahedron_Q(p, metric), 1e-9 / std::abs(q));
     EXPECT_EQ(q > 0, tubular::internal::signed_volume(p[0], p[1], p[2], p[3]) > 0);
     // the report integrates by four Gauss points
     EXPECT_NEAR(tubular::internal::metric_length(v[0], v[1]),
-                tubular::internal::metric_length(p[1] - p[0], metric[0], metric[1]), 1e-3);
+                tubular::metric_length(p[0], p[1], metric[0], metric[1]), 1e-3);
   }
 }
 
