@@ -73,11 +73,11 @@ available_memory() {
   say "$free"
 }
 
-# As many compilers as there are processors, each with the 6 GB that CGAL's templates take at the most.
+# As many compilers as there are processors, each with the 2.5 GB that CGAL's templates take at the most.
 number_of_jobs() {
   local jobs fitting
   jobs=$(nproc 2>/dev/null || say 1)
-  fitting=$(($(available_memory) / 6000))
+  fitting=$(($(available_memory) / 2500))
   [ "$fitting" -ge "$jobs" ] || jobs=$fitting
   [ "$jobs" -ge 1 ] || jobs=1
   say "$jobs"
