@@ -90,7 +90,7 @@ inline void declare_metric_options(CLI::App& app, Options& o) {
 
 inline void declare_surface_options(CLI::App& app, Options& o) {
   app.add_option("--repair", o.repair,
-                 "off, auto: repair what is amiss, or wrap: replace the surface by one wrapped around it")
+                 "off, auto: repair what is wrong, or wrap: replace the surface by one wrapped around it")
       ->capture_default_str()
       ->check(CLI::IsMember({"off", "auto", "wrap"}).description(""));
   app.add_flag("--smooth", o.smooth, "smooth staircase noise off the surface, keeping its volume");
