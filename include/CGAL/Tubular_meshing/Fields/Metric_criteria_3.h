@@ -72,7 +72,7 @@ private:
 };
 
 /* In Mesh_3's queues the number of the criterion comes before the measure, the worst (smallest) first: whatever CGAL's
- * own criteria find wrong is mended before sizes. */
+ * own criteria find wrong is corrected before sizes. */
 constexpr int metric_criterion_number = 1000;
 
 } // namespace internal
