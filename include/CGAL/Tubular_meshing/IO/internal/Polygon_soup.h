@@ -72,7 +72,9 @@ inline void check_index(std::int64_t i, std::size_t n, const char* what, std::si
 }
 
 // Cuts one polygon into triangles by clipping ears in the plane of its (Newell) normal: right for non-convex
-// polygons too. O(k^2) for usual polygons of k corners, O(k^3) at worst.
+// polygons too. O(k^2) for usual polygons of k corners, O(k^3) at worst. Not CGAL's triangulate_hole_polyline(), which
+// gives no triangles at all for a polygon that cannot be cut without flat ones, or that crosses itself: the surface would
+// get holes.
 class Ear_clipper {
 public:
   Ear_clipper(const std::vector<Coordinates>& points, std::vector<std::size_t> ring)

@@ -108,7 +108,7 @@ public:
   }
 
 private:
-  // Appended data is not XML: what stands before it is parsed, closed by hand.
+  // Appended data is not XML: what stands before it is parsed, with the end tags added.
   void parse() {
     const std::string& bytes = file_.bytes;
     const std::size_t tag = bytes.find("<AppendedData");
