@@ -17,7 +17,6 @@
 
 #include <atomic>
 #include <iterator>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -49,7 +48,7 @@ void exude_mesh_3(Lumen_complex<Triangulation>&, const Arguments&...) {}
 
 template <class Triangulation, bool is_streamable>
 struct Dump_c3t3<Tubular_meshing::internal::Lumen_complex<Triangulation>, is_streamable> {
-  void dump_c3t3(const Tubular_meshing::internal::Lumen_complex<Triangulation>&, const std::string&) const {}
+  template <class... Arguments> void dump_c3t3(const Arguments&...) const {} // one more since CGAL 6.2
 };
 
 namespace Tubular_meshing {
