@@ -178,12 +178,17 @@ private:
       if (options_.has_boundary_layer()) // Mesh_3 keeps no layer's side
         throw;
       report_.fallbacks.push_back(fallback_sentence(e));
-      kept_ = Remeshed_surface();
-      return by_mesh_3();
+    } catch (const Parameter_error& e) {
+      // the sizes are in order: where a patch asks for too many triangles, it is the patch that is not
+      if (stage_ != "surface mesh" || options_.has_boundary_layer())
+        throw;
+      report_.fallbacks.push_back(fallback_sentence(e));
     }
+    kept_ = Remeshed_surface();
+    return by_mesh_3();
   }
 
-  std::string fallback_sentence(Meshing_error e) const {
+  std::string fallback_sentence(Error e) const {
     e.transform_places([&](const Place& p) { return frame_.from_frame(p); });
     return "Mesh_3 made this mesh, since meshing by patches failed at the stage \"" + stage_ + "\": " + e.what();
   }
@@ -193,8 +198,7 @@ private:
     size();
     kept_ = triangles_in_frame(size());
     const Labelled_surface& wall = patches().surface;
-    if (options_.has_boundary_layer())
-      internal::check_keeps_boundary(options_.volume_mesher);
+    check_layers_can_be_kept(options_.volume_mesher);
     Mixed_mesh mesh = fill_within_layers(kept_, [&](const Surface& closed, Face_patch_map patch, Mixed_mesh& filling) {
       stage("tetrahedra");
       const bool keeps = options_.volume_mesher != Volume_mesher::mesh_3;
@@ -215,6 +219,7 @@ private:
   /* Surface and lumen at once; finer, by a factor of at most two, where the mesh size is too coarse for the topology.
    */
   Mixed_mesh by_mesh_3() {
+    check_layers_can_be_kept(Volume_mesher::mesh_3);
     const Labelled_surface& s = frame_.surface();
     std::string differences;
     for (double factor : {1., 0.7, 0.5}) {
@@ -257,6 +262,12 @@ private:
     return std::move(layer.layers);
   }
 
+  void check_layers_can_be_kept(Volume_mesher mesher) const {
+    if (options_.has_boundary_layer() && mesher == Volume_mesher::mesh_3)
+      throw Meshing_error(
+          "Layers inside the lumen need a mesher that keeps their sides: build this program where CMake "
+          "finds TetGen (libtet1.5-dev), or CGAL 6.1 or later, and choose one of these.");
+  }
   void check_memory() { internal::check_memory(size().estimated_number_of_tetrahedra()); }
   Label_names patch_names() const { return lumen_patch_names(int(model_->openings.size())); }
 
