@@ -18,6 +18,7 @@
 #include <fstream>
 #include <ostream>
 #include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -142,49 +143,57 @@ TEST_F(Tool, Says_by_what_a_mesh_was_made) {
 // --- where meshing by patches fails ---
 
 // A handle on the wall of a tube, through which no centerline runs: its patch is no sphere with holes.
-Surface tube_with_a_handle() {
-  const int around = 16, rows = 16, steps = 8, lower = 4, upper = 10;
-  Surface s;
-  typedef Surface::Vertex_index Vertex;
-  std::vector<Vertex> grid;
+std::string tube_with_a_handle_off() {
+  const int around = 16, rows = 16, steps = 8, lower = 4, upper = 10; // the handle's ends are holes in these two rows
+  std::vector<Point> points;
+  std::ostringstream faces;
+  int number_of_faces = 0;
+  const auto add_quad = [&](int a, int b, int c, int d) {
+    faces << "3 " << a << " " << b << " " << c << "\n3 " << a << " " << c << " " << d << "\n";
+    number_of_faces += 2;
+  };
+  const auto at = [&](int i, int j) { return j * around + i % around; };
   for (int j = 0; j < rows; ++j)
     for (int i = 0; i < around; ++i) {
       const double a = 2 * CGAL_PI * i / around;
-      grid.push_back(s.add_vertex(Point(std::cos(a), std::sin(a), 6. * j / (rows - 1))));
+      points.push_back(Point(std::cos(a), std::sin(a), 6. * j / (rows - 1)));
     }
-  const auto at = [&](int i, int j) { return grid[std::size_t(j * around + i % around)]; };
-  const auto add_quad = [&](Vertex a, Vertex b, Vertex c, Vertex d) {
-    s.add_face(a, b, c);
-    s.add_face(a, c, d);
-  };
   for (int j = 0; j + 1 < rows; ++j)
     for (int i = 0; i < around; ++i)
       if (i != 0 || (j != lower && j != upper))
         add_quad(at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
 
   // The lower hole's rim is turned about the middle between the holes until it is the upper one's.
-  const std::array<Vertex, 4> first = {{at(0, lower), at(1, lower), at(1, lower + 1), at(0, lower + 1)}};
-  const std::array<Vertex, 4> last = {{at(0, upper + 1), at(1, upper + 1), at(1, upper), at(0, upper)}};
+  const std::array<int, 4> first = {{at(0, lower), at(1, lower), at(1, lower + 1), at(0, lower + 1)}};
+  const std::array<int, 4> last = {{at(0, upper + 1), at(1, upper + 1), at(1, upper), at(0, upper)}};
   const double middle = 6. * (lower + upper + 1) / 2 / (rows - 1);
   const Kernel::Vector_3 outward(std::cos(CGAL_PI / around), std::sin(CGAL_PI / around), 0);
-  std::array<Vertex, 4> ring = first;
+  std::array<int, 4> ring = first;
   for (int k = 1; k <= steps; ++k) {
-    std::array<Vertex, 4> next = last;
+    std::array<int, 4> next = last;
     const double turn = CGAL_PI * k / steps;
     for (std::size_t m = 0; k < steps && m < 4; ++m) {
-      const Point p = s.point(first[m]) + (middle - s.point(first[m]).z()) * std::sin(turn) * outward;
-      next[m] = s.add_vertex(Point(p.x(), p.y(), middle - (middle - p.z()) * std::cos(turn)));
+      const Point start = points[std::size_t(first[m])];
+      const double arm = middle - start.z();
+      const Point p = start + arm * std::sin(turn) * outward;
+      next[m] = int(points.size());
+      points.push_back(Point(p.x(), p.y(), middle - arm * std::cos(turn)));
     }
     for (std::size_t m = 0; m < 4; ++m)
       add_quad(ring[m], ring[(m + 1) % 4], next[(m + 1) % 4], next[m]);
     ring = next;
   }
-  return s;
+  std::ostringstream off;
+  off.precision(17);
+  off << "OFF\n" << points.size() << " " << number_of_faces << " 0\n";
+  for (const Point& p : points)
+    off << p << "\n";
+  return off.str() + faces.str();
 }
 
 TEST_F(Tool, Says_where_and_why_Mesh_3_took_over) {
   NEEDS_FILLING();
-  const std::string input_file = make("handle.off", tube_with_a_handle());
+  const std::string input_file = make("handle.off", tube_with_a_handle_off());
   const Arguments arguments = {input_file, "-n", "16", "--report", out("r.json"), "--threads", "1"};
   const Outcome outcome = succeed(arguments + Arguments{"-o", out("mesh.vtu"), "--write-surface", out("s.vtp")});
   const Json report = json_in(out("r.json"));
