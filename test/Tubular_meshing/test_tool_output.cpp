@@ -11,10 +11,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
 #include <filesystem>
 #include <fstream>
 #include <ostream>
 #include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -135,6 +139,88 @@ TEST_F(Tool, Says_by_what_a_mesh_was_made) {
     expect_by_mesh_3(json_in(out("r.json")));
   }
 }
+
+// --- where meshing by patches fails ---
+
+// A handle on the wall of a tube, through which no centerline runs: its patch is no sphere with holes.
+std::string tube_with_a_handle_off() {
+  const int around = 16, rows = 16, steps = 8, lower = 4, upper = 10; // the handle's ends are holes in these two rows
+  std::vector<Point> points;
+  std::ostringstream faces;
+  int number_of_faces = 0;
+  const auto add_quad = [&](int a, int b, int c, int d) {
+    faces << "3 " << a << " " << b << " " << c << "\n3 " << a << " " << c << " " << d << "\n";
+    number_of_faces += 2;
+  };
+  const auto at = [&](int i, int j) { return j * around + i % around; };
+  for (int j = 0; j < rows; ++j)
+    for (int i = 0; i < around; ++i) {
+      const double a = 2 * CGAL_PI * i / around;
+      points.push_back(Point(std::cos(a), std::sin(a), 6. * j / (rows - 1)));
+    }
+  for (int j = 0; j + 1 < rows; ++j)
+    for (int i = 0; i < around; ++i)
+      if (i != 0 || (j != lower && j != upper))
+        add_quad(at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
+
+  // The lower hole's rim is turned about the middle between the holes until it is the upper one's.
+  const std::array<int, 4> first = {{at(0, lower), at(1, lower), at(1, lower + 1), at(0, lower + 1)}};
+  const std::array<int, 4> last = {{at(0, upper + 1), at(1, upper + 1), at(1, upper), at(0, upper)}};
+  const double middle = 6. * (lower + upper + 1) / 2 / (rows - 1);
+  const Kernel::Vector_3 outward(std::cos(CGAL_PI / around), std::sin(CGAL_PI / around), 0);
+  std::array<int, 4> ring = first;
+  for (int k = 1; k <= steps; ++k) {
+    std::array<int, 4> next = last;
+    const double turn = CGAL_PI * k / steps;
+    for (std::size_t m = 0; k < steps && m < 4; ++m) {
+      const Point start = points[std::size_t(first[m])];
+      const double arm = middle - start.z();
+      const Point p = start + arm * std::sin(turn) * outward;
+      next[m] = int(points.size());
+      points.push_back(Point(p.x(), p.y(), middle - arm * std::cos(turn)));
+    }
+    for (std::size_t m = 0; m < 4; ++m)
+      add_quad(ring[m], ring[(m + 1) % 4], next[(m + 1) % 4], next[m]);
+    ring = next;
+  }
+  std::ostringstream off;
+  off.precision(17);
+  off << "OFF\n" << points.size() << " " << number_of_faces << " 0\n";
+  for (const Point& p : points)
+    off << p << "\n";
+  return off.str() + faces.str();
+}
+
+TEST_F(Tool, Says_where_and_why_Mesh_3_took_over) {
+  NEEDS_FILLING();
+  const std::string input_file = make("handle.off", tube_with_a_handle_off());
+  const Arguments arguments = {input_file, "-n", "16", "--report", out("r.json"), "--threads", "1"};
+  const Outcome outcome = succeed(arguments + Arguments{"-o", out("mesh.vtu"), "--write-surface", out("s.vtp")});
+  const Json report = json_in(out("r.json"));
+  expect_report_of(report, mesh_in(out("mesh.vtu")));
+  EXPECT_EQ(report["boundary_euler"], 0);
+  ASSERT_EQ(report["fallbacks"].size(), 1u);
+  const std::string sentence = report["fallbacks"][0];
+  EXPECT_TRUE(is_a_sentence(sentence)) << sentence;
+  EXPECT_NE(sentence.find("Mesh_3"), std::string::npos) << sentence;
+  EXPECT_NE(sentence.find("parameterization"), std::string::npos) << sentence;
+  EXPECT_NE(outcome.out.find("note: " + sentence + "\n"), std::string::npos) << outcome.out;
+  EXPECT_FALSE(report.contains("patches"));
+  EXPECT_GT(fs::file_size(out("s.vtp")), 1000u); // as it came
+
+  // asked for by name, it is the same mesh; what Mesh_3 cannot make is an error
+  succeed(arguments + Arguments{"-o", out("named.vtu")} + by_mesh_3);
+  expect_by_mesh_3(json_in(out("r.json")));
+  EXPECT_TRUE(bytes_of(out("named.vtu")) == bytes_of(out("mesh.vtu")));
+  for (const Arguments& options : {Arguments{"--boundary-layer-prisms", "2", "-o", out("layers.vtu")},
+                                   Arguments{"-t", "surface", "-o", out("surface.vtp")}}) {
+    const Outcome failed = run(arguments + options);
+    EXPECT_EQ(failed.status, meshing) << failed.err;
+    expect_one_sentence(failed, {"patch"});
+  }
+}
+
+// --- formats and sizes ---
 
 TEST_F(Tool, Writes_the_same_mesh_in_each_format) {
   std::vector<Mesh> meshes;

@@ -210,6 +210,7 @@ TEST_P(Real_parametric, Is_meshed_well) {
   EXPECT_TRUE(validity.is_valid()) << validity.defects();
   EXPECT_EQ(r["boundary_euler"], GetParam().euler);
   expect_by_patches(r);
+  EXPECT_TRUE(r["patches"]["problems"].empty());
   EXPECT_LE(r["patches"]["largest_aspect_ratio"].get<double>(), 4 * (1 + 1e-9));
   EXPECT_GE(r["quality"]["gamma_T"]["mean"].get<double>(), 0.95);
   EXPECT_GE(r["quality"]["gamma_tau"]["mean"].get<double>(), 0.72);

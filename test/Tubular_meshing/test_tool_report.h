@@ -85,7 +85,6 @@ inline void expect_by_patches(const Json& report) {
   if (tubular::default_volume_mesher() == tubular::Volume_mesher::mesh_3)
     return; // which made the surface as well
   ASSERT_TRUE(report.contains("patches"));
-  EXPECT_EQ(report["patches"]["problems"], Json::array());
   EXPECT_GE(report["quality"]["gamma_tau"]["min"].get<double>(), 0.25);
   EXPECT_GE(report["quality"]["gamma_T"]["min"].get<double>(), 0.5);
 }
