@@ -69,7 +69,7 @@ constexpr bool is_core_surface = std::is_same<FaceGraph, Surface>::value&&
     std::is_same<typename GetVertexPointMap<FaceGraph, NamedParameters>::const_type,
                  typename boost::property_map<Surface, CGAL::vertex_point_t>::const_type>::value;
 
-/* A copy of a caller's mesh, its vertices and faces in the caller's order. O(n). */
+/* A copy of a caller's mesh, its faces in the caller's order, its vertices in that of copy_face_graph(). O(n). */
 template <class FaceGraph, class NamedParameters>
 void copy_to_core(const FaceGraph& mesh, Surface& surface, const NamedParameters& np) {
   copy_face_graph(mesh, surface, CGAL::parameters::vertex_point_map(core_points(mesh, np)));
