@@ -68,8 +68,9 @@ void fill_with_mesh_3(const Surface& surface, Face_patch_map patch, Length_funct
  * \cgalNamedParamsEnd
  *
  * \throws Input_error if the surface has faces other than triangles
- * \throws Meshing_error if Mesh_3 fails, or comes to no end: it is stopped when it has made many times the points that
- *   the sizes ask for. `mesh` is empty then. What the field throws comes through.
+ * \throws Meshing_error if Mesh_3 fails, or is stopped: it is asked to stop when it has made many times the points that
+ *   the sizes ask for. `mesh` is empty then. On surfaces that cross themselves, or have edges sharper than 25 degrees
+ *   inside of a patch, it may run on nevertheless. With one thread, what the field throws comes through.
  */
 template <class FaceGraph, class FacePatchMap, class SizingField,
           class NamedParameters = CGAL::parameters::Default_named_parameters>
