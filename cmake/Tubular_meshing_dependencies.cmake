@@ -7,7 +7,7 @@
 include(CMakeFindDependencyMacro)
 option(TUBULAR_MESHING_WITH_TETGEN "Use TetGen (AGPL), where it is found, for fill_with_tetgen()" ON)
 option(TUBULAR_MESHING_WITH_LEMON "Use LEMON, where it is found, for recombine_triangles()" ON)
-option(TUBULAR_MESHING_WITH_TBB "Use oneTBB, where it is found, for CGAL's Parallel_tag" ON)
+option(TUBULAR_MESHING_WITH_TBB "Use oneTBB, where it is found, to run on several threads" ON)
 
 find_dependency(CGAL 5.5)
 find_dependency(Eigen3 3.3.7)

@@ -46,19 +46,17 @@ double constant_size(const Point&) {
   return 0.25;
 }
 
-TEST(Fill_with_mesh_3, Fills_a_sphere_on_one_thread_and_on_several) {
+TEST(Fill_with_mesh_3, Fills_a_sphere) {
   Surface sphere = test_surfaces::make_sphere(16, 32);
   const Patch_map patch = all_wall(sphere);
-  for (int threads : {1, 2}) {
-    Mesh mesh;
-    tubular::fill_with_mesh_3(sphere, patch, &constant_size, mesh, tubular::parameters::number_of_threads(threads));
-    const auto report = tubular::validity_report(mesh);
-    EXPECT_TRUE(report.is_valid()) << report.defects();
-    EXPECT_NEAR(volume(mesh) / (4 * CGAL_PI / 3), 1, 0.05);
-    EXPECT_EQ(mesh.region_names.at(tubular::labels::lumen), "lumen");
-    EXPECT_EQ(std::set<int>(mesh.triangles.label.begin(), mesh.triangles.label.end()),
-              std::set<int>{tubular::labels::wall});
-  }
+  Mesh mesh;
+  tubular::fill_with_mesh_3(sphere, patch, &constant_size, mesh);
+  const auto report = tubular::validity_report(mesh);
+  EXPECT_TRUE(report.is_valid()) << report.defects();
+  EXPECT_NEAR(volume(mesh) / (4 * CGAL_PI / 3), 1, 0.05);
+  EXPECT_EQ(mesh.region_names.at(tubular::labels::lumen), "lumen");
+  EXPECT_EQ(std::set<int>(mesh.triangles.label.begin(), mesh.triangles.label.end()),
+            std::set<int>{tubular::labels::wall});
 }
 
 // A field with a dimension and an index, as Mesh_3's own concept has it.
@@ -71,13 +69,72 @@ TEST(Fill_with_mesh_3, Takes_a_field_of_Mesh_3_and_is_the_same_each_time) {
   Surface sphere = test_surfaces::make_sphere(16, 32);
   const Patch_map patch = all_wall(sphere);
   Mesh a, b;
-  tubular::fill_with_mesh_3(sphere, patch, &constant_size, a, tubular::parameters::number_of_threads(1));
-  tubular::fill_with_mesh_3(sphere, patch, Mesh_domain_field(), b, tubular::parameters::number_of_threads(1));
+  tubular::fill_with_mesh_3(sphere, patch, &constant_size, a);
+  tubular::fill_with_mesh_3(sphere, patch, Mesh_domain_field(), b);
   EXPECT_EQ(a.points, b.points);
   EXPECT_EQ(a.tetrahedra.vertices, b.tetrahedra.vertices);
 }
 
-// With one thread: Mesh_3 on several waits for ever for the thread that an exception has ended.
+// What Mesh_3 leaves in the current folder is seen there.
+class Fill_with_mesh_3_in_its_folder : public ::testing::Test {
+protected:
+  void SetUp() override {
+    before_ = fs::current_path();
+    folder_ = fs::path(TUBULAR_MESHING_SCRATCH) / "mesh_3";
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+    fs::current_path(folder_);
+  }
+  void TearDown() override {
+    fs::current_path(before_);
+    EXPECT_TRUE(fs::is_empty(folder_)) << *fs::directory_iterator(folder_);
+    fs::remove_all(folder_);
+  }
+
+private:
+  fs::path before_, folder_;
+};
+
+// How a surface of one patch is refused, with a size for which it has some thousand points.
+std::string error_of(Surface surface, double size) {
+  const Patch_map patch = all_wall(surface);
+  Mesh mesh;
+  try {
+    tubular::fill_with_mesh_3(
+        surface, patch, [size](const Point&) { return size; }, mesh);
+  } catch (const tubular::Meshing_error& e) {
+    EXPECT_TRUE(mesh.points.empty());
+    return e.what();
+  }
+  return "";
+}
+
+/* A blade of one patch, its edge sharper than angles of 25 degrees allow: facets there are never good, and Mesh_3
+ * makes them smaller and smaller. */
+Surface make_blade() {
+  Surface blade = test_surfaces::make_square_duct();
+  for (auto v : blade.vertices()) {
+    const Point& p = blade.point(v);
+    blade.point(v) = Point(p.x(), 0.05 * p.y() * (p.x() + 1), p.z());
+  }
+  return blade;
+}
+
+TEST_F(Fill_with_mesh_3_in_its_folder, Comes_to_an_end) {
+  const std::string sentence = error_of(make_blade(), 0.3);
+  EXPECT_NE(sentence.find("comes to no end"), std::string::npos) << sentence;
+}
+
+TEST_F(Fill_with_mesh_3_in_its_folder, Leaves_no_files_where_a_surface_crosses_itself) {
+  Surface sphere = test_surfaces::make_sphere(16, 32);
+  for (auto v : sphere.vertices()) { // the upper half is turned inside out, and more
+    const Point& p = sphere.point(v);
+    if (p.z() > 0.5)
+      sphere.point(v) = Point(p.x(), p.y(), 0.5 - 3 * (p.z() - 0.5));
+  }
+  error_of(sphere, 0.2); // whether it fails or not
+}
+
 TEST(Fill_with_mesh_3, Lets_the_fields_exceptions_through) {
   Surface sphere = test_surfaces::make_sphere(16, 32);
   const Patch_map patch = all_wall(sphere);
@@ -89,8 +146,7 @@ TEST(Fill_with_mesh_3, Lets_the_fields_exceptions_through) {
       return 0.1;
     };
     Mesh mesh;
-    EXPECT_THROW(tubular::fill_with_mesh_3(sphere, patch, size, mesh, tubular::parameters::number_of_threads(1)),
-                 std::domain_error);
+    EXPECT_THROW(tubular::fill_with_mesh_3(sphere, patch, size, mesh), std::domain_error);
   }
 }
 

@@ -160,8 +160,7 @@ inline void declare_options(CLI::App& app, Options& o, const std::string& versio
                  ".vtp .msh .ply .off .obj .vtk");
   app.add_option("--write-centerlines", o.centerlines_output, "write the branches and their radii: .vtp .vtk");
   app.add_option("--threads", o.threads,
-                 "number of threads; results by Mesh_3 are reproducible with 1, those by patches with any number "
-                 "(default: all cores)")
+                 "number of threads, on which results do not depend (default: all cores)")
       ->check(CLI::Range(0, 1024));
   auto* verbose = app.add_flag("-v,--verbose", o.verbose, "say more: the branches, a histogram of the quality");
   app.add_flag("-q,--quiet", o.quiet, "print errors only")->excludes(verbose);

@@ -68,7 +68,7 @@ struct Mesher_report {
  *     \cgalParamDefault{0}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{number_of_threads}
- *     \cgalParamDescription{0: all cores. With Mesh_3, results are reproducible with one}
+ *     \cgalParamDescription{0: all cores. Results do not depend on it}
  *     \cgalParamType{int}
  *     \cgalParamDefault{0}
  *   \cgalParamNEnd

@@ -95,7 +95,7 @@ template <class FaceGraph, class NamedParameters = CGAL::parameters::Default_nam
 Tubular_model make_tubular_model(const FaceGraph& surface, const Centerline_polylines& lines,
                                  const NamedParameters& np = CGAL::parameters::default_values()) {
   Tubular_model model;
-  internal::copy_to_core(surface, model.surface, np);
+  copy_face_graph(*internal::Core_surface<FaceGraph, NamedParameters>(surface, np), model.surface);
   internal::prepare(model, lines, Tubular_model_options(np));
   return model;
 }
@@ -146,7 +146,7 @@ template <class FaceGraph, class NamedParameters = CGAL::parameters::Default_nam
 Tubular_model make_tubular_model(const FaceGraph& surface,
                                  const NamedParameters& np = CGAL::parameters::default_values()) {
   Tubular_model model;
-  internal::copy_to_core(surface, model.surface, np);
+  copy_face_graph(*internal::Core_surface<FaceGraph, NamedParameters>(surface, np), model.surface);
   internal::prepare(model, Tubular_model_options(np));
   return model;
 }

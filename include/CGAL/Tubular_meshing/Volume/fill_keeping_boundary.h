@@ -58,8 +58,7 @@ void fill_keeping_boundary(const Surface& surface, Face_patch_map patch, Length_
  * \param size a model of `MeshDomainField_3`, or a function object of a point: the wanted length of edges. Inside,
  *   edges are 1.05 times as long on average. Must outlive the call only.
  * \param mesh is replaced: tetrahedra of region labels::lumen, and the surface's triangles. Its first points are the
- *   surface's, its triangles the surface's faces, both in their order and bit for bit, if it is a `Surface`;
- *   vertices of another graph are numbered as `CGAL::copy_face_graph()` does it.
+ *   surface's, its triangles the surface's faces, both in their order, and bit for bit where the surface has doubles.
  * \param np an optional sequence of named parameters among the ones listed below
  *
  * \cgalNamedParamsBegin

@@ -17,12 +17,10 @@ namespace CGAL::Tubular_meshing {
  * The named parameters of fill_with_mesh_3(), as a struct. */
 struct Fill_with_mesh_3_options {
   double facet_distance = 0.07;
-  int number_of_threads = 0;
 
   Fill_with_mesh_3_options() = default;
   template <class NamedParameters> explicit Fill_with_mesh_3_options(const NamedParameters& np) {
     facet_distance = internal::choose(np, internal_np::facet_distance, facet_distance);
-    number_of_threads = internal::choose(np, internal_np::number_of_threads, number_of_threads);
   }
 };
 
@@ -44,7 +42,7 @@ void fill_with_mesh_3(const Surface& surface, Face_patch_map patch, Length_funct
  * \param surface a closed triangle mesh without self-intersections, its faces turned outward
  * \param patch labels::wall, and one label a cap. Caps do not touch each other.
  * \param size a model of `MeshDomainField_3`, or a function object of a point: the wanted length of edges. Must outlive
- *   the call only. It is called from several threads at once, unless `number_of_threads` is 1.
+ *   the call only. What it throws comes through.
  * \param mesh is replaced: tetrahedra of region labels::lumen, and all boundary triangles
  * \param np an optional sequence of named parameters among the ones listed below
  *
@@ -55,11 +53,6 @@ void fill_with_mesh_3(const Surface& surface, Face_patch_map patch, Length_funct
  *     \cgalParamType{`double`}
  *     \cgalParamDefault{0.07, a third more than a triangle of edge h has on a tube of 20 h circumference}
  *   \cgalParamNEnd
- *   \cgalParamNBegin{number_of_threads}
- *     \cgalParamDescription{with 1 the result is reproducible; 0 takes all cores}
- *     \cgalParamType{`int`}
- *     \cgalParamDefault{0}
- *   \cgalParamNEnd
  *   \cgalParamNBegin{vertex_point_map}
  *     \cgalParamDescription{the points of the surface's vertices}
  *     \cgalParamType{a model of `ReadablePropertyMap`}
@@ -68,9 +61,12 @@ void fill_with_mesh_3(const Surface& surface, Face_patch_map patch, Length_funct
  * \cgalNamedParamsEnd
  *
  * \throws Input_error if the surface has faces other than triangles
- * \throws Meshing_error if Mesh_3 fails, or is stopped: it is asked to stop when it has made many times the points that
- *   the sizes ask for. `mesh` is empty then. On surfaces that cross themselves, or have edges sharper than 25 degrees
- *   inside of a patch, it may run on nevertheless. With one thread, what the field throws comes through.
+ * \throws Meshing_error if Mesh_3 fails, or comes to no end: it is stopped when it has made many times the points that
+ *   the sizes ask for, as on surfaces that cross themselves, or have edges sharper than 25 degrees inside of a patch.
+ *   `mesh` is empty then.
+ *
+ * One thread, so that the same input gives the same mesh: Mesh_3 on several is reproducible in no version of CGAL, and
+ * waits without end where one of its threads throws.
  */
 template <class FaceGraph, class FacePatchMap, class SizingField,
           class NamedParameters = CGAL::parameters::Default_named_parameters>

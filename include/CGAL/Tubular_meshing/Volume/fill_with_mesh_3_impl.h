@@ -12,38 +12,12 @@
 #include <CGAL/assertions.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/boost/graph/helpers.h>
-#include <CGAL/tags.h>
 
-#ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/global_control.h>
-#include <tbb/info.h>
-#endif
-
-#include <cstddef>
 #include <iterator>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Tubular_meshing::internal {
-
-// Mesh_3 on one thread or on several, which are two meshers: that for several is compiled in Mesh_3_parallel.cpp, as
-// one unit of both would take too much memory.
-#if defined(CGAL_LINKED_WITH_TBB) && !defined(CGAL_TUBULAR_MESHING_HEADER_ONLY)
-extern template void run_mesh_3<Parallel_tag>(Surface&, const Watched_size&, double, Mixed_mesh&);
-#endif
-
-inline void run_mesh_3_on(int threads, Surface& labelled, const Watched_size& size, double facet_distance,
-                          Mixed_mesh& mesh) {
-#ifdef CGAL_LINKED_WITH_TBB
-  const std::size_t concurrency = threads > 0 ? std::size_t(threads) : std::size_t(tbb::info::default_concurrency());
-  if (concurrency > 1) {
-    tbb::global_control control(tbb::global_control::max_allowed_parallelism, concurrency);
-    return run_mesh_3<Parallel_tag>(labelled, size, facet_distance, mesh);
-  }
-#endif
-  static_cast<void>(threads);
-  run_mesh_3<Sequential_tag>(labelled, size, facet_distance, mesh);
-}
 
 CGAL_TUBULAR_MESHING_INLINE void fill_with_mesh_3(const Surface& surface, Face_patch_map patch, Length_function size,
                                                   Mixed_mesh& mesh, const Fill_with_mesh_3_options& options) {
@@ -59,14 +33,11 @@ CGAL_TUBULAR_MESHING_INLINE void fill_with_mesh_3(const Surface& surface, Face_p
   mesh = Mixed_mesh();
   const Watched_size watched(size, labelled, options.facet_distance);
   try {
-    run_mesh_3_on(options.number_of_threads, labelled, watched, options.facet_distance, mesh);
+    run_mesh_3(labelled, watched, options.facet_distance, mesh);
   } catch (const Failure_exception& e) {
     throw Meshing_error("Mesh_3 cannot fill this surface (" + e.message() + " " + e.expression() +
                         "): check that it does not intersect itself.");
   }
-  if (watched.stop())
-    throw Meshing_error("Mesh_3 comes to no end on this surface: it was stopped at many times the points that the mesh "
-                        "size asks for. Check that the surface does not intersect itself, and has no sharp folds.");
   if (mesh.tetrahedra.empty())
     throw Meshing_error("Mesh_3 found no volume inside the surface: check that it is closed and larger than the mesh "
                         "size.");

@@ -7,10 +7,13 @@
 #include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/base/Labelled_surface.h>
 
+#include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/named_params_helper.h>
-#include <CGAL/iterator.h>
 #include <CGAL/number_utils.h>
+#include <CGAL/property_map.h>
 
 #include <cstddef>
 #include <iterator>
@@ -69,10 +72,46 @@ constexpr bool is_core_surface = std::is_same<FaceGraph, Surface>::value&&
     std::is_same<typename GetVertexPointMap<FaceGraph, NamedParameters>::const_type,
                  typename boost::property_map<Surface, CGAL::vertex_point_t>::const_type>::value;
 
-/* A copy of a caller's mesh, its faces in the caller's order, its vertices in that of copy_face_graph(). O(n). */
+template <class From, class To>
+using Face_copies = std::vector<
+    std::pair<typename boost::graph_traits<From>::face_descriptor, typename boost::graph_traits<To>::face_descriptor>>;
+
+/* Adds the vertices and faces of `from` to an empty mesh in their order, each face from the same corner; `copies` gets
+ * each face with its copy. False if faces cannot be added one by one. O(n). */
+template <class From, class FromPoints, class To, class ToPoints>
+bool copy_in_order(const From& from, FromPoints from_points, To& to, ToPoints to_points,
+                   Face_copies<From, To>& copies) {
+  typedef typename boost::graph_traits<To>::vertex_descriptor Vertex;
+  const auto copy_of = get(CGAL::dynamic_vertex_property_t<Vertex>(), from);
+  for (auto v : vertices(from)) {
+    const Vertex copy = add_vertex(to);
+    put(to_points, copy, get(from_points, v));
+    put(copy_of, v, copy);
+  }
+  copies.reserve(num_faces(from));
+  std::vector<Vertex> corners;
+  for (auto f : faces(from)) {
+    corners.clear();
+    for (auto v : vertices_around_face(halfedge(f, from), from)) // from its halfedge's target, as add_face() begins
+      corners.push_back(get(copy_of, v));
+    const auto copy = Euler::add_face(corners, to);
+    if (copy == boost::graph_traits<To>::null_face())
+      return false;
+    copies.emplace_back(f, copy);
+  }
+  return true;
+}
+
+/* Copies a caller's mesh into an empty surface, whose property maps stay, in the caller's order, so that what is made of
+ * the copy does not depend on the mesh's type. (copy_face_graph() numbers vertices as it meets them.) O(n). */
 template <class FaceGraph, class NamedParameters>
 void copy_to_core(const FaceGraph& mesh, Surface& surface, const NamedParameters& np) {
-  copy_face_graph(mesh, surface, CGAL::parameters::vertex_point_map(core_points(mesh, np)));
+  const auto points = core_points(mesh, np);
+  Face_copies<FaceGraph, Surface> copies;
+  if (!copy_in_order(mesh, points, surface, get(vertex_point, surface), copies)) {
+    surface.clear_without_removing_property_maps();
+    copy_face_graph(mesh, surface, CGAL::parameters::vertex_point_map(points));
+  }
 }
 
 /* The surface as the core has it: the caller's own where it is one already, else a copy. A skin's first line:
@@ -138,33 +177,30 @@ private:
   Face_patch_map patch_;
 };
 
-/* The way back: `mesh` becomes a copy of the core's surface; `copies` receives each face with its copy. O(n). */
-template <class FaceGraph, class NamedParameters, class Copies>
-void copy_faces_from_core(const Surface& surface, FaceGraph& mesh, const NamedParameters& np, Copies copies) {
+/* The way back: `mesh` becomes a copy of the core's surface, in its order. Returns each face with its copy. O(n). */
+template <class FaceGraph, class NamedParameters>
+Face_copies<Surface, FaceGraph> copy_from_core(const Surface& surface, FaceGraph& mesh, const NamedParameters& np) {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   typedef typename GetVertexPointMap<FaceGraph, NamedParameters>::type Points;
   const Core_point_map<Points> points{
       choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point), get_property_map(vertex_point, mesh))};
+  Face_copies<Surface, FaceGraph> copies;
   clear(mesh);
-  copy_face_graph(surface, mesh, CGAL::parameters::face_to_face_output_iterator(copies),
-                  CGAL::parameters::vertex_point_map(points));
-}
-
-template <class FaceGraph, class NamedParameters>
-void copy_from_core(const Surface& surface, FaceGraph& mesh, const NamedParameters& np) {
-  copy_faces_from_core(surface, mesh, np, CGAL::Emptyset_iterator());
+  if (!copy_in_order(surface, get(vertex_point, surface), mesh, points, copies)) {
+    clear(mesh);
+    copies.clear();
+    copy_face_graph(surface, mesh, CGAL::parameters::face_to_face_output_iterator(std::back_inserter(copies)),
+                    CGAL::parameters::vertex_point_map(points));
+  }
+  return copies;
 }
 
 /* The same, and the faces get their labels. */
 template <class FaceGraph, class FacePatchMap, class NamedParameters>
 void copy_from_core(const Surface& surface, Face_patch_map patch, FaceGraph& mesh, FacePatchMap labels,
                     const NamedParameters& np) {
-  typedef typename boost::graph_traits<FaceGraph>::face_descriptor Face;
-  std::vector<std::pair<Surface::Face_index, Face>> copies;
-  copies.reserve(surface.number_of_faces());
-  copy_faces_from_core(surface, mesh, np, std::back_inserter(copies));
-  for (const auto& c : copies)
+  for (const auto& c : copy_from_core(surface, mesh, np))
     put(labels, c.second, patch[c.first]);
 }
 

@@ -6,20 +6,20 @@
 
 #include <CGAL/Tubular_meshing/base/Function_view.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
+#include <CGAL/Tubular_meshing/base/exceptions.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <cstdint>
-#include <mutex>
+#include <limits>
 
 namespace CGAL::Tubular_meshing::internal {
 
 /* A size field that knows how often it is asked. Mesh_3 is proved to come to an end on smooth surfaces; where one
- * crosses itself, or has sharp folds inside of a patch, it may put points closer and closer for ever. A mesh of sizes h
- * has a number of points near V/h³ + A/h², with the means of h³ and h² over the points, and near that of the surface
- * where h is large: when the field has been asked as often as it takes for many times as many, stop() is set, which
- * Mesh_3 looks at after each point. Safe to call from several threads. */
+ * crosses itself, or has sharp folds inside of a patch, it may put points closer and closer without end. A mesh of sizes
+ * h has a number of points near V/h³ + A/h², with the means of h³ and h² over the points, and near that of the surface
+ * where h is large: when the field has been asked as often as it takes for many times as many, it throws, which ends
+ * Mesh_3. */
 class Watched_size {
 public:
   // `facet_distance`: see fill_with_mesh_3()
@@ -42,38 +42,46 @@ public:
   Watched_size(const Watched_size&) = delete;
   Watched_size& operator=(const Watched_size&) = delete;
 
+  // Throws a Meshing_error when it has been asked too often.
   double operator()(const Point_3& p) const {
     const double h = size_(p);
-    const std::uint64_t number = requests_.fetch_add(1, std::memory_order_relaxed);
-    if (number % sample_of == 0)
-      judge(double(number), h);
+    if (requests_++ % sample_of == 0)
+      sample(h);
     return h;
   }
 
-  std::atomic<bool>& stop() const { return stop_; }
+  // Counts the cuts of the domain; throws as well.
+  void note_intersection() const {
+    if (double(++intersections_) > most_points * intersections_a_point * expected_points_)
+      throw_endless();
+  }
 
 private:
   static constexpr std::uint64_t sample_of = 64;
   static constexpr double usual_distance = 0.07;
-  static constexpr double requests_a_point = 24; // 22 to 24 were measured, at any size
-  static constexpr double most_points = 20;       // times what is expected
+  static constexpr double requests_a_point = 24;      // 5 to 33 were measured
+  static constexpr double intersections_a_point = 60; // 12 to 92
+  static constexpr double most_points = 20;           // times what is expected
 
-  void judge(double number, double h) const {
-    const std::lock_guard<std::mutex> lock(mutex_);
+  void sample(double h) const {
     ++samples_;
     square_ += h * h;
     cube_ += h * h * h;
-    const double expected = samples_ * (std::abs(volume_) / cube_ + area_ / square_) + points_of_surface_;
-    if (number > most_points * requests_a_point * expected)
-      stop_ = true;
+    expected_points_ = samples_ * (std::abs(volume_) / cube_ + area_ / square_) + points_of_surface_;
+    if (double(requests_) > most_points * requests_a_point * expected_points_)
+      throw_endless();
+  }
+
+  [[noreturn]] static void throw_endless() {
+    throw Meshing_error("Mesh_3 comes to no end on this surface: it was stopped at many times the points that the mesh "
+                        "size asks for. Check that the surface does not intersect itself, and has no sharp folds.");
   }
 
   Length_function size_;
   double points_of_surface_, volume_ = 0, area_ = 0;
-  mutable std::atomic<std::uint64_t> requests_{0};
-  mutable std::atomic<bool> stop_{false};
-  mutable std::mutex mutex_;
+  mutable std::uint64_t requests_ = 0, intersections_ = 0;
   mutable double samples_ = 0, square_ = 0, cube_ = 0;
+  mutable double expected_points_ = (std::numeric_limits<double>::max)(); // none yet
 };
 
 } // namespace CGAL::Tubular_meshing::internal

@@ -10,8 +10,6 @@
 #include <CGAL/Tubular_meshing/Volume/internal/mesh_3/mesh_complex_to_mixed_mesh.h>
 #include <CGAL/Tubular_meshing/Volume/internal/mesh_3/rim_polylines.h>
 
-#include <CGAL/Mesh_triangulation_3.h>
-
 #include <utility>
 #include <vector>
 
@@ -33,28 +31,23 @@ constexpr double cell_ball_radius = 0.81;
 constexpr double facet_angle_bound = 25; // degrees; Mesh_3 is proved to end up to 30
 constexpr double radius_edge_ratio_bound = 2;
 
-// `labelled_surface` has its labels in CGAL's own property map of patches.
-template <class ConcurrencyTag>
-void run_mesh_3(Surface& labelled_surface, const Watched_size& size, double facet_distance, Mixed_mesh& mesh) {
-  typedef typename Mesh_triangulation_3<Lumen_domain, Default, ConcurrencyTag>::type Triangulation;
-  typedef Lumen_criteria<Triangulation> Criteria;
-
-  Lumen_domain domain(labelled_surface);
+// `labelled_surface` has its labels in CGAL's own property map of patches. What the size throws comes through.
+inline void run_mesh_3(Surface& labelled_surface, const Watched_size& size, double facet_distance, Mixed_mesh& mesh) {
+  Lumen_domain domain(labelled_surface, size);
   std::vector<Rim_polyline> rims;
   for (const Rim_polyline& rim : rim_polylines(labelled_surface, get(face_patch_id_t<int>(), labelled_surface)))
     for (auto& piece : split_at_corners(rim.points, [&](const Point_3& p) { return 0.5 * size(p); }))
       rims.push_back({std::move(piece), rim.patches});
   domain.add_features_and_incidences(rims.begin(), rims.end(), Rim_points_map(), Rim_patches_map());
 
-  const Criteria criteria = {
-      typename Criteria::Edge_criteria(Scaled_size{&size, 1.}),
-      typename Criteria::Facet_criteria(facet_angle_bound, Scaled_size{&size, facet_ball_radius},
-                                        Scaled_size{&size, facet_distance}),
-      typename Criteria::Cell_criteria(radius_edge_ratio_bound, Scaled_size{&size, cell_ball_radius})};
-  Lumen_complex<Triangulation> complex;
-  make_complex(domain, criteria, size.stop(), complex);
-  if (!size.stop())
-    mesh_complex_to_mixed_mesh(complex, mesh);
+  const Lumen_criteria criteria = {
+      Lumen_criteria::Edge_criteria(Scaled_size{&size, 1.}),
+      Lumen_criteria::Facet_criteria(facet_angle_bound, Scaled_size{&size, facet_ball_radius},
+                                     Scaled_size{&size, facet_distance}),
+      Lumen_criteria::Cell_criteria(radius_edge_ratio_bound, Scaled_size{&size, cell_ball_radius})};
+  Lumen_complex complex;
+  make_complex(domain, criteria, complex);
+  mesh_complex_to_mixed_mesh(complex, mesh);
 }
 
 } // namespace CGAL::Tubular_meshing::internal
