@@ -5,12 +5,9 @@
 #define CGAL_TUBULAR_MESHING_PLANE_METRIC_PLANE_H
 
 #include <CGAL/Tubular_meshing/base/element_measures.h>
-#include <CGAL/Tubular_meshing/Plane/Metric_tensor_2.h>
 #include <CGAL/Tubular_meshing/Plane/Plane_store.h>
 #include <CGAL/Tubular_meshing/Plane/Plane_triangulation.h>
-#include <CGAL/Tubular_meshing/base/Function_view.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
-#include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
 #include <algorithm>
 #include <cmath>

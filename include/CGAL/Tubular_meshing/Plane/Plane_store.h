@@ -4,7 +4,6 @@
 #ifndef CGAL_TUBULAR_MESHING_PLANE_PLANE_STORE_H
 #define CGAL_TUBULAR_MESHING_PLANE_PLANE_STORE_H
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <utility>

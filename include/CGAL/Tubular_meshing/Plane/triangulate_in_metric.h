@@ -4,10 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_PLANE_TRIANGULATE_IN_METRIC_H
 #define CGAL_TUBULAR_MESHING_PLANE_TRIANGULATE_IN_METRIC_H
 
-#include <CGAL/Tubular_meshing/Plane/Metric_tensor_2.h>
 #include <CGAL/Tubular_meshing/Plane/Plane_triangulation.h>
-#include <CGAL/Tubular_meshing/base/Vector_3d.h>
-#include <CGAL/Tubular_meshing/base/exceptions.h>
 #include <CGAL/Tubular_meshing/base/parameters.h>
 
 #include <CGAL/number_utils.h>

@@ -4,11 +4,8 @@
 #ifndef CGAL_TUBULAR_MESHING_QUALITY_QUALITY_REPORT_IMPL_H
 #define CGAL_TUBULAR_MESHING_QUALITY_QUALITY_REPORT_IMPL_H
 
-#include <CGAL/Tubular_meshing/Fields/Metric_tensor_3.h>
 #include <CGAL/Tubular_meshing/Quality/quality_report.h>
 #include <CGAL/Tubular_meshing/Quality/shape_measures.h>
-#include <CGAL/Tubular_meshing/base/Vector_3d.h>
-#include <CGAL/Tubular_meshing/base/element_measures.h>
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,6 @@
 #define CGAL_TUBULAR_MESHING_QUALITY_SHAPE_MEASURES_H
 
 #include <CGAL/Tubular_meshing/Fields/Metric_tensor_3.h>
-#include <CGAL/Tubular_meshing/base/Vector_3d.h>
 #include <CGAL/Tubular_meshing/base/element_measures.h>
 
 #include <array>

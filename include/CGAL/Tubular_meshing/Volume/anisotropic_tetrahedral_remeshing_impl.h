@@ -5,18 +5,12 @@
 #define CGAL_TUBULAR_MESHING_VOLUME_ANISOTROPIC_TETRAHEDRAL_REMESHING_IMPL_H
 
 #include <CGAL/Tubular_meshing/Volume/anisotropic_tetrahedral_remeshing.h>
-#include <CGAL/Tubular_meshing/Volume/internal/Patch_projection.h>
-#include <CGAL/Tubular_meshing/Volume/internal/Tetrahedron_store.h>
-#include <CGAL/Tubular_meshing/Volume/internal/remeshing/Metric_mesh.h>
 #include <CGAL/Tubular_meshing/Volume/internal/remeshing/Metric_remesher.h>
-#include <CGAL/Tubular_meshing/Volume/internal/remeshing/remeshing_input.h>
-#include <CGAL/Tubular_meshing/base/exceptions.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Tubular_meshing {

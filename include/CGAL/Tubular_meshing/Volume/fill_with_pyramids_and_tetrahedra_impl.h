@@ -4,20 +4,14 @@
 #ifndef CGAL_TUBULAR_MESHING_VOLUME_FILL_WITH_PYRAMIDS_AND_TETRAHEDRA_IMPL_H
 #define CGAL_TUBULAR_MESHING_VOLUME_FILL_WITH_PYRAMIDS_AND_TETRAHEDRA_IMPL_H
 
-#include <CGAL/Tubular_meshing/Patches/surface_to_mixed_mesh.h>
 #include <CGAL/Tubular_meshing/Volume/fill_with_pyramids_and_tetrahedra.h>
-#include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/boundary_recovery.h>
 #include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/fill_by_recovery.h>
-#include <CGAL/Tubular_meshing/Volume/internal/pyramids/Crowned_surface.h>
 #include <CGAL/Tubular_meshing/Volume/internal/pyramids/Size_near_surface.h>
 #include <CGAL/Tubular_meshing/Volume/internal/pyramids/crown_quads.h>
 #include <CGAL/Tubular_meshing/Volume/internal/pyramids/optimize_with_apexes.h>
-#include <CGAL/Tubular_meshing/base/exceptions.h>
-#include <CGAL/Tubular_meshing/base/labels.h>
 
 #include <cstddef>
 #include <cstdint>
-#include <string>
 #include <utility>
 
 namespace CGAL {

@@ -7,21 +7,11 @@
 #include <CGAL/Tubular_meshing/Layers/extrude_boundary_layer.h>
 #include <CGAL/Tubular_meshing/Layers/internal/Layer_builder.h>
 #include <CGAL/Tubular_meshing/Layers/internal/Layer_engine.h>
-#include <CGAL/Tubular_meshing/Layers/internal/Layer_surface.h>
 #include <CGAL/Tubular_meshing/Layers/internal/Wall_facets.h>
-#include <CGAL/Tubular_meshing/Plane/Metric_tensor_2.h>
 #include <CGAL/Tubular_meshing/Plane/triangulate_in_metric.h>
-#include <CGAL/Tubular_meshing/base/Function_view.h>
-#include <CGAL/Tubular_meshing/base/Kernel.h>
-#include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
-#include <CGAL/Tubular_meshing/base/Plane_frame.h>
-#include <CGAL/Tubular_meshing/base/exceptions.h>
-#include <CGAL/Tubular_meshing/base/Vector_3d.h>
-#include <CGAL/Tubular_meshing/base/labels.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <string>

@@ -6,20 +6,15 @@
 
 #include <CGAL/Tubular_meshing/Layers/Layer_report.h>
 #include <CGAL/Tubular_meshing/Layers/internal/Column_optimizer.h>
-#include <CGAL/Tubular_meshing/Layers/internal/Layer_directions.h>
-#include <CGAL/Tubular_meshing/Layers/internal/Layer_surface.h>
 #include <CGAL/Tubular_meshing/Layers/internal/Layer_thickness.h>
-#include <CGAL/Tubular_meshing/base/Plane_frame.h>
 #include <CGAL/Tubular_meshing/Layers/internal/triangle_crossings.h>
 #include <CGAL/Tubular_meshing/Rims/planar_cap.h>
 #include <CGAL/Tubular_meshing/base/Function_view.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
-#include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <limits>
 #include <string>
 #include <vector>

@@ -4,18 +4,10 @@
 #ifndef CGAL_TUBULAR_MESHING_LAYERS_INTERNAL_WALL_EXTRUDER_H
 #define CGAL_TUBULAR_MESHING_LAYERS_INTERNAL_WALL_EXTRUDER_H
 
-#include <CGAL/Tubular_meshing/Layers/Layer_report.h>
 #include <CGAL/Tubular_meshing/Layers/extrude_wall.h>
 #include <CGAL/Tubular_meshing/Layers/internal/Layer_builder.h>
 #include <CGAL/Tubular_meshing/Layers/internal/Layer_engine.h>
-#include <CGAL/Tubular_meshing/Layers/internal/Layer_surface.h>
 #include <CGAL/Tubular_meshing/Layers/internal/Wall_facets.h>
-#include <CGAL/Tubular_meshing/base/Function_view.h>
-#include <CGAL/Tubular_meshing/base/Kernel.h>
-#include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
-#include <CGAL/Tubular_meshing/base/exceptions.h>
-#include <CGAL/Tubular_meshing/base/Vector_3d.h>
-#include <CGAL/Tubular_meshing/base/labels.h>
 
 #include <algorithm>
 #include <cmath>

@@ -7,9 +7,6 @@
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/Layers/internal/Box_tree.h>
 #include <CGAL/Tubular_meshing/Layers/internal/Layer_surface.h>
-#include <CGAL/Tubular_meshing/base/exceptions.h>
-#include <CGAL/Tubular_meshing/base/Vector_3d.h>
-#include <CGAL/Tubular_meshing/base/labels.h>
 
 #include <algorithm>
 #include <array>

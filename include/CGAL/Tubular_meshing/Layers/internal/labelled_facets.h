@@ -4,10 +4,8 @@
 #ifndef CGAL_TUBULAR_MESHING_LAYERS_INTERNAL_LABELLED_FACETS_H
 #define CGAL_TUBULAR_MESHING_LAYERS_INTERNAL_LABELLED_FACETS_H
 
-#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
-#include <CGAL/Tubular_meshing/base/labels.h>
 
 #include <cstddef>
 #include <cstdint>

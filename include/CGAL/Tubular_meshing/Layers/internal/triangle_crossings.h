@@ -6,11 +6,9 @@
 
 #include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Layers/internal/Box_tree.h>
-#include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
 #include <CGAL/intersections.h>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <vector>

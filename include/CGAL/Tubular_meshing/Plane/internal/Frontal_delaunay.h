@@ -4,10 +4,8 @@
 #ifndef CGAL_TUBULAR_MESHING_PLANE_INTERNAL_FRONTAL_DELAUNAY_H
 #define CGAL_TUBULAR_MESHING_PLANE_INTERNAL_FRONTAL_DELAUNAY_H
 
-#include <CGAL/Tubular_meshing/Plane/Metric_plane.h>
 #include <CGAL/Tubular_meshing/Plane/Point_insertion.h>
 #include <CGAL/Tubular_meshing/base/constants.h>
-#include <CGAL/Tubular_meshing/base/exceptions.h>
 
 #include <algorithm>
 #include <cmath>

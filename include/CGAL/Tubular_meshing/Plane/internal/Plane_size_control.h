@@ -4,14 +4,12 @@
 #ifndef CGAL_TUBULAR_MESHING_PLANE_INTERNAL_PLANE_SIZE_CONTROL_H
 #define CGAL_TUBULAR_MESHING_PLANE_INTERNAL_PLANE_SIZE_CONTROL_H
 
-#include <CGAL/Tubular_meshing/Plane/Metric_plane.h>
 #include <CGAL/Tubular_meshing/Plane/Plane_flips.h>
 #include <CGAL/Tubular_meshing/Plane/Point_insertion.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <vector>
 
 namespace CGAL::Tubular_meshing::internal {
 

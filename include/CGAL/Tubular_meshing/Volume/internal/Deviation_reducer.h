@@ -4,13 +4,8 @@
 #ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_DEVIATION_REDUCER_H
 #define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_DEVIATION_REDUCER_H
 
-#include <CGAL/Tubular_meshing/base/Kernel.h>
-#include <CGAL/Tubular_meshing/base/Nearest_tree.h>
 #include <CGAL/Tubular_meshing/Volume/internal/Patch_projection.h>
-#include <CGAL/Tubular_meshing/Volume/internal/Tetrahedron_store.h>
 #include <CGAL/Tubular_meshing/Volume/internal/Vertex_optimizer.h>
-#include <CGAL/Tubular_meshing/base/Vector_3d.h>
-#include <CGAL/Tubular_meshing/base/parallel.h>
 
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>

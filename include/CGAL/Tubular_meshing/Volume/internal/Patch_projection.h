@@ -4,10 +4,8 @@
 #ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_PATCH_PROJECTION_H
 #define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_PATCH_PROJECTION_H
 
-#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Volume/internal/Tetrahedron_store.h>
 #include <CGAL/Tubular_meshing/base/Nearest_tree.h>
-#include <CGAL/Tubular_meshing/base/Vector_3d.h>
 #include <CGAL/Tubular_meshing/Rims/rim_corners.h>
 
 #include <algorithm>

@@ -5,7 +5,6 @@
 #define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_SHAPE_ENERGY_H
 
 #include <CGAL/Tubular_meshing/base/element_measures.h>
-#include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
 #include <cmath>
 

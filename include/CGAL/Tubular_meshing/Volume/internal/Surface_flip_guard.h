@@ -5,11 +5,8 @@
 #define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_SURFACE_FLIP_GUARD_H
 
 #include <CGAL/Tubular_meshing/Volume/internal/Patch_projection.h>
-#include <CGAL/Tubular_meshing/Volume/internal/Tetrahedron_store.h>
-#include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 
 namespace CGAL::Tubular_meshing::internal {

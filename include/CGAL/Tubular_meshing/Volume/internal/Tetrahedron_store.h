@@ -4,9 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_TETRAHEDRON_STORE_H
 #define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_TETRAHEDRON_STORE_H
 
-#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
-#include <CGAL/Tubular_meshing/base/Vector_3d.h>
 #include <CGAL/Tubular_meshing/base/element_measures.h>
 
 #include <boost/container/small_vector.hpp>

@@ -7,8 +7,6 @@
 #include <CGAL/Tubular_meshing/base/element_measures.h>
 #include <CGAL/Tubular_meshing/Volume/internal/Flip_search.h>
 #include <CGAL/Tubular_meshing/Volume/internal/Speculation.h>
-#include <CGAL/Tubular_meshing/Volume/internal/Tetrahedron_store.h>
-#include <CGAL/Tubular_meshing/base/parallel.h>
 
 #include <algorithm>
 #include <cstddef>

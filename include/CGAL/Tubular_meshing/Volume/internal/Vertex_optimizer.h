@@ -5,15 +5,11 @@
 #define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_VERTEX_OPTIMIZER_H
 
 #include <CGAL/Tubular_meshing/Volume/internal/Colored_stars.h>
-#include <CGAL/Tubular_meshing/Volume/internal/Shape_energy.h>
-#include <CGAL/Tubular_meshing/Volume/internal/Tetrahedron_store.h>
 #include <CGAL/Tubular_meshing/Volume/internal/newton_steps.h>
-#include <CGAL/Tubular_meshing/base/parallel.h>
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <limits>
 #include <utility>
 #include <vector>
 

@@ -5,7 +5,6 @@
 #define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_NEWTON_STEPS_H
 
 #include <CGAL/Tubular_meshing/Volume/internal/Shape_energy.h>
-#include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,6 @@
 #ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_OPTIMIZE_IN_PASSES_H
 #define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_OPTIMIZE_IN_PASSES_H
 
-#include <CGAL/Tubular_meshing/Volume/internal/Tetrahedron_store.h>
 #include <CGAL/Tubular_meshing/Volume/internal/Topology_optimizer.h>
 
 namespace CGAL {

@@ -4,7 +4,6 @@
 #ifndef CGAL_TUBULAR_MESHING_PATCHES_INTERNAL_CUT_SHAPE_TREE_H
 #define CGAL_TUBULAR_MESHING_PATCHES_INTERNAL_CUT_SHAPE_TREE_H
 
-#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/base/Nearest_tree.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
@@ -12,7 +11,6 @@
 #include <CGAL/Bbox_3.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <memory>

@@ -5,7 +5,6 @@
 #define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_KEPT_BOUNDARY_KEPT_BOUNDARY_H
 
 #include <CGAL/Tubular_meshing/Volume/internal/Tetrahedron_store.h>
-#include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
 #include <cstdint>
 

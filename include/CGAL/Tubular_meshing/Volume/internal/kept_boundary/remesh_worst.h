@@ -4,8 +4,6 @@
 #ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_KEPT_BOUNDARY_REMESH_WORST_H
 #define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_KEPT_BOUNDARY_REMESH_WORST_H
 
-#include <CGAL/Tubular_meshing/base/element_measures.h>
-#include <CGAL/Tubular_meshing/Volume/internal/Tetrahedron_store.h>
 #include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/Vertex_insertion.h>
 #include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/Vertex_removal.h>
 

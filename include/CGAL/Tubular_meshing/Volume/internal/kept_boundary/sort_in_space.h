@@ -5,7 +5,6 @@
 #define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_KEPT_BOUNDARY_SORT_IN_SPACE_H
 
 #include <CGAL/Tubular_meshing/Volume/internal/order_in_space.h>
-#include <CGAL/Tubular_meshing/base/Kernel.h>
 
 #include <array>
 #include <cstddef>

@@ -6,12 +6,8 @@
 
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/Volume/internal/Colored_stars.h>
-#include <CGAL/Tubular_meshing/Volume/internal/Shape_energy.h>
-#include <CGAL/Tubular_meshing/Volume/internal/Tetrahedron_store.h>
 #include <CGAL/Tubular_meshing/Volume/internal/newton_steps.h>
-#include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
-#include <array>
 #include <cstddef>
 
 namespace CGAL::Tubular_meshing::internal {

@@ -4,14 +4,12 @@
 #ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_PYRAMIDS_OPTIMIZE_WITH_APEXES_H
 #define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_PYRAMIDS_OPTIMIZE_WITH_APEXES_H
 
-#include <CGAL/Tubular_meshing/Volume/internal/Tetrahedron_store.h>
 #include <CGAL/Tubular_meshing/Volume/internal/Vertex_optimizer.h>
 #include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/Kept_boundary.h>
 #include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/remesh_worst.h>
 #include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/write_inside.h>
 #include <CGAL/Tubular_meshing/Volume/internal/optimize_in_passes.h>
 #include <CGAL/Tubular_meshing/Volume/internal/pyramids/Apex_optimizer.h>
-#include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 
 namespace CGAL {
 namespace Tubular_meshing {

@@ -4,7 +4,6 @@
 #ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REMESHING_CAVITY_H
 #define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REMESHING_CAVITY_H
 
-#include <CGAL/Tubular_meshing/Volume/internal/Tetrahedron_store.h>
 #include <CGAL/Tubular_meshing/Volume/internal/remeshing/Metric_mesh.h>
 
 #include <boost/container/small_vector.hpp>
@@ -12,7 +11,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <vector>
 
 namespace CGAL::Tubular_meshing::internal {
 

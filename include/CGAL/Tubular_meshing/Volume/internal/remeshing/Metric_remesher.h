@@ -8,14 +8,11 @@
 #include <CGAL/Tubular_meshing/Volume/internal/remeshing/Edge_collapser.h>
 #include <CGAL/Tubular_meshing/Volume/internal/remeshing/Edge_list.h>
 #include <CGAL/Tubular_meshing/Volume/internal/remeshing/Edge_splitter.h>
-#include <CGAL/Tubular_meshing/Volume/internal/remeshing/Metric_mesh.h>
 #include <CGAL/Tubular_meshing/Volume/internal/remeshing/Metric_relocation.h>
-#include <CGAL/Tubular_meshing/Volume/internal/remeshing/Remeshing_flips.h>
 #include <CGAL/Tubular_meshing/Volume/internal/remeshing/Remeshing_schedule.h>
 #include <CGAL/Tubular_meshing/Volume/internal/remeshing/local_volumes.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <vector>
 

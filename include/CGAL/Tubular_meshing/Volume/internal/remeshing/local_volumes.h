@@ -4,7 +4,6 @@
 #ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REMESHING_LOCAL_VOLUMES_H
 #define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REMESHING_LOCAL_VOLUMES_H
 
-#include <CGAL/Tubular_meshing/Volume/internal/Tetrahedron_store.h>
 #include <CGAL/Tubular_meshing/Volume/internal/remeshing/Metric_mesh.h>
 
 #include <algorithm>
