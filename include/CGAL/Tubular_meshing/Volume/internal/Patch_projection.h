@@ -44,33 +44,20 @@ public:
 
   // The labelled facets of a mesh, interfaces included, and the edges at which facets of different labels meet.
   explicit Patch_projection(const Tetrahedron_store& mesh) {
-    typedef Tetrahedron_store::Index Index;
     Triangles triangles;
     Segments segments;
-    std::vector<std::pair<std::pair<Index, Index>, std::int32_t>> edges;
-    for (Index t = 0; t < mesh.number_of_slots(); ++t)
+    for (Tetrahedron_store::Index t = 0; t < mesh.number_of_slots(); ++t)
       for (int i = 0; i < 4; ++i) {
-        if (!mesh.is_alive(t) || mesh[t].label[i] == 0)
-          continue;
-        const auto& c = Tetrahedron_store::facet_corners(i);
-        const auto vertex = [&](int k) { return mesh[t].v[c[k % 3]]; };
-        for (int k = 0; k < 3; ++k)
-          edges.push_back({std::minmax(vertex(k), vertex(k + 1)), mesh[t].label[i]});
-        // an interface is seen from both sides
-        if (mesh[t].neighbor[i] == Tetrahedron_store::none || Tetrahedron_store::facet(t, i) < mesh[t].neighbor[i])
-          triangles[mesh[t].label[i]].emplace_back(point(mesh, vertex(0)), point(mesh, vertex(1)),
-                                                   point(mesh, vertex(2)));
+        const auto facet = Tetrahedron_store::facet(t, i);
+        if (!mesh.is_alive(t) || mesh.label(facet) == 0 || mesh.other_side(facet) < facet)
+          continue; // an interface is seen from both sides
+        const auto v = mesh.vertices(facet);
+        triangles[mesh.label(facet)].emplace_back(point(mesh, v[0]), point(mesh, v[1]), point(mesh, v[2]));
       }
-    std::sort(edges.begin(), edges.end());
-    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-    for (std::size_t k = 0; k < edges.size();) {
-      const auto edge = edges[k].first;
-      Patches patches;
-      for (; k < edges.size() && edges[k].first == edge; ++k)
-        patches.push_back(edges[k].second);
+    mesh.for_each_labelled_edge([&](const auto& ends, const Patches& patches) {
       if (patches.size() > 1)
-        segments[patches].emplace_back(point(mesh, edge.first), point(mesh, edge.second));
-    }
+        segments[patches].emplace_back(point(mesh, ends.first), point(mesh, ends.second));
+    });
     build(triangles, segments);
   }
 

@@ -56,10 +56,8 @@ public:
 
   // The same for those of which `is_of_interest(t)` holds.
   template <class IsOfInterest> std::size_t improve_below(double threshold, const IsOfInterest& is_of_interest) {
-    std::vector<Index> candidates;
-    for (Index t = 0; t < store_.number_of_slots(); ++t)
-      if (store_.is_alive(t) && quality_[t] < threshold && is_of_interest(t))
-        candidates.push_back(t);
+    std::vector<Index> candidates =
+        store_.tetrahedra([&](Index t) { return quality_[t] < threshold && is_of_interest(t); });
     return improve_these(candidates, threshold);
   }
 
@@ -90,18 +88,14 @@ public:
   // Where others change the store as well, they keep the qualities up to date.
   double quality(Index t) const { return quality_[t]; }
   void update_all() {
-    quality_.resize(store_.number_of_slots());
-    made_.resize(store_.number_of_slots(), 0);
+    grow();
     for_each_range(quality_.size(), threads_, [&](std::size_t first, std::size_t last) {
       for (std::size_t t = first; t < last; ++t)
         update(Index(t));
     });
   }
   template <class List> void update_new(const List& tetrahedra) {
-    if (quality_.size() < store_.number_of_slots()) {
-      quality_.resize(store_.number_of_slots());
-      made_.resize(store_.number_of_slots(), 0);
-    }
+    grow();
     ++now_;
     for (Index t : tetrahedra) {
       update(t);
@@ -124,6 +118,10 @@ public:
 private:
   typedef Flip_search<Surface_guard, Measure> Search;
 
+  void grow() {
+    quality_.resize(store_.number_of_slots());
+    made_.resize(store_.number_of_slots(), 0);
+  }
   void update(Index t) {
     if (store_.is_alive(t)) {
       const auto& v = store_[t].v;

@@ -129,23 +129,20 @@ private:
 
   bool energy(Index v, const Vector_3d& x, const Normals& normals, bool with_derivatives, Shape_energy& e) const {
     const Location& at = location_[v];
+    bool positive = true;
     for (Index s : stars_.facets(v)) {
-      const auto& tet = store_[Store::tetrahedron_of(s)];
-      const int i = Store::opposite_of(s);
-      const auto& c = Store::facet_corners(i);
-      if (!e.add_tetrahedron(x, store_.point(tet.v[c[0]]), store_.point(tet.v[c[1]]), store_.point(tet.v[c[2]]),
-                             with_derivatives))
+      const auto f = store_.vertices(s);
+      if (!e.add_tetrahedron(x, store_.point(f[0]), store_.point(f[1]), store_.point(f[2]), with_derivatives))
         return false;
       if (at.dimension == 3)
         continue;
-      for (int j = 0; j < 4; ++j) {
-        if (j == i || tet.label[j] == 0)
-          continue;
-        const auto edge = facet_edge(tet, i, j);
-        if (!e.add_triangle(x, edge.first, edge.second, normals[tet.label[j] != at.patch[0]], triangle_weight,
-                            with_derivatives))
-          return false;
-      }
+      store_.for_each_labelled_facet(s, [&](Index facet, Index a, Index b) {
+        const Vector_3d& normal = normals[store_.label(facet) != at.patch[0]];
+        positive = positive && e.add_triangle(x, store_.point(a), store_.point(b), normal, triangle_weight,
+                                              with_derivatives);
+      });
+      if (!positive)
+        return false;
     }
     return true;
   }
@@ -154,23 +151,12 @@ private:
   double worst_quality(Index v) const {
     double worst = 1;
     for (Index s : stars_.facets(v)) {
-      const auto& tet = store_[Store::tetrahedron_of(s)];
-      worst = (std::min)(worst, gamma_of(store_, tet.v));
-      const int i = Store::opposite_of(s);
-      for (int j = 0; j < 4; ++j)
-        if (j != i && tet.label[j] != 0) {
-          const auto edge = facet_edge(tet, i, j);
-          worst = (std::min)(worst, 0.6 * triangle_gamma(store_.point(v), edge.first, edge.second));
-        }
+      worst = (std::min)(worst, gamma_of(store_, store_[Store::tetrahedron_of(s)].v));
+      store_.for_each_labelled_facet(s, [&](Index, Index a, Index b) {
+        worst = (std::min)(worst, 0.6 * triangle_gamma(store_.point(v), store_.point(a), store_.point(b)));
+      });
     }
     return worst;
-  }
-
-  // The two other vertices of the facet opposite to corner j, in the facet's order after corner i.
-  std::pair<Vector_3d, Vector_3d> facet_edge(const Store::Tetrahedron& tet, int i, int j) const {
-    const auto& f = Store::facet_corners(j);
-    const int k = f[0] == i ? 0 : f[1] == i ? 1 : 2;
-    return {store_.point(tet.v[f[(k + 1) % 3]]), store_.point(tet.v[f[(k + 2) % 3]])};
   }
 
   Normals surface_normals(Index v) const {
@@ -178,15 +164,11 @@ private:
     Normals sum;
     if (at.dimension == 3)
       return sum;
-    for (Index s : stars_.facets(v)) {
-      const auto& tet = store_[Store::tetrahedron_of(s)];
-      const int i = Store::opposite_of(s);
-      for (int j = 0; j < 4; ++j)
-        if (j != i && tet.label[j] != 0) {
-          const auto edge = facet_edge(tet, i, j);
-          sum[tet.label[j] != at.patch[0]] += cross(edge.first - store_.point(v), edge.second - store_.point(v));
-        }
-    }
+    const Vector_3d& p = store_.point(v);
+    for (Index s : stars_.facets(v))
+      store_.for_each_labelled_facet(s, [&](Index facet, Index a, Index b) {
+        sum[store_.label(facet) != at.patch[0]] += cross(store_.point(a) - p, store_.point(b) - p);
+      });
     return {normalized(sum[0]), normalized(sum[1])};
   }
 

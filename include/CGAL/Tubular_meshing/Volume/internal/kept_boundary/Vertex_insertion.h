@@ -50,7 +50,7 @@ public:
       }
     if (!(best.worst > required + least_gain))
       return false;
-    commit(best, come);
+    store_.replace_by_star(best.tetrahedra, best.facets, best.vertex, come);
     return true;
   }
 
@@ -204,16 +204,6 @@ private:
     c.facets.insert(c.facets.end(), opened.begin(), opened.begin() + number_opened);
     c.tetrahedra.push_back(t);
     return true;
-  }
-
-  void commit(const Candidate& c, Store::Index_list& come) {
-    const Index v = store_.add_vertex(c.vertex);
-    std::vector<Store::Vertices> cells;
-    for (Index f : c.facets) {
-      const auto w = store_.vertices(f);
-      cells.push_back({v, w[0], w[1], w[2]});
-    }
-    store_.replace(c.tetrahedra, cells, std::array<Store::Labelled_facet, 0>(), come);
   }
 
   Store& store_;

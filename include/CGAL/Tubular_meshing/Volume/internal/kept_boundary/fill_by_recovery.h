@@ -11,8 +11,7 @@
 #include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/Unit_frame.h>
 #include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/boundary_recovery.h>
 #include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/failure_sentence.h>
-#include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/sort_in_space.h>
-#include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/write_inside.h>
+#include <CGAL/Tubular_meshing/Volume/internal/order_in_space.h>
 #include <CGAL/Tubular_meshing/base/labels.h>
 
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
@@ -124,7 +123,7 @@ inline bool add_points_inside(Length_function size, std::size_t most_points, Mix
   Tetrahedron_store store(mesh);
   if (Delaunay_refinement(store, size, kept_boundary_radius_bound)(most_points) == most_points)
     return false;
-  write_inside(store, mesh);
+  store.write_inside_to(mesh);
   sort_in_space(mesh.points, mesh.tetrahedra.vertices); // all have the same label
   return true;
 }

@@ -26,7 +26,8 @@ public:
       , pyramids_(pyramids)
       , first_apex_(pyramids.empty() ? 0 : pyramids.vertices.front()[4])
       , threads_(threads) {
-    stars_.build(store, [this](Index v) { return v >= first_apex_ && v - first_apex_ < pyramids_.size(); });
+    if (!pyramids.empty())
+      stars_.build(store, [this](Index v) { return v >= first_apex_ && v - first_apex_ < pyramids_.size(); });
   }
 
   // One visit to each apex.
