@@ -22,6 +22,14 @@ struct Symmetric_matrix_3d {
     for (double* entry : {&xx, &xy, &xz, &yy, &yz, &zz})
       *entry *= s;
   }
+  void add(double s, const Symmetric_matrix_3d& m) {
+    xx += s * m.xx;
+    xy += s * m.xy;
+    xz += s * m.xz;
+    yy += s * m.yy;
+    yz += s * m.yz;
+    zz += s * m.zz;
+  }
   // += s (u vᵀ + v uᵀ) / 2
   void add_product(double s, const Vector_3d& u, const Vector_3d& v) {
     xx += s * u.x * v.x;

@@ -79,14 +79,6 @@ Edge_list list_edges(const Metric_mesh& mesh, const std::vector<Tetrahedron_stor
   return edges;
 }
 
-inline std::vector<Tetrahedron_store::Index> list_tetrahedra(const Tetrahedron_store& store) {
-  std::vector<Tetrahedron_store::Index> all;
-  for (Tetrahedron_store::Index t = 0; t < store.number_of_slots(); ++t)
-    if (store.is_alive(t))
-      all.push_back(t);
-  return all;
-}
-
 } // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REMESHING_EDGE_LIST_H

@@ -157,6 +157,32 @@ public:
     return n;
   }
 
+  /* For each vertex, the mean volume in the metric of the tetrahedra around it, over that of the regular one, smoothed
+   * once over the neighbors: whether vertices are too many there (below one) or too few. Linear. */
+  std::vector<float> local_volumes() const {
+    const std::vector<Index> tetrahedra = store.tetrahedra();
+    std::vector<float> of_vertex(store.number_of_vertices()), number(store.number_of_vertices());
+    std::vector<float> of_tetrahedron(store.number_of_slots());
+    for (Index t : tetrahedra)
+      of_tetrahedron[t] = float(shape(store[t].v).volume);
+    for (int round = 0; round < 2; ++round) {
+      std::fill(of_vertex.begin(), of_vertex.end(), 0.f);
+      std::fill(number.begin(), number.end(), 0.f);
+      for (Index t : tetrahedra)
+        for (Index v : store[t].v) {
+          of_vertex[v] += of_tetrahedron[t];
+          number[v] += 1;
+        }
+      for (std::size_t v = 0; v < of_vertex.size(); ++v)
+        of_vertex[v] /= (std::max)(number[v], 1.f);
+      for (Index t : tetrahedra) {
+        const auto& v = store[t].v;
+        of_tetrahedron[t] = (of_vertex[v[0]] + of_vertex[v[1]] + of_vertex[v[2]] + of_vertex[v[3]]) / 4;
+      }
+    }
+    return of_vertex;
+  }
+
   // Vertices and tetrahedra along a space-filling curve; the unused are gone.
   void renumber() {
     std::vector<Point_3> points;
