@@ -22,6 +22,7 @@ class Layer_surface {
 public:
   typedef std::uint32_t Index;
   static constexpr Index none = Index(-1);
+  typedef std::array<Index, 3> Triangle;
   typedef std::array<Index, 4> Face; // a triangle ends in `none`
 
   // A corner of a face: the vertices after and before it.
@@ -59,8 +60,8 @@ public:
   std::size_t number_of_vertices() const { return points.size(); }
 
   // The faces as triangles: as they turn, or the other way; vertices are numbered from `first` on.
-  std::vector<std::array<Index, 3>> triangles(bool turned = false, Index first = 0) const {
-    std::vector<std::array<Index, 3>> result;
+  std::vector<Triangle> triangles(bool turned = false, Index first = 0) const {
+    std::vector<Triangle> result;
     const auto add = [&](Index a, Index b, Index c) {
       result.push_back({first + a, first + (turned ? c : b), first + (turned ? b : c)});
     };

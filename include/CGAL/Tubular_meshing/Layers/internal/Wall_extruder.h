@@ -78,9 +78,9 @@ public:
     const Layer_surface surface = wall.surface(false);
     const Layer_options options = options_for_layers();
     std::vector<Vector_3d> points = surface.points;
-    std::vector<Box_tree::Triangle> closure;
+    std::vector<Layer_surface::Triangle> closure;
     wall.caps(points, closure);
-    const std::vector<Box_tree::Triangle> caps = closure;
+    const std::vector<Layer_surface::Triangle> caps = closure;
     if (!wall.has_all_caps(surface)) // an open surface: then the wall is closed by its own near side
       closure = surface.triangles(true);
     const Layer_engine engine(surface, std::move(points), caps, std::move(closure),

@@ -42,9 +42,8 @@ public:
   }
 
   void run() {
-    std::vector<Vertex> corners;
-    for (Vertex u : vertices(surface_))
-      corners.push_back(u);
+    const auto all = surface_.vertices();
+    const std::vector<Vertex> corners(all.begin(), all.end());
     std::vector<Index> facet(corners.size(), Tetrahedron_store::none);
     for_each_range(corners.size(), threads_, [&](std::size_t first, std::size_t last) {
       for (std::size_t k = first; k < last; ++k) {
@@ -93,10 +92,7 @@ private:
                        squared_norm(store_.point(v[2]) - store_.point(v[0]))});
   }
   Double_kernel::Point_3 point(Vertex u) const { return to_double_point(get(CGAL::vertex_point, surface_, u)); }
-  Double_kernel::Point_3 to_point(Index v) const {
-    const Vector_3d& p = store_.point(v);
-    return Double_kernel::Point_3(p.x, p.y, p.z);
-  }
+  Double_kernel::Point_3 to_point(Index v) const { return to_double_point(store_.point(v)); }
 
   const Surface& surface_;
   Face_patch_map patch_;

@@ -44,6 +44,7 @@ public:
 
   // The labelled facets of a mesh, interfaces included, and the edges at which facets of different labels meet.
   explicit Patch_projection(const Tetrahedron_store& mesh) {
+    const auto point = [&](Tetrahedron_store::Index v) { return to_double_point(mesh.point(v)); };
     Triangles triangles;
     Segments segments;
     for (Tetrahedron_store::Index t = 0; t < mesh.number_of_slots(); ++t)
@@ -52,11 +53,11 @@ public:
         if (!mesh.is_alive(t) || mesh.label(facet) == 0 || mesh.other_side(facet) < facet)
           continue; // an interface is seen from both sides
         const auto v = mesh.vertices(facet);
-        triangles[mesh.label(facet)].emplace_back(point(mesh, v[0]), point(mesh, v[1]), point(mesh, v[2]));
+        triangles[mesh.label(facet)].emplace_back(point(v[0]), point(v[1]), point(v[2]));
       }
     mesh.for_each_labelled_edge([&](const auto& ends, const Patches& patches) {
       if (patches.size() > 1)
-        segments[patches].emplace_back(point(mesh, ends.first), point(mesh, ends.second));
+        segments[patches].emplace_back(point(ends.first), point(ends.second));
     });
     build(triangles, segments);
   }
@@ -104,11 +105,6 @@ private:
       collect_corners(s.second);
       rims_[s.first] = Nearest_tree<Segment>(std::move(s.second));
     }
-  }
-
-  static Double_kernel::Point_3 point(const Tetrahedron_store& mesh, Tetrahedron_store::Index v) {
-    const Vector_3d& p = mesh.point(v);
-    return Double_kernel::Point_3(p.x, p.y, p.z);
   }
 
   static bool is_planar(const std::vector<Triangle>& triangles, Plane& plane) {
