@@ -5,7 +5,6 @@
 #define CGAL_TUBULAR_MESHING_VOLUME_OPTIMIZE_TETRAHEDRA_IMPL_H
 
 #include <CGAL/Tubular_meshing/Volume/internal/Deviation_reducer.h>
-#include <CGAL/Tubular_meshing/Volume/internal/Surface_flip_guard.h>
 #include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/optimize_inside.h>
 #include <CGAL/Tubular_meshing/Volume/optimize_tetrahedra.h>
 

@@ -7,7 +7,6 @@
 #include <CGAL/Tubular_meshing/Layers/Layer_report.h>
 #include <CGAL/Tubular_meshing/Layers/internal/Column_optimizer.h>
 #include <CGAL/Tubular_meshing/Layers/internal/Layer_thickness.h>
-#include <CGAL/Tubular_meshing/Layers/internal/triangle_crossings.h>
 #include <CGAL/Tubular_meshing/Rims/planar_cap.h>
 #include <CGAL/Tubular_meshing/base/Function_view.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
@@ -45,8 +44,9 @@ public:
   /* \param points those of the surface, and then others
    * \param obstacles triangles that the layers must stay clear of, by points
    * \param closure triangles that close the far side with its rims */
-  Layer_engine(const Layer_surface& surface, std::vector<Vector_3d> points, std::vector<Layer_surface::Triangle> obstacles,
-               std::vector<Layer_surface::Triangle> closure, std::vector<double> wanted, const Layer_options& options)
+  Layer_engine(const Layer_surface& surface, std::vector<Vector_3d> points,
+               std::vector<Layer_surface::Triangle> obstacles, std::vector<Layer_surface::Triangle> closure,
+               std::vector<double> wanted, const Layer_options& options)
       : surface_(surface)
       , points_(std::move(points))
       , obstacles_(std::move(obstacles))

@@ -4,9 +4,9 @@
 #ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_TOPOLOGY_OPTIMIZER_H
 #define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_TOPOLOGY_OPTIMIZER_H
 
-#include <CGAL/Tubular_meshing/base/element_measures.h>
 #include <CGAL/Tubular_meshing/Volume/internal/Flip_search.h>
 #include <CGAL/Tubular_meshing/Volume/internal/Speculation.h>
+#include <CGAL/Tubular_meshing/base/element_measures.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -139,6 +139,20 @@ private:
   Speculation<Search> searches_;
   Store::Index_list new_tetrahedra_;
 };
+
+/* Flips in turn with moves of vertices, move_vertices(pass), each of which ends with finish_pass(). */
+template <class Guard, class Move, class Finish>
+void optimize_in_passes(Tetrahedron_store& store, const Guard& guard, int passes, const Move& move_vertices,
+                        const Finish& finish_pass) {
+  // slivers first, then whatever is clearly below the mean that comes out
+  const double first_flips_below = 0.5, later_flips_below = 0.6;
+  Topology_optimizer<Guard>(store, guard).improve_below(first_flips_below);
+  for (int pass = 0; pass < passes; ++pass) {
+    move_vertices(pass);
+    Topology_optimizer<Guard>(store, guard).improve_below(later_flips_below);
+    finish_pass();
+  }
+}
 
 } // namespace CGAL::Tubular_meshing::internal
 

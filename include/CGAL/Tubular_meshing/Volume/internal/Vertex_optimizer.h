@@ -5,7 +5,7 @@
 #define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_VERTEX_OPTIMIZER_H
 
 #include <CGAL/Tubular_meshing/Volume/internal/Colored_stars.h>
-#include <CGAL/Tubular_meshing/Volume/internal/newton_steps.h>
+#include <CGAL/Tubular_meshing/Volume/internal/Shape_energy.h>
 
 #include <algorithm>
 #include <array>
@@ -41,7 +41,8 @@ public:
 
   // One visit to each vertex.
   void sweep() {
-    stars_.for_each_movable(threads_, [this](Index v) { relocate(v); });
+    stars_.for_each_movable(
+        threads_, [this](Index v) { relocate(v); }, [] {});
   }
 
   // Whether v lies on the given patches and no others.
@@ -138,8 +139,8 @@ private:
         continue;
       store_.for_each_labelled_facet(s, [&](Index facet, Index a, Index b) {
         const Vector_3d& normal = normals[store_.label(facet) != at.patch[0]];
-        positive = positive && e.add_triangle(x, store_.point(a), store_.point(b), normal, triangle_weight,
-                                              with_derivatives);
+        positive =
+            positive && e.add_triangle(x, store_.point(a), store_.point(b), normal, triangle_weight, with_derivatives);
       });
       if (!positive)
         return false;

@@ -5,7 +5,6 @@
 #define CGAL_TUBULAR_MESHING_PATCHES_INTERNAL_CUT_SHAPE_SEARCHES_H
 
 #include <CGAL/Tubular_meshing/base/Nearest_tree.h>
-#include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
 #include <CGAL/Bbox_3.h>
 

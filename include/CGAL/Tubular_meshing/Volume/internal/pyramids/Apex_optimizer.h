@@ -6,7 +6,7 @@
 
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/Volume/internal/Colored_stars.h>
-#include <CGAL/Tubular_meshing/Volume/internal/newton_steps.h>
+#include <CGAL/Tubular_meshing/Volume/internal/Shape_energy.h>
 
 #include <cstddef>
 
@@ -32,7 +32,8 @@ public:
 
   // One visit to each apex.
   void sweep() {
-    stars_.for_each_movable(threads_, [this](Index v) { relocate(v); });
+    stars_.for_each_movable(
+        threads_, [this](Index v) { relocate(v); }, [] {});
   }
 
 private:

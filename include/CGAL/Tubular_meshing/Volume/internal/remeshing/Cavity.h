@@ -4,7 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REMESHING_CAVITY_H
 #define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REMESHING_CAVITY_H
 
-#include <CGAL/Tubular_meshing/Volume/internal/remeshing/Remeshing_flips.h>
+#include <CGAL/Tubular_meshing/Volume/internal/remeshing/Metric_mesh.h>
 #include <CGAL/Tubular_meshing/Volume/internal/remeshing/Remeshing_schedule.h>
 
 #include <boost/container/small_vector.hpp>

@@ -4,8 +4,9 @@
 #ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REMESHING_METRIC_MESH_H
 #define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REMESHING_METRIC_MESH_H
 
-#include <CGAL/Tubular_meshing/Volume/internal/Patch_projection.h>
 #include <CGAL/Tubular_meshing/Volume/anisotropic_tetrahedral_remeshing.h>
+#include <CGAL/Tubular_meshing/Volume/internal/Patch_projection.h>
+#include <CGAL/Tubular_meshing/Volume/internal/Topology_optimizer.h>
 #include <CGAL/Tubular_meshing/Volume/internal/order_in_space.h>
 #include <CGAL/Tubular_meshing/Volume/internal/remeshing/Surface_locations.h>
 #include <CGAL/Tubular_meshing/Volume/internal/remeshing/Vertex_clock.h>
@@ -15,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -240,6 +242,19 @@ private:
   std::vector<Surface_location> location_;
   std::vector<char> on_surface_; // written by several threads, for vertices of their own
 };
+
+/* Flips that change the surface are refused where it is to stay. */
+struct Remeshing_flip_guard {
+  Surface_flip_guard shape;
+  bool keep_boundary;
+
+  bool operator()(Tetrahedron_store::Index a, Tetrahedron_store::Index b, Tetrahedron_store::Index c,
+                  Tetrahedron_store::Index d, std::int32_t patch) const {
+    return !keep_boundary && shape(a, b, c, d, patch);
+  }
+};
+
+typedef Topology_optimizer<Remeshing_flip_guard, const Metric_mesh&> Remeshing_flips;
 
 } // namespace CGAL::Tubular_meshing::internal
 

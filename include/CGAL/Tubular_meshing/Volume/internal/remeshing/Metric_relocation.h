@@ -5,7 +5,7 @@
 #define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REMESHING_METRIC_RELOCATION_H
 
 #include <CGAL/Tubular_meshing/Volume/internal/Colored_stars.h>
-#include <CGAL/Tubular_meshing/Volume/internal/newton_steps.h>
+#include <CGAL/Tubular_meshing/Volume/internal/Shape_energy.h>
 #include <CGAL/Tubular_meshing/Volume/internal/remeshing/Metric_mesh.h>
 
 #include <algorithm>
