@@ -62,9 +62,8 @@ struct Boundary_layer_heights {
 
   std::vector<double> levels() const {
     std::vector<double> result = {0};
-    double sum = 0, h = first_height;
-    for (int k = 1; k < layers; ++k, h *= growth)
-      result.push_back((sum += h) / total());
+    for (int k = 1; k < layers; ++k)
+      result.push_back(height(k) / total());
     result.push_back(1);
     return result;
   }

@@ -81,8 +81,6 @@ public:
   const Index* neighbors_begin(Index v) const { return neighbors_.data() + first_neighbor_[v]; }
   const Index* neighbors_end(Index v) const { return neighbors_.data() + first_neighbor_[v + 1]; }
 
-  bool is_on_rim(Index v) const { return rim_plane_[v] != none; }
-
   // The part of a vector that leads out of no rim that the vertex is on.
   Vector_3d along_rims(Index v, Vector_3d d) const {
     if (rim_plane_[v] == none)

@@ -147,12 +147,16 @@ class Surface_flip_guard {
 public:
   typedef Tetrahedron_store::Index Index;
 
-  Surface_flip_guard(const Tetrahedron_store& store, const Patch_projection& projection)
+  // `keep`: the surface stays as it is.
+  Surface_flip_guard(const Tetrahedron_store& store, const Patch_projection& projection, bool keep = false)
       : store_(store)
-      , projection_(projection) {}
+      , projection_(projection)
+      , keep_(keep) {}
 
   // May the edge ab between the facets abc and abd of a patch become the edge cd?
   bool operator()(Index a, Index b, Index c, Index d, std::int32_t patch) const {
+    if (keep_)
+      return false;
     const Vector_3d p = store_.point(a), q = store_.point(b), r = store_.point(c), s = store_.point(d);
     const double before = cosine(cross(q - p, r - p), cross(p - q, s - q));
     const double after = cosine(cross(s - r, p - r), cross(r - s, q - s));
@@ -171,6 +175,7 @@ private:
 
   const Tetrahedron_store& store_;
   const Patch_projection& projection_;
+  bool keep_;
 };
 
 } // namespace CGAL::Tubular_meshing::internal

@@ -39,6 +39,18 @@ public:
     stars_.build(store, [this](Index v) { return location_[v].dimension != 0; });
   }
 
+  /* Moves the apexes of pyramids, and no other vertices, down the energy of the tetrahedra around them and of the
+   * pyramids themselves: neither are inverted. The apex of pyramid k is vertex `pyramids.vertices[0][4] + k`. */
+  Vertex_optimizer(Store& store, const Projection& project, const Element_block<5>& pyramids, int threads)
+      : store_(store)
+      , project_(project)
+      , threads_(threads)
+      , pyramids_(&pyramids)
+      , location_(store.number_of_vertices()) {
+    if (!pyramids.empty())
+      stars_.build(store_, [this](Index v) { return v >= first_apex() && v - first_apex() < pyramids_->size(); });
+  }
+
   // One visit to each vertex.
   void sweep() {
     stars_.for_each_movable(
@@ -130,6 +142,8 @@ private:
 
   bool energy(Index v, const Vector_3d& x, const Normals& normals, bool with_derivatives, Shape_energy& e) const {
     const Location& at = location_[v];
+    if (pyramids_ != nullptr && !add_pyramid(pyramids_->vertices[v - first_apex()], x, with_derivatives, e))
+      return false;
     bool positive = true;
     for (Index s : stars_.facets(v)) {
       const auto f = store_.vertices(s);
@@ -145,6 +159,18 @@ private:
       if (!positive)
         return false;
     }
+    return true;
+  }
+
+  Index first_apex() const { return pyramids_->vertices.front()[4]; }
+  // That of the four tetrahedra of a pyramid's corners, which cover it twice and hence count half.
+  bool add_pyramid(const Element_block<5>::Element& base, const Vector_3d& x, bool with_derivatives,
+                   Shape_energy& e) const {
+    for (std::size_t i = 0; i < 4; ++i)
+      if (!e.add_tetrahedron(x, store_.point(base[(i + 1) % 4]), store_.point(base[i]), store_.point(base[(i + 3) % 4]),
+                             with_derivatives))
+        return false;
+    e.scale(0.5);
     return true;
   }
 
@@ -176,6 +202,7 @@ private:
   Store& store_;
   const Projection& project_;
   int threads_;
+  const Element_block<5>* pyramids_ = nullptr; // those of which the apexes move, if it is these
 
   Colored_stars stars_;
   std::vector<Location> location_; // of each vertex

@@ -7,7 +7,6 @@
 #include <CGAL/Tubular_meshing/Volume/internal/Vertex_optimizer.h>
 #include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/remesh_worst.h>
 #include <CGAL/Tubular_meshing/Volume/internal/Topology_optimizer.h>
-#include <CGAL/Tubular_meshing/Volume/internal/pyramids/Apex_optimizer.h>
 
 #include <cstdint>
 
@@ -33,7 +32,7 @@ inline void optimize_inside(Mixed_mesh& mesh, int passes, int threads, const Ele
   const Kept_boundary boundary;
   Tetrahedron_store store(mesh);
   const auto move_vertices = [&](int) {
-    Apex_optimizer apexes(store, pyramids, threads);
+    Vertex_optimizer<Kept_boundary> apexes(store, boundary, pyramids, threads);
     Vertex_optimizer<Kept_boundary> vertices(store, boundary, threads);
     for (int sweep = 0; sweep < 2; ++sweep) {
       apexes.sweep();

@@ -58,7 +58,6 @@ public:
   }
 
   const Metric_point& kernel() const { return kernel_; }
-  const Cones& cones() const { return cones_; }
   // labelled facets at the kernel
   Facets& facets() { return facets_; }
   const Facets& facets() const { return facets_; }

@@ -243,18 +243,7 @@ private:
   std::vector<char> on_surface_; // written by several threads, for vertices of their own
 };
 
-/* Flips that change the surface are refused where it is to stay. */
-struct Remeshing_flip_guard {
-  Surface_flip_guard shape;
-  bool keep_boundary;
-
-  bool operator()(Tetrahedron_store::Index a, Tetrahedron_store::Index b, Tetrahedron_store::Index c,
-                  Tetrahedron_store::Index d, std::int32_t patch) const {
-    return !keep_boundary && shape(a, b, c, d, patch);
-  }
-};
-
-typedef Topology_optimizer<Remeshing_flip_guard, const Metric_mesh&> Remeshing_flips;
+typedef Topology_optimizer<Surface_flip_guard, const Metric_mesh&> Remeshing_flips;
 
 } // namespace CGAL::Tubular_meshing::internal
 

@@ -33,7 +33,7 @@ public:
   explicit Metric_remesher(Metric_mesh& mesh)
       : mesh_(mesh)
       , store_(mesh.store)
-      , flips_(store_, Remeshing_flip_guard{{store_, mesh.projection}, mesh.keep_boundary}, mesh, mesh.threads,
+      , flips_(store_, Surface_flip_guard(store_, mesh.projection, mesh.keep_boundary), mesh, mesh.threads,
                Speculation<Edge_splitter>::default_batch)
       , splitters_(mesh.threads, Speculation<Edge_splitter>::default_batch, mesh_, flips_)
       , collapsers_(mesh.threads, Speculation<Edge_collapser>::default_batch, mesh_, flips_) {}
