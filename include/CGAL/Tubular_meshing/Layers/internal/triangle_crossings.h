@@ -92,8 +92,8 @@ private:
 };
 
 /* The pairs of triangles that cross each other. About O(n log n) for surfaces. */
-inline std::vector<std::array<std::size_t, 2>> triangle_crossings(const std::vector<Vector_3d>& points,
-                                                                  const std::vector<Layer_surface::Triangle>& triangles) {
+inline std::vector<std::array<std::size_t, 2>>
+triangle_crossings(const std::vector<Vector_3d>& points, const std::vector<Layer_surface::Triangle>& triangles) {
   const Box_tree<3> tree = tree_of_triangles(points, triangles);
   const Triangle_meeting meet(points);
   std::vector<std::array<std::size_t, 2>> crossings;

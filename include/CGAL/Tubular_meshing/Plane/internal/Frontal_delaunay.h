@@ -126,7 +126,7 @@ private:
         return false;
       node = plane_.node_at(p, scale);
     }
-    if (!has_room(place, node))
+    if (!insertion_.has_room(place, node, smallest_distance))
       return false;
     commit(insertion_.insert(place, node));
     return true;
@@ -165,11 +165,6 @@ private:
     const double s = (std::min)(1., most_correction / size);
     p = Plane_point(x.point.x() + s * step.x, x.point.y() + s * step.y);
     return CGAL::orientation(a.point, b.point, p) == CGAL::LEFT_TURN;
-  }
-  bool has_room(const Insertion::Place& place, const Node& x) {
-    return insertion_.all_neighbors(
-        place, x, [&](Index v) { return Metric_plane::length(x, plane_.nodes[v]) >= smallest_distance; },
-        [&](Index h) { return plane_.sees_at_good_angle(x, h); });
   }
 
   void commit(Index x) {

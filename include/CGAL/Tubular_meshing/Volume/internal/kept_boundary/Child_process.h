@@ -73,8 +73,7 @@ public:
       : file_(file) {}
 
   bool read(void* data, std::size_t size) const {
-    return transfer_all(static_cast<char*>(data), size,
-                        [this](char* p, std::size_t n) { return ::read(file_, p, n); });
+    return transfer_all(static_cast<char*>(data), size, [this](char* p, std::size_t n) { return ::read(file_, p, n); });
   }
   template <class T> bool read(std::vector<T>& values) const {
     static_assert(std::is_trivially_copyable<T>::value, "only plain data goes through a pipe");
