@@ -30,6 +30,8 @@ public:
     scale_ = extent > 0 ? std::exp2(std::ceil(std::log2(extent))) : 1;
   }
 
+  double scale() const { return scale_; } // the length of the frame's unit
+
   Vector_3d to_frame(const Point_3& p) const { return (1 / scale_) * (Vector_3d(p) - middle_); }
   Point_3 from_frame(const Vector_3d& x) const {
     const Vector_3d p = middle_ + scale_ * x;
