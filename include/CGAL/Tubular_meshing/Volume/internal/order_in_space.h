@@ -14,7 +14,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Tubular_meshing::internal {
@@ -23,6 +22,15 @@ namespace CGAL::Tubular_meshing::internal {
 inline void order_in_space(const std::vector<Point_3>& points, std::vector<std::size_t>& numbers) {
   const auto point = make_property_map(points);
   hilbert_sort(numbers.begin(), numbers.end(), Spatial_sort_traits_adapter_3<Kernel, decltype(point)>(point));
+}
+
+// Value i becomes the one that was number order[i].
+template <class Value> void put_in_order(const std::vector<std::size_t>& order, std::vector<Value>& values) {
+  std::vector<Value> result;
+  result.reserve(order.size());
+  for (std::size_t i : order)
+    result.push_back(values[i]);
+  values.swap(result);
 }
 
 /* Sorts tetrahedra in the same way, by their centers. TetGen lists them in the order of its memory blocks; sorted, they
@@ -37,11 +45,7 @@ inline void sort_in_space(const std::vector<Point_3>& points, std::vector<std::a
   std::vector<std::size_t> order(tetrahedra.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
   order_in_space(centers, order);
-  std::vector<std::array<std::uint32_t, 4>> sorted;
-  sorted.reserve(tetrahedra.size());
-  for (std::size_t i : order)
-    sorted.push_back(tetrahedra[i]);
-  tetrahedra = std::move(sorted);
+  put_in_order(order, tetrahedra);
 }
 
 } // namespace CGAL::Tubular_meshing::internal

@@ -7,7 +7,6 @@
 #include <CGAL/Tubular_meshing/Volume/anisotropic_tetrahedral_remeshing.h>
 #include <CGAL/Tubular_meshing/Volume/internal/Patch_projection.h>
 #include <CGAL/Tubular_meshing/Volume/internal/Topology_optimizer.h>
-#include <CGAL/Tubular_meshing/Volume/internal/order_in_space.h>
 #include <CGAL/Tubular_meshing/Volume/internal/remeshing/Surface_locations.h>
 #include <CGAL/Tubular_meshing/Volume/internal/remeshing/Vertex_clock.h>
 #include <CGAL/Tubular_meshing/Volume/internal/remeshing/metric_quality.h>
@@ -195,17 +194,9 @@ public:
         order.push_back(v);
     }
     order_in_space(points, order);
-    std::vector<Metric_tensor_3> metric;
-    std::vector<Surface_location> location;
-    std::vector<char> on_surface;
-    for (std::size_t v : order) {
-      metric.push_back(metric_[v]);
-      location.push_back(location_[v]);
-      on_surface.push_back(on_surface_[v]);
-    }
-    metric_.swap(metric);
-    location_.swap(location);
-    on_surface_.swap(on_surface);
+    put_in_order(order, metric_);
+    put_in_order(order, location_);
+    put_in_order(order, on_surface_);
     clock.renumber(order);
     store.renumber(std::vector<Index>(order.begin(), order.end()));
   }
