@@ -36,7 +36,7 @@ public:
       const std::size_t j = (i + 1) % 3;
       const double x = dot(p[j] - p[i], first), y = dot(p[j] - p[i], second);
       squares += mean.squared_length(x, y);
-      edge_lengths_.push_back(Metric_tensor_2::edge_length(x, y, m[i], m[j]));
+      edge_lengths_.push_back(logarithmic_mean(m[i].length(x, y), m[j].length(x, y)));
     }
     const double flat_area = norm(cross(p[1] - p[0], p[2] - p[0])) / 2;
     const double area = flat_area * std::sqrt((std::max)(mean.determinant(), 0.));
@@ -51,6 +51,11 @@ public:
   }
 
 private:
+  // To the last digit, which Metric_tensor_2::edge_length() gives up for the mesher's speed.
+  static double logarithmic_mean(double a, double b) {
+    return std::abs(a - b) > 1e-6 * (a + b) ? (a - b) / std::log(a / b) : (a + b) / 2;
+  }
+
   Metric_fit fit_;
   std::vector<double> shapes_, edge_lengths_;
 };
