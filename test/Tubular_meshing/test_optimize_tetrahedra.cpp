@@ -9,8 +9,7 @@
 #include <CGAL/Tubular_meshing/Quality/quality_report.h>
 #include <CGAL/Tubular_meshing/Quality/validity_report.h>
 #include <CGAL/Tubular_meshing/Volume/internal/Topology_optimizer.h>
-#include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/Vertex_insertion.h>
-#include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/Vertex_removal.h>
+#include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/remesh_worst.h>
 #include <CGAL/Tubular_meshing/Volume/optimize_tetrahedra.h>
 
 #include "grid_of_tetrahedra.h"

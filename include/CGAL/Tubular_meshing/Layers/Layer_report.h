@@ -6,7 +6,6 @@
 
 #include <CGAL/Tubular_meshing/base/Kernel.h>
 
-#include <cmath>
 #include <cstddef>
 #include <cstdio>
 #include <sstream>

@@ -6,7 +6,6 @@
 
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/base/config.h>
-#include <CGAL/Tubular_meshing/base/labels.h>
 
 #include <cstdint>
 #include <vector>

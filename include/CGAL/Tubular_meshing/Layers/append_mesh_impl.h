@@ -11,8 +11,8 @@
 #include <cstddef>
 #include <string>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
+
 namespace internal {
 
 template <std::size_t N, class Keep>
@@ -60,7 +60,6 @@ CGAL_TUBULAR_MESHING_INLINE void append_mesh(Mixed_mesh& mesh, const Mixed_mesh&
   mesh.patch_names.insert(filling.patch_names.begin(), filling.patch_names.end());
 }
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #endif // CGAL_TUBULAR_MESHING_LAYERS_APPEND_MESH_IMPL_H

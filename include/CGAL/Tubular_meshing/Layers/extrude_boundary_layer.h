@@ -8,11 +8,7 @@
 #include <CGAL/Tubular_meshing/Layers/append_mesh.h>
 #include <CGAL/Tubular_meshing/Layers/local_radius.h>
 #include <CGAL/Tubular_meshing/base/Function_view.h>
-#include <CGAL/Tubular_meshing/base/Kernel.h>
-#include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
-#include <CGAL/Tubular_meshing/base/config.h>
 #include <CGAL/Tubular_meshing/base/convert_surface.h>
-#include <CGAL/Tubular_meshing/base/labels.h>
 #include <CGAL/Tubular_meshing/base/parameters.h>
 
 #include <cstdint>

@@ -5,7 +5,6 @@
 #define CGAL_TUBULAR_MESHING_LAYERS_LOCAL_RADIUS_H
 
 #include <CGAL/Tubular_meshing/Centerlines/Centerline_field.h>
-#include <CGAL/Tubular_meshing/base/Kernel.h>
 
 namespace CGAL::Tubular_meshing::internal {
 

@@ -7,7 +7,6 @@
 #include <CGAL/Tubular_meshing/Patches/Patch_parameterization.h>
 #include <CGAL/Tubular_meshing/Patches/internal/parameterization/Edge_halver.h>
 #include <CGAL/Tubular_meshing/Plane/Triangle_adjacency.h>
-#include <CGAL/Tubular_meshing/Plane/metric_logarithm.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
 #include <CGAL/Tubular_meshing/base/config.h>
 
@@ -77,10 +76,9 @@ Patch_parameterization::derivatives(int triangle) const {
 
 CGAL_TUBULAR_MESHING_INLINE double Patch_parameterization::stretch_ratio(int triangle) const {
   double ratio = 1;
-  internal::with_eigenvalues(
-      induced_metric(triangle, Eigen::Matrix3d::Identity()), [&](double& larger, double& smaller) {
-        ratio = smaller > 0 ? std::sqrt(larger / smaller) : (std::numeric_limits<double>::infinity)();
-      });
+  induced_metric(triangle, Eigen::Matrix3d::Identity()).with_eigenvalues([&](double& larger, double& smaller) {
+    ratio = smaller > 0 ? std::sqrt(larger / smaller) : (std::numeric_limits<double>::infinity)();
+  });
   return ratio;
 }
 
@@ -106,7 +104,7 @@ Patch_parameterization::log_vertex_metrics(internal::Function_view<Eigen::Matrix
     for (std::size_t i = 0; i < 3; ++i) {
       const std::size_t v = std::size_t(corner(t, i));
       const Eigen::Matrix2d m = x.transpose() * metric(patch_.points[v]) * x;
-      sum[v] = sum[v] + area * internal::logarithm({m(0, 0), (m(0, 1) + m(1, 0)) / 2, m(1, 1)});
+      sum[v] = sum[v] + area * Metric_tensor_2(m(0, 0), (m(0, 1) + m(1, 0)) / 2, m(1, 1)).log();
       weight[v] += area;
     }
   }
@@ -121,7 +119,7 @@ Patch_parameterization::interpolate(const std::vector<Metric_tensor_2>& log_metr
   Metric_tensor_2 sum(0, 0, 0);
   for (std::size_t i = 0; i < 3; ++i)
     sum = sum + at.barycentric[i] * log_metrics[std::size_t(corner(at.triangle, i))];
-  return internal::exponential(sum);
+  return sum.exp();
 }
 
 CGAL_TUBULAR_MESHING_INLINE Patch_location Patch_parameterization::on_loop(std::size_t loop, double arc_length) const {

@@ -51,6 +51,7 @@ public:
   }
 
 private:
+  // To the last digit, which Metric_tensor_2::edge_length() gives up for the mesher's speed.
   static double logarithmic_mean(double a, double b) {
     return std::abs(a - b) > 1e-6 * (a + b) ? (a - b) / std::log(a / b) : (a + b) / 2;
   }

@@ -9,12 +9,15 @@
 #include <CGAL/Tubular_meshing/Patches/Remeshed_surface.h>
 #include <CGAL/Tubular_meshing/base/convert_surface.h>
 
-namespace CGAL {
-namespace Tubular_meshing {
+#include <optional>
+
+namespace CGAL::Tubular_meshing {
 
 namespace internal {
+// The faces of a surface, open or closed, as a mesh of nothing but facets; none if one has more than four edges.
+std::optional<Mixed_mesh> facets_of(const Surface& surface, Face_patch_map patch);
 void surface_to_mixed_mesh(const Surface& surface, Face_patch_map patch, Mixed_mesh& mesh);
-}
+} // namespace internal
 
 /*! \ingroup PkgTubularMeshingPatches
  *
@@ -51,8 +54,7 @@ void surface_to_mixed_mesh(const FaceGraph& surface, FacePatchMap patch, Mixed_m
  */
 void surface_to_mixed_mesh(const Remeshed_surface& remeshed, Mixed_mesh& mesh);
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
 #include <CGAL/Tubular_meshing/Patches/surface_to_mixed_mesh_impl.h>

@@ -21,11 +21,9 @@ namespace CGAL::Tubular_meshing {
 
 namespace internal {
 
-CGAL_TUBULAR_MESHING_INLINE void surface_to_mixed_mesh(const Surface& surface, Face_patch_map patch, Mixed_mesh& mesh) {
+CGAL_TUBULAR_MESHING_INLINE std::optional<Mixed_mesh> facets_of(const Surface& surface, Face_patch_map patch) {
   typedef Surface::Vertex_index Vertex;
-  if (!CGAL::is_closed(surface) || surface.is_empty())
-    throw Meshing_error("Only a closed surface can be the boundary of a mesh: close its openings first.");
-  mesh = Mixed_mesh();
+  Mixed_mesh mesh;
   std::vector<std::uint32_t> number(surface.num_vertices());
   mesh.points.reserve(surface.number_of_vertices());
   mesh.triangles.reserve(surface.number_of_faces());
@@ -39,7 +37,7 @@ CGAL_TUBULAR_MESHING_INLINE void surface_to_mixed_mesh(const Surface& surface, F
     std::size_t n = 0;
     for (Vertex v : surface.vertices_around_face(surface.halfedge(f))) {
       if (n == c.size())
-        throw Meshing_error("A face of the surface has more than four edges: only triangles and quads can be meshed.");
+        return std::nullopt;
       c[n++] = number[v];
     }
     if (n == c.size())
@@ -47,6 +45,16 @@ CGAL_TUBULAR_MESHING_INLINE void surface_to_mixed_mesh(const Surface& surface, F
     else
       mesh.triangles.push_back({c[0], c[1], c[2]}, patch[f]);
   }
+  return mesh;
+}
+
+CGAL_TUBULAR_MESHING_INLINE void surface_to_mixed_mesh(const Surface& surface, Face_patch_map patch, Mixed_mesh& mesh) {
+  if (!CGAL::is_closed(surface) || surface.is_empty())
+    throw Meshing_error("Only a closed surface can be the boundary of a mesh: close its openings first.");
+  std::optional<Mixed_mesh> facets = facets_of(surface, patch);
+  if (!facets)
+    throw Meshing_error("A face of the surface has more than four edges: only triangles and quads can be meshed.");
+  mesh = *std::move(facets);
 }
 
 } // namespace internal

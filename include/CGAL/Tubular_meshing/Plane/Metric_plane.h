@@ -5,12 +5,9 @@
 #define CGAL_TUBULAR_MESHING_PLANE_METRIC_PLANE_H
 
 #include <CGAL/Tubular_meshing/base/element_measures.h>
-#include <CGAL/Tubular_meshing/Plane/Metric_tensor_2.h>
 #include <CGAL/Tubular_meshing/Plane/Plane_store.h>
 #include <CGAL/Tubular_meshing/Plane/Plane_triangulation.h>
-#include <CGAL/Tubular_meshing/base/Function_view.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
-#include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
 #include <algorithm>
 #include <cmath>
@@ -93,10 +90,10 @@ public:
   const Node& target(Index h) const { return nodes[store.target(h)]; }
   const Node& apex(Index h) const { return nodes[store.apex(h)]; }
 
-  // (10), sizes growing geometrically from end to end: the logarithmic mean of the lengths in the two metrics.
+  // (10), sizes growing geometrically from end to end.
   static double length(const Node& p, const Node& q) {
     const Plane_vector e = q.point - p.point;
-    return logarithmic_mean(p.metric.length(e.x, e.y), q.metric.length(e.x, e.y));
+    return Metric_tensor_2::edge_length(e.x, e.y, p.metric, q.metric);
   }
   double length(Index h) const { return length(origin(h), target(h)); }
 
@@ -234,13 +231,6 @@ private:
     const Metric_tensor_2 m = 0.5 * (p.metric + q.metric);
     const Plane_vector e = q.point - p.point;
     return {m.xx * e.x + m.xy * e.y, m.xy * e.x + m.yy * e.y};
-  }
-
-  static double logarithmic_mean(double a, double b) {
-    const double r = std::abs(a - b), sum = a + b;
-    if (r <= 0.1 * sum) // a + b over two, but for a term of second order: without a logarithm
-      return sum / 2 * (1 - r * r / (3 * sum * sum) - 4 * r * r * r * r / (45 * sum * sum * sum * sum));
-    return a > 0 && b > 0 ? (a - b) / std::log(a / b) : 0;
   }
 
   const Plane_field field_;

@@ -4,7 +4,6 @@
 #ifndef CGAL_TUBULAR_MESHING_PLANE_PLANE_STORE_H
 #define CGAL_TUBULAR_MESHING_PLANE_PLANE_STORE_H
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -134,8 +133,8 @@ public:
     kill(h / 3);
     kill(g / 3);
     out_[a] = none;
-    join(left_outer, left_inner);
-    join(right_inner, right_outer);
+    link(left_outer, left_inner);
+    link(right_inner, right_outer);
     for (Index v : {b, c, d})
       if (!is_on_boundary(v))
         out_[v] = none;
@@ -162,11 +161,6 @@ private:
     origin_[3 * t + 2] = c;
   }
   void link(Index h, Index g) {
-    twin_[h] = g;
-    if (g != none)
-      twin_[g] = h;
-  }
-  void join(Index h, Index g) {
     if (h != none)
       twin_[h] = g;
     if (g != none)

@@ -5,6 +5,7 @@
 #define CGAL_TUBULAR_MESHING_PLANE_PLANE_TRIANGLE_TREE_H
 
 #include <CGAL/Tubular_meshing/Plane/Triangle_adjacency.h>
+#include <CGAL/Tubular_meshing/base/Box_tree.h>
 
 #include <Eigen/Core>
 
@@ -66,22 +67,29 @@ public:
   typedef std::vector<Patch_triangle> Triangles;
 
   Plane_triangle_tree() = default;
-  Plane_triangle_tree(const Points& uv, const Triangles& triangles)
-      : order_(triangles.size()) {
-    std::vector<Eigen::Vector2d> centers(triangles.size());
+  Plane_triangle_tree(const Points& uv, const Triangles& triangles) {
+    std::vector<Tree::Box> boxes(triangles.size());
+    std::vector<Tree::Place> centers(triangles.size()); // three times them
     for (std::size_t t = 0; t < triangles.size(); ++t) {
-      order_[t] = int(t);
-      centers[t] = corners(uv, triangles[t])[0] + corners(uv, triangles[t])[1] + corners(uv, triangles[t])[2];
+      const std::array<Eigen::Vector2d, 3> c = corners(uv, triangles[t]);
+      for (const Eigen::Vector2d& p : c)
+        boxes[t].add(place(p));
+      centers[t] = place(c[0] + c[1] + c[2]);
     }
-    nodes_.reserve(triangles.size());
-    build(uv, triangles, centers, 0, int(triangles.size()));
+    tree_ = Tree(std::move(boxes), centers);
   }
 
   // The triangle with the point nearest to p.
   int nearest(const Points& uv, const Triangles& triangles, const Eigen::Vector2d& p, Nearest_in_triangle& best) const {
     best = Nearest_in_triangle();
-    int triangle = order_[0];
-    visit(0, uv, triangles, p, best, triangle);
+    int triangle = 0;
+    tree_.visit_near(place(p), best.squared_distance, [&](Tree::Index t) {
+      const Nearest_in_triangle found = nearest_in_triangle(corners(uv, triangles[t]), p);
+      if (found.squared_distance < best.squared_distance) {
+        best = found;
+        triangle = int(t);
+      }
+    });
     return triangle;
   }
 
@@ -90,74 +98,11 @@ public:
   }
 
 private:
-  struct Node {
-    Eigen::Array2d low, high;
-    int first, last; // in order_, of a leaf
-    int right;       // child; the left one is next. 0 for a leaf
+  typedef Box_tree<2> Tree;
 
-    double squared_distance(const Eigen::Vector2d& p) const {
-      return (low - p.array()).max(p.array() - high).max(0.).matrix().squaredNorm();
-    }
-  };
+  static Tree::Place place(const Eigen::Vector2d& p) { return {{p.x(), p.y()}}; }
 
-  int build(const Points& uv, const Triangles& triangles, const std::vector<Eigen::Vector2d>& centers, int first,
-            int last) {
-    const int leaf_size = 4, index = int(nodes_.size());
-    const double infinity = (std::numeric_limits<double>::infinity)();
-    Node node{Eigen::Array2d::Constant(infinity), Eigen::Array2d::Constant(-infinity), first, last, 0};
-    Eigen::Array2d low = node.low, high = node.high; // of centers
-    for (int i = first; i < last; ++i) {
-      const std::size_t t = std::size_t(order_[std::size_t(i)]);
-      for (int v : triangles[t]) {
-        node.low = node.low.min(uv[std::size_t(v)].array());
-        node.high = node.high.max(uv[std::size_t(v)].array());
-      }
-      low = low.min(centers[t].array());
-      high = high.max(centers[t].array());
-    }
-    nodes_.push_back(node);
-    if (last - first <= leaf_size)
-      return index;
-    const int axis = high[0] - low[0] >= high[1] - low[1] ? 0 : 1, middle = (first + last) / 2;
-    std::nth_element(order_.begin() + first, order_.begin() + middle, order_.begin() + last, [&](int a, int b) {
-      const double ca = centers[std::size_t(a)][axis], cb = centers[std::size_t(b)][axis];
-      return ca != cb ? ca < cb : a < b;
-    });
-    build(uv, triangles, centers, first, middle);
-    const int right = build(uv, triangles, centers, middle, last);
-    nodes_[std::size_t(index)].right = right;
-    return index;
-  }
-
-  void visit(int index, const Points& uv, const Triangles& triangles, const Eigen::Vector2d& p,
-             Nearest_in_triangle& best, int& triangle) const {
-    const Node& node = nodes_[std::size_t(index)];
-    if (node.right == 0) {
-      for (int i = node.first; i < node.last && best.squared_distance > 0; ++i) {
-        const int t = order_[std::size_t(i)];
-        const Nearest_in_triangle found = nearest_in_triangle(corners(uv, triangles[std::size_t(t)]), p);
-        if (found.squared_distance < best.squared_distance) {
-          best = found;
-          triangle = t;
-        }
-      }
-      return;
-    }
-    int near = index + 1, far = node.right;
-    double to_near = nodes_[std::size_t(near)].squared_distance(p),
-           to_far = nodes_[std::size_t(far)].squared_distance(p);
-    if (to_far < to_near) {
-      std::swap(near, far);
-      std::swap(to_near, to_far);
-    }
-    if (to_near < best.squared_distance)
-      visit(near, uv, triangles, p, best, triangle);
-    if (to_far < best.squared_distance)
-      visit(far, uv, triangles, p, best, triangle);
-  }
-
-  std::vector<int> order_;
-  std::vector<Node> nodes_;
+  Tree tree_;
 };
 
 } // namespace CGAL::Tubular_meshing::internal

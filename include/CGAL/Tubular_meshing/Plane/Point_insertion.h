@@ -89,12 +89,13 @@ public:
     return x;
   }
 
-  // Calls vertex(v) and boundary(h) for what x, in `place`, would see as its neighbours; stops when one says false.
-  template <class Vertex_test, class Boundary_test>
-  bool all_neighbors(const Place& place, const Node& x, const Vertex_test& vertex, const Boundary_test& boundary) {
+  // Whether what x, in `place`, would see as its neighbours are vertices no nearer to it than `least_distance` and, if
+  // these matter, edges of the boundary under good angles.
+  bool has_room(const Place& place, const Node& x, double least_distance, bool angles_matter = true) {
+    const auto is_far = [&](Index v) { return Metric_plane::length(x, plane_.nodes[v]) >= least_distance; };
     const Index t = place.half_edge / 3;
     for (Index h = 3 * t; h < 3 * t + 3; ++h) {
-      if (!vertex(store_.origin(h)))
+      if (!is_far(store_.origin(h)))
         return false;
       stack_.push_back(h);
     }
@@ -104,9 +105,9 @@ public:
       const Index h = stack_.back(), g = store_.twin(h);
       stack_.pop_back();
       if (g == Plane_store::none) {
-        all = boundary(h);
+        all = !angles_matter || plane_.sees_at_good_angle(x, h);
       } else if (Metric_plane::is_in_circle(plane_.origin(g), plane_.target(g), plane_.apex(g), x)) {
-        all = vertex(store_.apex(g));
+        all = is_far(store_.apex(g));
         stack_.push_back(Plane_store::next(g));
         stack_.push_back(Plane_store::prev(g));
       }

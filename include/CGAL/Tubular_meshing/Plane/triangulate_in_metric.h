@@ -4,10 +4,8 @@
 #ifndef CGAL_TUBULAR_MESHING_PLANE_TRIANGULATE_IN_METRIC_H
 #define CGAL_TUBULAR_MESHING_PLANE_TRIANGULATE_IN_METRIC_H
 
-#include <CGAL/Tubular_meshing/Plane/Metric_tensor_2.h>
 #include <CGAL/Tubular_meshing/Plane/Plane_triangulation.h>
-#include <CGAL/Tubular_meshing/base/Vector_3d.h>
-#include <CGAL/Tubular_meshing/base/exceptions.h>
+#include <CGAL/Tubular_meshing/base/convert_surface.h>
 #include <CGAL/Tubular_meshing/base/parameters.h>
 
 #include <CGAL/number_utils.h>
@@ -57,11 +55,6 @@ template <class PolygonRange> Plane_polygons plane_polygons(const PolygonRange& 
   for (const auto& polygon : polygons)
     result.push_back(plane_points(polygon));
   return result;
-}
-
-// A point in space, of any kernel, as the core has it.
-template <class Point_3> Vector_3d space_vector(const Point_3& p) {
-  return Vector_3d(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
 }
 
 } // namespace internal
@@ -149,7 +142,9 @@ auto triangulate_in_metric(const PolygonRange& polygons, const MetricField_2& me
   if constexpr (std::is_same<std::decay_t<decltype(embedding)>, CGAL::internal_np::Param_not_found>::value) {
     core = mesh(nullptr);
   } else {
-    const auto image = [&](const Plane_point& p) { return internal::space_vector(embedding(Point_2(p.x(), p.y()))); };
+    const auto image = [&](const Plane_point& p) {
+      return internal::Vector_3d(internal::to_core(embedding(Point_2(p.x(), p.y()))));
+    };
     const internal::Plane_embedding view(image);
     core = mesh(&view);
   }

@@ -5,21 +5,11 @@
 #define CGAL_TUBULAR_MESHING_PLANE_TRIANGULATE_IN_METRIC_IMPL_H
 
 #include <CGAL/Tubular_meshing/Plane/triangulate_in_metric.h>
-#include <CGAL/Tubular_meshing/Plane/Metric_plane.h>
-#include <CGAL/Tubular_meshing/Plane/Plane_flips.h>
-#include <CGAL/Tubular_meshing/Plane/Point_insertion.h>
 #include <CGAL/Tubular_meshing/Plane/internal/Frontal_delaunay.h>
 #include <CGAL/Tubular_meshing/Plane/internal/Plane_size_control.h>
 #include <CGAL/Tubular_meshing/Plane/internal/Plane_smoothing.h>
 #include <CGAL/Tubular_meshing/Plane/triangulate_polygons.h>
 #include <CGAL/Tubular_meshing/base/config.h>
-#include <CGAL/Tubular_meshing/base/exceptions.h>
-
-#include <cstddef>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Tubular_meshing::internal {
 

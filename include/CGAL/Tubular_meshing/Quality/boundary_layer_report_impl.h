@@ -7,7 +7,6 @@
 #include <CGAL/Tubular_meshing/Centerlines/Centerline_field.h>
 #include <CGAL/Tubular_meshing/Fields/Metric_tensor_3.h>
 #include <CGAL/Tubular_meshing/Quality/boundary_layer_report.h>
-#include <CGAL/Tubular_meshing/base/Vector_3d.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 #include <CGAL/Tubular_meshing/base/labels.h>
 
@@ -91,19 +90,8 @@ private:
   }
 
   Measure_statistics alignment() const {
-    std::vector<std::pair<Index, Index>> edges;
-    for (std::size_t k = 0; k < mesh_.tetrahedra.size(); ++k) {
-      if (mesh_.tetrahedra.label[k] != labels::lumen)
-        continue;
-      const auto& t = mesh_.tetrahedra.vertices[k];
-      for (int i = 0; i < 4; ++i)
-        for (int j = 0; j < i; ++j)
-          edges.push_back(std::minmax(t[i], t[j]));
-    }
-    std::sort(edges.begin(), edges.end());
-    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
     std::vector<double> angles;
-    for (const auto& e : edges) {
+    for (const auto& e : edges_of(mesh_.tetrahedra, [](int region) { return region == labels::lumen; })) {
       const Vector_3d along = point(e.second) - point(e.first);
       const Metric_tensor_3 m = 0.5 * (metric(e.first) + metric(e.second));
       const auto place = field_.descriptors_and_frame(midpoint(mesh_.points[e.first], mesh_.points[e.second]));

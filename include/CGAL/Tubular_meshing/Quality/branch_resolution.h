@@ -6,7 +6,6 @@
 
 #include <CGAL/Tubular_meshing/Centerlines/Centerline_field.h>
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
-#include <CGAL/Tubular_meshing/base/config.h>
 
 #include <cstddef>
 #include <vector>

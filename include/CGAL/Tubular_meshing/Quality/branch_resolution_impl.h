@@ -8,24 +8,12 @@
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
 #include <CGAL/Tubular_meshing/base/labels.h>
 
-#include <algorithm>
-#include <cstdint>
-#include <utility>
-
 namespace CGAL::Tubular_meshing {
 
 CGAL_TUBULAR_MESHING_INLINE std::vector<double>
 points_per_circumference(const Mixed_mesh& mesh, const Centerline_field& centerlines, std::size_t number_of_branches) {
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
-    if (mesh.triangles.label[i] == labels::wall)
-      for (int k = 0; k < 3; ++k)
-        edges.push_back(std::minmax(mesh.triangles.vertices[i][k], mesh.triangles.vertices[i][(k + 1) % 3]));
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-
   std::vector<double> distance(number_of_branches, 0), length(number_of_branches, 0);
-  for (const auto& e : edges) {
+  for (const auto& e : internal::edges_of(mesh.triangles, [](int label) { return label == labels::wall; })) {
     const Point_3 &p = mesh.points[e.first], &q = mesh.points[e.second];
     const auto d = centerlines.descriptors(midpoint(p, q));
     distance[d.branch] += d.distance;

@@ -4,11 +4,8 @@
 #ifndef CGAL_TUBULAR_MESHING_QUALITY_QUALITY_REPORT_IMPL_H
 #define CGAL_TUBULAR_MESHING_QUALITY_QUALITY_REPORT_IMPL_H
 
-#include <CGAL/Tubular_meshing/Fields/Metric_tensor_3.h>
 #include <CGAL/Tubular_meshing/Quality/quality_report.h>
 #include <CGAL/Tubular_meshing/Quality/shape_measures.h>
-#include <CGAL/Tubular_meshing/base/Vector_3d.h>
-#include <CGAL/Tubular_meshing/base/element_measures.h>
 
 #include <algorithm>
 #include <cmath>
@@ -68,10 +65,8 @@ public:
       return internal::tetrahedron_gamma(p[0], p[1], p[2], p[3]);
     });
     r.zeta_H = over(mesh_.hexahedra, [](const std::array<Vector_3d, 8>& p) { return internal::hexahedron_zeta(p); });
-    r.prism_jacobian =
-        over(mesh_.prisms, [](const std::array<Vector_3d, 6>& p) { return internal::prism_jacobian(p); });
-    r.pyramid_jacobian =
-        over(mesh_.pyramids, [](const std::array<Vector_3d, 5>& p) { return internal::pyramid_jacobian(p); });
+    r.prism_jacobian = over(mesh_.prisms, [](const std::array<Vector_3d, 6>& p) { return scaled_jacobian(p); });
+    r.pyramid_jacobian = over(mesh_.pyramids, [](const std::array<Vector_3d, 5>& p) { return scaled_jacobian(p); });
     for (const Point_array& a : mesh_.point_arrays)
       if (a.is_metric())
         add_metric_measures(a, r);
@@ -82,9 +77,10 @@ private:
   // Calls visit(vertices) for the elements that count.
   template <std::size_t N, class Visit> void for_each(const Element_block<N>& elements, const Visit& visit) const {
     for (std::size_t i = 0; i < elements.size(); ++i)
-      if (region_ == nullptr || elements.label[i] == *region_)
+      if (counts(elements.label[i]))
         visit(elements.vertices[i]);
   }
+  bool counts(int label) const { return region_ == nullptr || label == *region_; }
 
   Vector_3d point(std::uint32_t v) const { return Vector_3d(mesh_.points[v]); }
 
@@ -107,17 +103,12 @@ private:
       return Metric_tensor_3(m[0], m[1], m[2], m[3], m[4], m[5]);
     };
     std::vector<double> values;
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
     for_each(mesh_.tetrahedra, [&](const std::array<std::uint32_t, 4>& v) {
       values.push_back(internal::tetrahedron_Q({point(v[0]), point(v[1]), point(v[2]), point(v[3])},
                                                {metric(v[0]), metric(v[1]), metric(v[2]), metric(v[3])}));
-      for (std::size_t i = 0; i < 4; ++i)
-        for (std::size_t j = 0; j < i; ++j)
-          edges.push_back(std::minmax(v[i], v[j]));
     });
     r.Q_tau = Measure_statistics(std::move(values));
-    std::sort(edges.begin(), edges.end());
-    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+    const auto edges = edges_of(mesh_.tetrahedra, [&](int label) { return counts(label); });
     double sum = 0;
     for (const auto& e : edges) {
       const double l =

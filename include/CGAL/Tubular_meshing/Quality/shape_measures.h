@@ -5,7 +5,6 @@
 #define CGAL_TUBULAR_MESHING_QUALITY_SHAPE_MEASURES_H
 
 #include <CGAL/Tubular_meshing/Fields/Metric_tensor_3.h>
-#include <CGAL/Tubular_meshing/base/Vector_3d.h>
 #include <CGAL/Tubular_meshing/base/element_measures.h>
 
 #include <array>
@@ -69,14 +68,14 @@ template <class Point> double hexahedron_zeta(const std::array<Point, 8>& p) {
  * \f$ \sqrt{1/2} \f$ on a square where the sides are equilateral, 0 flat, negative inverted. */
 template <class Point> double pyramid_jacobian(const std::array<Point, 5>& p) {
   typedef internal::Vector_3d V;
-  return internal::pyramid_jacobian({V(p[0]), V(p[1]), V(p[2]), V(p[3]), V(p[4])});
+  return internal::scaled_jacobian<5>({V(p[0]), V(p[1]), V(p[2]), V(p[3]), V(p[4])});
 }
 
 /*! The smallest Jacobian at the corners of a prism, each divided by the lengths of the three edges there: \f$
  * \sqrt{3/4} \f$ where the sides are upright on equilateral triangles, 0 flat, negative inverted. */
 template <class Point> double prism_jacobian(const std::array<Point, 6>& p) {
   typedef internal::Vector_3d V;
-  return internal::prism_jacobian({V(p[0]), V(p[1]), V(p[2]), V(p[3]), V(p[4]), V(p[5])});
+  return internal::scaled_jacobian<6>({V(p[0]), V(p[1]), V(p[2]), V(p[3]), V(p[4]), V(p[5])});
 }
 
 /*! \f$ Q_\tau \f$ of (16), with the mean of the metrics at the four vertices, scaled to 1 for a regular tetrahedron of

@@ -122,31 +122,9 @@ private:
     faces_.push_back(face);
   }
 
-  // Sets of cells that share faces.
-  class Pieces {
-  public:
-    explicit Pieces(std::size_t cells)
-        : rank_(cells)
-        , parent_(cells)
-        , sets_(rank_.data(), parent_.data()) {
-      for (Index c = 0; c < cells; ++c)
-        sets_.make_set(c);
-    }
-    void join(Index a, Index b) { sets_.union_set(a, b); }
-    template <class Visitor> void for_each(const Visitor& visit) {
-      for (Index c = 0; c < parent_.size(); ++c)
-        if (sets_.find_set(c) == c)
-          visit(c);
-    }
-
-  private:
-    std::vector<Index> rank_, parent_;
-    boost::disjoint_sets<Index*, Index*> sets_;
-  };
-
   void match_faces() {
     std::sort(faces_.begin(), faces_.end());
-    Pieces pieces(report_.cells), pieces_of_regions(report_.cells);
+    boost::disjoint_sets_with_storage<> pieces(report_.cells), pieces_of_regions(report_.cells); // of cells
     for (std::size_t k = 0; k < faces_.size();) {
       std::array<const Face*, 2> sides = {nullptr, nullptr};
       std::size_t cells = 0, facets = 0;
@@ -159,9 +137,9 @@ private:
       if (cells > 2 || (cells == 2 && sides[0]->reversed == sides[1]->reversed))
         ++report_.overfull_faces;
       if (cells == 2) {
-        pieces.join(sides[0]->cell, sides[1]->cell);
+        pieces.union_set(sides[0]->cell, sides[1]->cell);
         if (regions_[sides[0]->cell] == regions_[sides[1]->cell])
-          pieces_of_regions.join(sides[0]->cell, sides[1]->cell);
+          pieces_of_regions.union_set(sides[0]->cell, sides[1]->cell);
         else
           report_.unlabelled_interfaces += facets == 0;
       }
@@ -172,8 +150,11 @@ private:
         add_boundary_face(face.v);
       }
     }
-    pieces.for_each([&](Index) { ++report_.connected_components; });
-    pieces_of_regions.for_each([&](Index c) { ++report_.region_components[regions_[c]]; });
+    for (std::size_t c = 0; c < report_.cells; ++c) {
+      report_.connected_components += pieces.find_set(c) == c;
+      if (pieces_of_regions.find_set(c) == c)
+        ++report_.region_components[regions_[c]];
+    }
     check_boundary();
   }
 

@@ -5,22 +5,14 @@
 #define CGAL_TUBULAR_MESHING_VOLUME_ANISOTROPIC_TETRAHEDRAL_REMESHING_IMPL_H
 
 #include <CGAL/Tubular_meshing/Volume/anisotropic_tetrahedral_remeshing.h>
-#include <CGAL/Tubular_meshing/Volume/internal/Patch_projection.h>
-#include <CGAL/Tubular_meshing/Volume/internal/Tetrahedron_store.h>
-#include <CGAL/Tubular_meshing/Volume/internal/remeshing/Metric_mesh.h>
 #include <CGAL/Tubular_meshing/Volume/internal/remeshing/Metric_remesher.h>
-#include <CGAL/Tubular_meshing/Volume/internal/remeshing/remeshing_input.h>
-#include <CGAL/Tubular_meshing/base/exceptions.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <utility>
-#include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 /* All work is done on a copy: `mesh` is as it was until the end. `make_projection(store)` gives the surface on which
  * the vertices of the boundary stay. */
@@ -67,9 +59,6 @@ anisotropic_tetrahedral_remeshing(Mixed_mesh& mesh, const Surface& surface, Face
       mesh, metric, [&](const Tetrahedron_store&) { return Patch_projection(surface, patch); }, options);
 }
 
-} // namespace internal
-
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_VOLUME_ANISOTROPIC_TETRAHEDRAL_REMESHING_IMPL_H

@@ -5,11 +5,7 @@
 #define CGAL_TUBULAR_MESHING_VOLUME_FILL_KEEPING_BOUNDARY_IMPL_H
 
 #include <CGAL/Tubular_meshing/Volume/fill_keeping_boundary.h>
-#include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/boundary_recovery.h>
 #include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/fill_by_recovery.h>
-#include <CGAL/Tubular_meshing/base/exceptions.h>
-
-#include <string>
 
 namespace CGAL::Tubular_meshing::internal {
 

@@ -5,12 +5,6 @@
 #define CGAL_TUBULAR_MESHING_VOLUME_FILL_WITH_PYRAMIDS_AND_TETRAHEDRA_H
 
 #include <CGAL/Tubular_meshing/Volume/fill_keeping_boundary.h>
-#include <CGAL/Tubular_meshing/base/Function_view.h>
-#include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
-#include <CGAL/Tubular_meshing/base/config.h>
-#include <CGAL/Tubular_meshing/base/convert_surface.h>
-#include <CGAL/Tubular_meshing/base/exceptions.h>
-#include <CGAL/Tubular_meshing/base/parameters.h>
 
 namespace CGAL::Tubular_meshing {
 

@@ -4,25 +4,17 @@
 #ifndef CGAL_TUBULAR_MESHING_VOLUME_FILL_WITH_PYRAMIDS_AND_TETRAHEDRA_IMPL_H
 #define CGAL_TUBULAR_MESHING_VOLUME_FILL_WITH_PYRAMIDS_AND_TETRAHEDRA_IMPL_H
 
-#include <CGAL/Tubular_meshing/Patches/surface_to_mixed_mesh.h>
 #include <CGAL/Tubular_meshing/Volume/fill_with_pyramids_and_tetrahedra.h>
-#include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/boundary_recovery.h>
 #include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/fill_by_recovery.h>
-#include <CGAL/Tubular_meshing/Volume/internal/pyramids/Crowned_surface.h>
+#include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/optimize_inside.h>
 #include <CGAL/Tubular_meshing/Volume/internal/pyramids/Size_near_surface.h>
 #include <CGAL/Tubular_meshing/Volume/internal/pyramids/crown_quads.h>
-#include <CGAL/Tubular_meshing/Volume/internal/pyramids/optimize_with_apexes.h>
-#include <CGAL/Tubular_meshing/base/exceptions.h>
-#include <CGAL/Tubular_meshing/base/labels.h>
 
 #include <cstddef>
 #include <cstdint>
-#include <string>
 #include <utility>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 CGAL_TUBULAR_MESHING_INLINE void check_keeps_boundary(Volume_mesher mesher) {
   if (mesher == Volume_mesher::mesh_3)
@@ -66,15 +58,12 @@ fill_with_pyramids_and_tetrahedra(const Surface& surface, Face_patch_map patch, 
   const Size_near_surface graded(size, boundary);
   fill_between_pyramids(crowned, graded, recovery_by(options.volume_mesher), limits, result);
   result.pyramids = pyramids_on(boundary.quads, boundary.points.size());
-  optimize_with_apexes(result, options.optimization_passes, options.number_of_threads);
+  optimize_inside(result, options.optimization_passes, options.number_of_threads, result.pyramids);
   result.triangles = std::move(boundary.triangles);
   result.quads = std::move(boundary.quads);
   mesh = std::move(result);
 }
 
-} // namespace internal
-
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_VOLUME_FILL_WITH_PYRAMIDS_AND_TETRAHEDRA_IMPL_H

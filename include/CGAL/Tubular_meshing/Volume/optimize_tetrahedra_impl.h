@@ -5,19 +5,10 @@
 #define CGAL_TUBULAR_MESHING_VOLUME_OPTIMIZE_TETRAHEDRA_IMPL_H
 
 #include <CGAL/Tubular_meshing/Volume/internal/Deviation_reducer.h>
-#include <CGAL/Tubular_meshing/Volume/internal/Patch_projection.h>
-#include <CGAL/Tubular_meshing/Volume/internal/Surface_flip_guard.h>
-#include <CGAL/Tubular_meshing/Volume/internal/Tetrahedron_store.h>
-#include <CGAL/Tubular_meshing/Volume/internal/Vertex_optimizer.h>
-#include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/Kept_boundary.h>
-#include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/remesh_worst.h>
-#include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/write_inside.h>
-#include <CGAL/Tubular_meshing/Volume/internal/optimize_in_passes.h>
+#include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/optimize_inside.h>
 #include <CGAL/Tubular_meshing/Volume/optimize_tetrahedra.h>
 
-namespace CGAL {
-namespace Tubular_meshing {
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 inline void optimize_with_surface(Mixed_mesh& mesh, const Surface& surface, Face_patch_map patch, int passes,
                                   int threads) {
@@ -35,18 +26,6 @@ inline void optimize_with_surface(Mixed_mesh& mesh, const Surface& surface, Face
   store.write_to(mesh);
 }
 
-inline void optimize_inside(Mixed_mesh& mesh, int passes, int threads) {
-  const Kept_boundary boundary;
-  Tetrahedron_store store(mesh);
-  const auto move_vertices = [&](int) {
-    Vertex_optimizer<Kept_boundary> vertices(store, boundary, threads);
-    vertices.sweep();
-    vertices.sweep();
-  };
-  optimize_in_passes(store, boundary, passes, move_vertices, [&] { remesh_worst(store, remeshed_below); });
-  write_inside(store, mesh);
-}
-
 CGAL_TUBULAR_MESHING_INLINE void optimize_tetrahedra(Mixed_mesh& mesh, const Surface& surface, Face_patch_map patch,
                                                      const Optimize_tetrahedra_options& options) {
   if (options.keep_boundary)
@@ -55,9 +34,6 @@ CGAL_TUBULAR_MESHING_INLINE void optimize_tetrahedra(Mixed_mesh& mesh, const Sur
     optimize_with_surface(mesh, surface, patch, options.optimization_passes, options.number_of_threads);
 }
 
-} // namespace internal
-
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_VOLUME_OPTIMIZE_TETRAHEDRA_IMPL_H

@@ -4,12 +4,10 @@
 #ifndef CGAL_TUBULAR_MESHING_BASE_CANONICAL_FRAME_H
 #define CGAL_TUBULAR_MESHING_BASE_CANONICAL_FRAME_H
 
-#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/base/Nearest_tree.h>
 
 #include <Eigen/Eigenvalues>
 
-#include <algorithm>
 #include <cmath>
 #include <vector>
 

@@ -5,6 +5,7 @@
 #define CGAL_TUBULAR_MESHING_BASE_NEAREST_TREE_H
 
 #include <CGAL/Tubular_meshing/base/Kernel.h>
+#include <CGAL/Tubular_meshing/base/Vector_3d.h>
 #include <CGAL/Tubular_meshing/base/cgal_compatibility.h>
 
 #include <CGAL/AABB_tree.h>
@@ -24,6 +25,10 @@ typedef CGAL::Simple_cartesian<double> Double_kernel;
 
 template <class Point_3> Double_kernel::Point_3 to_double_point(const Point_3& p) {
   return Double_kernel::Point_3(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
+}
+
+inline Double_kernel::Point_3 to_double_point(const Vector_3d& p) {
+  return Double_kernel::Point_3(p.x, p.y, p.z);
 }
 
 inline Double_kernel::Point_3 projection(const Double_kernel::Segment_3& s, const Double_kernel::Point_3& q) {
@@ -82,45 +87,11 @@ inline double squared_distance_to_box(const CGAL::Bbox_3& b, const Double_kernel
   return dx * dx + dy * dy + dz * dz;
 }
 
-/* The nearest of many segments or triangles (`Shape`, of Double_kernel).
- *
- * CGAL's AABB tree, walked nearer child first: unlike AABB_tree::closest_point(), a query needs no starting hint (whose
- * kd-tree search allocates), takes no lock and allocates nothing. Built once in O(n log n); a query is O(log n) for
- * shapes such as surfaces and centerlines. Safe to query from several threads.
- */
-template <class Shape> class Nearest_tree {
+/* CGAL's AABB tree over segments or triangles (`Shape`, of Double_kernel), for any question: a visitor says which boxes
+ * to enter. Copies of the shapes are searched, so that the surface they come from may be refined. Built once in
+ * O(n log n). Safe to query from several threads. */
+template <class Shape> class Shape_tree {
 public:
-  typedef Double_kernel::Point_3 Point;
-
-  struct Result {
-    std::size_t index;
-    Point point;
-    double squared_distance;
-  };
-
-  Nearest_tree() {}
-  explicit Nearest_tree(std::vector<Shape> shapes)
-      : shapes_(new std::vector<Shape>(std::move(shapes)))
-      , tree_(new Tree(shapes_->data(), shapes_->data() + shapes_->size())) {
-    tree_->do_not_accelerate_distance_queries();
-    tree_->build();
-  }
-
-  bool empty() const { return !shapes_ || shapes_->empty(); }
-  std::size_t size() const { return shapes_ ? shapes_->size() : 0; }
-  const Shape& shape(std::size_t i) const { return (*shapes_)[i]; }
-  CGAL::Bbox_3 bbox() const { return empty() ? CGAL::Bbox_3() : CGAL::Bbox_3(tree_->bbox()); }
-
-  /* The nearest shape closer than the given bound; `index` is size() if there is none. */
-  Result nearest(const Point& q, double squared_bound = (std::numeric_limits<double>::infinity)()) const {
-    Descent descent{q, nullptr, squared_bound};
-    if (!empty())
-      tree_->traversal_with_priority(q, descent);
-    const std::size_t index = descent.shape == nullptr ? size() : std::size_t(descent.shape - shapes_->data());
-    return Result{index, descent.point, descent.squared_distance};
-  }
-
-private:
   struct Primitive {
     typedef const Shape* Id;
     typedef Shape Datum;
@@ -137,36 +108,84 @@ private:
     Point_reference reference_point() const { return shape->vertex(0); }
   };
 
-  typedef Aabb_traits<Double_kernel, Primitive> Traits;
-  typedef CGAL::AABB_tree<Traits> Tree;
+  Shape_tree() {}
+  explicit Shape_tree(std::vector<Shape> shapes)
+      : shapes_(new std::vector<Shape>(std::move(shapes)))
+      , tree_(new Tree(shapes_->data(), shapes_->data() + shapes_->size())) {
+    tree_->do_not_accelerate_distance_queries();
+    tree_->build();
+  }
 
-  // The traversal traits: a node is entered if it may hold something nearer than the best so far.
-  struct Descent {
-    typedef double Priority;
+  bool empty() const { return !shapes_ || shapes_->empty(); }
+  std::size_t size() const { return shapes_ ? shapes_->size() : 0; }
+  const Shape& shape(std::size_t i) const { return (*shapes_)[i]; }
+  std::size_t index(const Primitive& p) const { return std::size_t(p.shape - shapes_->data()); }
+  CGAL::Bbox_3 bbox() const { return empty() ? CGAL::Bbox_3() : CGAL::Bbox_3(tree_->bbox()); }
 
-    Point point;
-    const Shape* shape;
-    double squared_distance;
+  // The visitor has the members of the traversal traits of CGAL's trees; the query is handed to them.
+  template <class Query, class Visitor> void visit(const Query& query, Visitor& visitor) const {
+    if (!empty())
+      tree_->traversal(query, visitor);
+  }
+  template <class Query, class Visitor> void visit_best_first(const Query& query, Visitor& visitor) const {
+    if (!empty())
+      tree_->traversal_with_priority(query, visitor);
+  }
 
-    bool go_further() const { return true; }
-    template <class Node> bool do_intersect(const Point& q, const Node& node) const {
-      return squared_distance_to_box(node.bbox(), q) < squared_distance;
-    }
-    template <class Node> std::pair<bool, Priority> do_intersect_with_priority(const Point& q, const Node& node) const {
-      const double d = squared_distance_to_box(node.bbox(), q);
-      return std::make_pair(d < squared_distance, -d);
-    }
-    void intersection(const Point& q, const Primitive& primitive) {
-      const Point p = projection(primitive.datum(), q);
-      const double d = CGAL::squared_distance(p, q);
-      if (d < squared_distance)
-        *this = Descent{p, primitive.shape, d};
-    }
-  };
+private:
+  typedef CGAL::AABB_tree<Aabb_traits<Double_kernel, Primitive>> Tree;
 
   // behind pointers, so that the tree's primitives stay valid when this object moves
   std::shared_ptr<std::vector<Shape>> shapes_;
   std::shared_ptr<Tree> tree_;
+};
+
+/* The nearest of many segments or triangles.
+ *
+ * Walked nearer child first: unlike AABB_tree::closest_point(), a query needs no starting hint (whose kd-tree search
+ * allocates), takes no lock and allocates nothing. It is O(log n) for shapes such as surfaces and centerlines. */
+template <class Shape> class Nearest_tree : public Shape_tree<Shape> {
+public:
+  typedef Double_kernel::Point_3 Point;
+
+  struct Result {
+    std::size_t index;
+    Point point;
+    double squared_distance;
+  };
+
+  using Shape_tree<Shape>::Shape_tree;
+
+  /* The nearest shape closer than the given bound; `index` is size() if there is none. */
+  Result nearest(const Point& q, double squared_bound = (std::numeric_limits<double>::infinity)()) const {
+    Descent descent{*this, Result{this->size(), q, squared_bound}};
+    this->visit_best_first(q, descent);
+    return descent.best;
+  }
+
+private:
+  // The traversal traits: a node is entered if it may hold something nearer than the best so far.
+  struct Descent {
+    typedef double Priority;
+
+    const Nearest_tree& tree;
+    Result best;
+
+    bool go_further() const { return true; }
+    template <class Node> bool do_intersect(const Point& q, const Node& node) const {
+      return squared_distance_to_box(node.bbox(), q) < best.squared_distance;
+    }
+    template <class Node> std::pair<bool, Priority> do_intersect_with_priority(const Point& q, const Node& node) const {
+      const double d = squared_distance_to_box(node.bbox(), q);
+      return std::make_pair(d < best.squared_distance, -d);
+    }
+    void intersection(const Point& q, const typename Shape_tree<Shape>::Primitive& primitive) {
+      const Point p = projection(primitive.datum(), q);
+      const double d = CGAL::squared_distance(p, q);
+      if (d < best.squared_distance)
+        best = Result{tree.index(primitive), p, d};
+    }
+  };
 };
 
 } // namespace CGAL::Tubular_meshing::internal

@@ -4,7 +4,6 @@
 #ifndef CGAL_TUBULAR_MESHING_BASE_CONVERT_SURFACE_H
 #define CGAL_TUBULAR_MESHING_BASE_CONVERT_SURFACE_H
 
-#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/base/Labelled_surface.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>
@@ -15,7 +14,6 @@
 #include <CGAL/number_utils.h>
 #include <CGAL/property_map.h>
 
-#include <cstddef>
 #include <iterator>
 #include <optional>
 #include <type_traits>

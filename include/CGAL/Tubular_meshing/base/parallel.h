@@ -4,8 +4,6 @@
 #ifndef CGAL_TUBULAR_MESHING_BASE_PARALLEL_H
 #define CGAL_TUBULAR_MESHING_BASE_PARALLEL_H
 
-#include <cstddef>
-
 #include <CGAL/Tubular_meshing/base/Function_view.h>
 #include <CGAL/Tubular_meshing/base/config.h>
 

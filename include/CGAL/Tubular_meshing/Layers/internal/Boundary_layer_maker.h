@@ -7,21 +7,11 @@
 #include <CGAL/Tubular_meshing/Layers/extrude_boundary_layer.h>
 #include <CGAL/Tubular_meshing/Layers/internal/Layer_builder.h>
 #include <CGAL/Tubular_meshing/Layers/internal/Layer_engine.h>
-#include <CGAL/Tubular_meshing/Layers/internal/Layer_surface.h>
 #include <CGAL/Tubular_meshing/Layers/internal/Wall_facets.h>
-#include <CGAL/Tubular_meshing/Plane/Metric_tensor_2.h>
 #include <CGAL/Tubular_meshing/Plane/triangulate_in_metric.h>
-#include <CGAL/Tubular_meshing/base/Function_view.h>
-#include <CGAL/Tubular_meshing/base/Kernel.h>
-#include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
-#include <CGAL/Tubular_meshing/base/Plane_frame.h>
-#include <CGAL/Tubular_meshing/base/exceptions.h>
-#include <CGAL/Tubular_meshing/base/Vector_3d.h>
-#include <CGAL/Tubular_meshing/base/labels.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -72,9 +62,8 @@ struct Boundary_layer_heights {
 
   std::vector<double> levels() const {
     std::vector<double> result = {0};
-    double sum = 0, h = first_height;
-    for (int k = 1; k < layers; ++k, h *= growth)
-      result.push_back((sum += h) / total());
+    for (int k = 1; k < layers; ++k)
+      result.push_back(height(k) / total());
     result.push_back(1);
     return result;
   }

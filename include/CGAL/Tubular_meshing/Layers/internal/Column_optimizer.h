@@ -5,14 +5,10 @@
 #define CGAL_TUBULAR_MESHING_LAYERS_INTERNAL_COLUMN_OPTIMIZER_H
 
 #include <CGAL/Tubular_meshing/Layers/internal/Layer_directions.h>
-#include <CGAL/Tubular_meshing/Layers/internal/Layer_surface.h>
 #include <CGAL/Tubular_meshing/base/Plane_frame.h>
-#include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
 #include <vector>
 
 namespace CGAL::Tubular_meshing::internal {

@@ -5,9 +5,7 @@
 #define CGAL_TUBULAR_MESHING_LAYERS_INTERNAL_LAYER_BUILDER_H
 
 #include <CGAL/Tubular_meshing/Layers/internal/Layer_surface.h>
-#include <CGAL/Tubular_meshing/base/Function_view.h>
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
-#include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
 #include <algorithm>
 #include <array>

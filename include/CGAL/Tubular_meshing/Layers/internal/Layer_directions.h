@@ -5,12 +5,9 @@
 #define CGAL_TUBULAR_MESHING_LAYERS_INTERNAL_LAYER_DIRECTIONS_H
 
 #include <CGAL/Tubular_meshing/Layers/internal/Layer_surface.h>
-#include <CGAL/Tubular_meshing/base/exceptions.h>
-#include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <limits>
 #include <vector>
 

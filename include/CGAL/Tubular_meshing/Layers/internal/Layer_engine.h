@@ -6,20 +6,14 @@
 
 #include <CGAL/Tubular_meshing/Layers/Layer_report.h>
 #include <CGAL/Tubular_meshing/Layers/internal/Column_optimizer.h>
-#include <CGAL/Tubular_meshing/Layers/internal/Layer_directions.h>
-#include <CGAL/Tubular_meshing/Layers/internal/Layer_surface.h>
 #include <CGAL/Tubular_meshing/Layers/internal/Layer_thickness.h>
-#include <CGAL/Tubular_meshing/base/Plane_frame.h>
-#include <CGAL/Tubular_meshing/Layers/internal/triangle_crossings.h>
 #include <CGAL/Tubular_meshing/Rims/planar_cap.h>
 #include <CGAL/Tubular_meshing/base/Function_view.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
-#include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <limits>
 #include <string>
 #include <vector>
@@ -50,8 +44,9 @@ public:
   /* \param points those of the surface, and then others
    * \param obstacles triangles that the layers must stay clear of, by points
    * \param closure triangles that close the far side with its rims */
-  Layer_engine(const Layer_surface& surface, std::vector<Vector_3d> points, std::vector<Box_tree::Triangle> obstacles,
-               std::vector<Box_tree::Triangle> closure, std::vector<double> wanted, const Layer_options& options)
+  Layer_engine(const Layer_surface& surface, std::vector<Vector_3d> points,
+               std::vector<Layer_surface::Triangle> obstacles, std::vector<Layer_surface::Triangle> closure,
+               std::vector<double> wanted, const Layer_options& options)
       : surface_(surface)
       , points_(std::move(points))
       , obstacles_(std::move(obstacles))
@@ -181,7 +176,7 @@ private:
     std::vector<Vector_3d> points = points_;
     for (Index v = 0; v < n; ++v)
       points.push_back(surface_.points[v] + vector(v));
-    std::vector<Box_tree::Triangle> triangles = surface_.triangles(false, far);
+    std::vector<Layer_surface::Triangle> triangles = surface_.triangles(false, far);
     std::vector<Index> bad;
     if (options_.inward)
       close_far_rims(points, far, triangles, bad);
@@ -201,7 +196,7 @@ private:
     return bad;
   }
 
-  void close_by_rings(Index far, std::vector<Box_tree::Triangle>& triangles) const {
+  void close_by_rings(Index far, std::vector<Layer_surface::Triangle>& triangles) const {
     for (const Layer_surface::Rim_edge& e : surface_.rim_edges) {
       triangles.push_back({e.source, e.target, far + e.target});
       triangles.push_back({e.source, far + e.target, far + e.source});
@@ -210,7 +205,7 @@ private:
   }
 
   // Rims that are no simple polygons in their planes are bad.
-  void close_far_rims(const std::vector<Vector_3d>& points, Index far, std::vector<Box_tree::Triangle>& triangles,
+  void close_far_rims(const std::vector<Vector_3d>& points, Index far, std::vector<Layer_surface::Triangle>& triangles,
                       std::vector<Index>& bad) const {
     for (const Layer_surface::Rim& rim : surface_.rims) {
       std::vector<Index> vertices;
@@ -232,7 +227,7 @@ private:
 
   const Layer_surface& surface_;
   const std::vector<Vector_3d> points_;
-  const std::vector<Box_tree::Triangle> obstacles_, closure_;
+  const std::vector<Layer_surface::Triangle> obstacles_, closure_;
   const Layer_options options_;
   Layer_directions directions_;
   std::vector<Vector_3d> direction_;

@@ -6,7 +6,6 @@
 
 #include <CGAL/Tubular_meshing/base/Function_view.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
-#include <CGAL/Tubular_meshing/base/Sentence.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
 #include <algorithm>
@@ -23,6 +22,7 @@ class Layer_surface {
 public:
   typedef std::uint32_t Index;
   static constexpr Index none = Index(-1);
+  typedef std::array<Index, 3> Triangle;
   typedef std::array<Index, 4> Face; // a triangle ends in `none`
 
   // A corner of a face: the vertices after and before it.
@@ -60,8 +60,8 @@ public:
   std::size_t number_of_vertices() const { return points.size(); }
 
   // The faces as triangles: as they turn, or the other way; vertices are numbered from `first` on.
-  std::vector<std::array<Index, 3>> triangles(bool turned = false, Index first = 0) const {
-    std::vector<std::array<Index, 3>> result;
+  std::vector<Triangle> triangles(bool turned = false, Index first = 0) const {
+    std::vector<Triangle> result;
     const auto add = [&](Index a, Index b, Index c) {
       result.push_back({first + a, first + (turned ? c : b), first + (turned ? b : c)});
     };
@@ -80,8 +80,6 @@ public:
   // The vertices that a vertex shares an edge with.
   const Index* neighbors_begin(Index v) const { return neighbors_.data() + first_neighbor_[v]; }
   const Index* neighbors_end(Index v) const { return neighbors_.data() + first_neighbor_[v + 1]; }
-
-  bool is_on_rim(Index v) const { return rim_plane_[v] != none; }
 
   // The part of a vector that leads out of no rim that the vertex is on.
   Vector_3d along_rims(Index v, Vector_3d d) const {

@@ -4,13 +4,11 @@
 #ifndef CGAL_TUBULAR_MESHING_LAYERS_INTERNAL_LAYER_THICKNESS_H
 #define CGAL_TUBULAR_MESHING_LAYERS_INTERNAL_LAYER_THICKNESS_H
 
-#include <CGAL/Tubular_meshing/Layers/internal/Box_tree.h>
-#include <CGAL/Tubular_meshing/Layers/internal/Layer_surface.h>
-#include <CGAL/Tubular_meshing/base/Vector_3d.h>
+#include <CGAL/Tubular_meshing/Layers/internal/triangle_crossings.h>
+#include <CGAL/Tubular_meshing/base/Nearest_tree.h>
 #include <CGAL/Tubular_meshing/base/parallel.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <functional>
 #include <queue>
@@ -62,29 +60,41 @@ inline void limit_slope(const Layer_surface& surface, double slope, std::vector<
  * \param obstacles further triangles, of which none of the layers may grow into; by indices of points
  */
 inline void share_gaps(const Layer_surface& surface, const std::vector<Vector_3d>& points,
-                       const std::vector<Box_tree::Triangle>& obstacles, const std::vector<Vector_3d>& directions,
+                       const std::vector<Layer_surface::Triangle>& obstacles, const std::vector<Vector_3d>& directions,
                        double part, int threads, std::vector<double>& thickness) {
   typedef Layer_surface::Index Index;
-  std::vector<Box_tree::Triangle> triangles = surface.triangles();
+  std::vector<Layer_surface::Triangle> triangles = surface.triangles();
   triangles.insert(triangles.end(), obstacles.begin(), obstacles.end());
+  const Box_tree<3> tree = tree_of_triangles(points, triangles);
   std::vector<Vector_3d> normals;
-  for (const Box_tree::Triangle& t : triangles)
+  for (const Layer_surface::Triangle& t : triangles)
     normals.push_back(normalized(cross(points[t[1]] - points[t[0]], points[t[2]] - points[t[0]])));
-  const Box_tree tree(points, triangles);
 
   const double facing = 0.5; // faces turned by less are the vertex's own neighbourhood
   for_each_range(surface.number_of_vertices(), threads, [&](std::size_t begin, std::size_t end) {
     for (Index v = Index(begin); v < end; ++v) {
       const Vector_3d &x = points[v], &d = directions[v];
-      const auto accepts = [&](Box_tree::Index t) {
-        const Box_tree::Triangle& c = triangles[t];
-        return dot(normals[t], d) < facing && c[0] != v && c[1] != v && c[2] != v;
-      };
       double radius = thickness[v] / part;
       for (int round = 0; round < 20; ++round) {
-        const auto found = tree.nearest(x + radius * d, radius * radius * (1 - 1e-9), accepts);
-        const Vector_3d to = found.point - x;
-        if (found.triangle == Box_tree::none || !(dot(to, d) > 0))
+        const Double_kernel::Point_3 center = to_double_point(x + radius * d);
+        const Box_tree<3>::Place place = {center.x(), center.y(), center.z()};
+        double distance2 = radius * radius * (1 - 1e-9);
+        Vector_3d to;
+        tree.visit_near(place, distance2, [&](Index t) {
+          const Layer_surface::Triangle& c = triangles[t];
+          if (tree.box(t).squared_distance(place) >= distance2 || !(dot(normals[t], d) < facing) || c[0] == v ||
+              c[1] == v || c[2] == v)
+            return;
+          const Double_kernel::Triangle_3 triangle(to_double_point(points[c[0]]), to_double_point(points[c[1]]),
+                                                   to_double_point(points[c[2]]));
+          const Double_kernel::Point_3 nearest = projection(triangle, center);
+          const double d2 = CGAL::squared_distance(nearest, center);
+          if (d2 < distance2) {
+            distance2 = d2;
+            to = Vector_3d(nearest) - x;
+          }
+        });
+        if (!(dot(to, d) > 0)) // where there is none, too
           break;
         const double smaller = squared_norm(to) / (2 * dot(to, d));
         const bool done = !(smaller < 0.99 * radius);

@@ -4,18 +4,10 @@
 #ifndef CGAL_TUBULAR_MESHING_LAYERS_INTERNAL_WALL_EXTRUDER_H
 #define CGAL_TUBULAR_MESHING_LAYERS_INTERNAL_WALL_EXTRUDER_H
 
-#include <CGAL/Tubular_meshing/Layers/Layer_report.h>
 #include <CGAL/Tubular_meshing/Layers/extrude_wall.h>
 #include <CGAL/Tubular_meshing/Layers/internal/Layer_builder.h>
 #include <CGAL/Tubular_meshing/Layers/internal/Layer_engine.h>
-#include <CGAL/Tubular_meshing/Layers/internal/Layer_surface.h>
 #include <CGAL/Tubular_meshing/Layers/internal/Wall_facets.h>
-#include <CGAL/Tubular_meshing/base/Function_view.h>
-#include <CGAL/Tubular_meshing/base/Kernel.h>
-#include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
-#include <CGAL/Tubular_meshing/base/exceptions.h>
-#include <CGAL/Tubular_meshing/base/Vector_3d.h>
-#include <CGAL/Tubular_meshing/base/labels.h>
 
 #include <algorithm>
 #include <cmath>
@@ -86,9 +78,9 @@ public:
     const Layer_surface surface = wall.surface(false);
     const Layer_options options = options_for_layers();
     std::vector<Vector_3d> points = surface.points;
-    std::vector<Box_tree::Triangle> closure;
+    std::vector<Layer_surface::Triangle> closure;
     wall.caps(points, closure);
-    const std::vector<Box_tree::Triangle> caps = closure;
+    const std::vector<Layer_surface::Triangle> caps = closure;
     if (!wall.has_all_caps(surface)) // an open surface: then the wall is closed by its own near side
       closure = surface.triangles(true);
     const Layer_engine engine(surface, std::move(points), caps, std::move(closure),

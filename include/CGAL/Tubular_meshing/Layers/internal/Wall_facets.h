@@ -5,11 +5,7 @@
 #define CGAL_TUBULAR_MESHING_LAYERS_INTERNAL_WALL_FACETS_H
 
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
-#include <CGAL/Tubular_meshing/Layers/internal/Box_tree.h>
 #include <CGAL/Tubular_meshing/Layers/internal/Layer_surface.h>
-#include <CGAL/Tubular_meshing/base/exceptions.h>
-#include <CGAL/Tubular_meshing/base/Vector_3d.h>
-#include <CGAL/Tubular_meshing/base/labels.h>
 
 #include <algorithm>
 #include <array>
@@ -71,7 +67,7 @@ public:
   }
 
   /* The facets of openings as triangles of the points that the engine knows: the wall's vertices, then the others'. */
-  void caps(std::vector<Vector_3d>& points, std::vector<Box_tree::Triangle>& triangles) const {
+  void caps(std::vector<Vector_3d>& points, std::vector<Layer_surface::Triangle>& triangles) const {
     std::map<Index, Index> others;
     const auto vertex = [&](Index v) {
       if (number_[v] != Layer_surface::none)

@@ -4,39 +4,23 @@
 #ifndef CGAL_TUBULAR_MESHING_LAYERS_INTERNAL_LABELLED_FACETS_H
 #define CGAL_TUBULAR_MESHING_LAYERS_INTERNAL_LABELLED_FACETS_H
 
-#include <CGAL/Tubular_meshing/base/Kernel.h>
-#include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
+#include <CGAL/Tubular_meshing/Patches/surface_to_mixed_mesh.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
-#include <CGAL/Tubular_meshing/base/labels.h>
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Tubular_meshing::internal {
 
-/* A surface, open or closed, as a mesh of nothing but facets. Vertices keep their order. */
+/* A surface, open or closed, as a mesh of nothing but facets that layers can grow on. Vertices keep their order. */
 inline Mixed_mesh labelled_facets(const Surface& surface, Face_patch_map patch) {
-  Mixed_mesh mesh;
-  std::vector<std::uint32_t> number(surface.number_of_vertices() + surface.number_of_removed_vertices(), 0);
-  for (auto v : surface.vertices()) {
-    number[std::size_t(v)] = std::uint32_t(mesh.points.size());
-    mesh.points.push_back(surface.point(v));
-  }
-  for (auto f : surface.faces()) {
-    Element_block<4>::Element c = {};
-    std::size_t n = 0;
-    for (auto v : surface.vertices_around_face(surface.halfedge(f))) {
-      if (n == c.size())
-        throw Input_error("A face of the surface has more than four edges: layers grow on triangles and quads only.");
-      c[n++] = number[std::size_t(v)];
-    }
-    if (n == c.size())
-      mesh.quads.push_back(c, get(patch, f));
-    else
-      mesh.triangles.push_back({c[0], c[1], c[2]}, get(patch, f));
-  }
-  return mesh;
+  std::optional<Mixed_mesh> mesh = facets_of(surface, patch);
+  if (!mesh)
+    throw Input_error("A face of the surface has more than four edges: layers grow on triangles and quads only.");
+  return *std::move(mesh);
 }
 
 template <std::size_t N, class Keep> void keep_elements(Element_block<N>& elements, const Keep& keep) {
@@ -47,10 +31,10 @@ template <std::size_t N, class Keep> void keep_elements(Element_block<N>& elemen
   elements = std::move(kept);
 }
 
-/* Takes away the points that no element has; the others keep their order. Returns the former number of each. */
-inline std::vector<std::uint32_t> remove_unused_points(Mixed_mesh& mesh) {
+/* Takes away the points that no element has; the others keep their order. */
+inline void remove_unused_points(Mixed_mesh& mesh) {
   const std::uint32_t none = std::uint32_t(-1);
-  std::vector<std::uint32_t> number(mesh.points.size(), none), former;
+  std::vector<std::uint32_t> number(mesh.points.size(), none);
   const auto for_each_vertex = [&](const auto& visit) {
     const auto of = [&](auto& elements) {
       for (auto& e : elements.vertices)
@@ -65,15 +49,14 @@ inline std::vector<std::uint32_t> remove_unused_points(Mixed_mesh& mesh) {
     of(mesh.quads);
   };
   for_each_vertex([&](std::uint32_t v) { number[v] = 0; });
-  for (std::uint32_t v = 0; v < number.size(); ++v)
+  std::uint32_t used = 0;
+  for (std::size_t v = 0; v < number.size(); ++v)
     if (number[v] != none) {
-      number[v] = std::uint32_t(former.size());
-      mesh.points[former.size()] = mesh.points[v];
-      former.push_back(v);
+      mesh.points[used] = mesh.points[v];
+      number[v] = used++;
     }
-  mesh.points.erase(mesh.points.begin() + std::ptrdiff_t(former.size()), mesh.points.end());
+  mesh.points.resize(used);
   for_each_vertex([&](std::uint32_t& v) { v = number[v]; });
-  return former;
 }
 
 /* Of a surface with a wall, leaves the wall. */

@@ -4,10 +4,8 @@
 #ifndef CGAL_TUBULAR_MESHING_PLANE_INTERNAL_FRONTAL_DELAUNAY_H
 #define CGAL_TUBULAR_MESHING_PLANE_INTERNAL_FRONTAL_DELAUNAY_H
 
-#include <CGAL/Tubular_meshing/Plane/Metric_plane.h>
 #include <CGAL/Tubular_meshing/Plane/Point_insertion.h>
 #include <CGAL/Tubular_meshing/base/constants.h>
-#include <CGAL/Tubular_meshing/base/exceptions.h>
 
 #include <algorithm>
 #include <cmath>
@@ -128,7 +126,7 @@ private:
         return false;
       node = plane_.node_at(p, scale);
     }
-    if (!has_room(place, node))
+    if (!insertion_.has_room(place, node, smallest_distance))
       return false;
     commit(insertion_.insert(place, node));
     return true;
@@ -167,11 +165,6 @@ private:
     const double s = (std::min)(1., most_correction / size);
     p = Plane_point(x.point.x() + s * step.x, x.point.y() + s * step.y);
     return CGAL::orientation(a.point, b.point, p) == CGAL::LEFT_TURN;
-  }
-  bool has_room(const Insertion::Place& place, const Node& x) {
-    return insertion_.all_neighbors(
-        place, x, [&](Index v) { return Metric_plane::length(x, plane_.nodes[v]) >= smallest_distance; },
-        [&](Index h) { return plane_.sees_at_good_angle(x, h); });
   }
 
   void commit(Index x) {

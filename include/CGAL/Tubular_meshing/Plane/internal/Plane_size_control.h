@@ -4,14 +4,12 @@
 #ifndef CGAL_TUBULAR_MESHING_PLANE_INTERNAL_PLANE_SIZE_CONTROL_H
 #define CGAL_TUBULAR_MESHING_PLANE_INTERNAL_PLANE_SIZE_CONTROL_H
 
-#include <CGAL/Tubular_meshing/Plane/Metric_plane.h>
 #include <CGAL/Tubular_meshing/Plane/Plane_flips.h>
 #include <CGAL/Tubular_meshing/Plane/Point_insertion.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <vector>
 
 namespace CGAL::Tubular_meshing::internal {
 
@@ -60,9 +58,7 @@ private:
     const auto place = place_beside(h, middle.point);
     if (place.half_edge == Plane_store::none)
       return;
-    const auto far_enough = [&](Index v) { return Metric_plane::length(middle, plane_.nodes[v]) >= least_distance; };
-    if (insertion_.all_neighbors(place, middle, far_enough,
-                                 [&](Index k) { return plane_.sees_at_good_angle(middle, k); }))
+    if (insertion_.has_room(place, middle, least_distance))
       insertion_.insert(place, middle);
   }
 

@@ -8,7 +8,6 @@
 #include <CGAL/Tubular_meshing/base/constants.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <vector>
 

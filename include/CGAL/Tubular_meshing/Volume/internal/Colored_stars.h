@@ -38,11 +38,8 @@ public:
   // The facets opposite to v in the tetrahedra around it.
   Range facets(Index v) const { return {star_.data() + star_begin_[v], star_.data() + star_begin_[v + 1]}; }
 
-  // visit(v) for each movable vertex, color by color, those of a color on `threads` threads.
-  template <class Visit> void for_each_movable(int threads, const Visit& visit) const {
-    for_each_movable(threads, visit, [] {});
-  }
-  // The same; before_color() is called once before each color.
+  /* visit(v) for each movable vertex, color by color, those of a color on `threads` threads; before_color() is called
+   * once before each color. */
   template <class Visit, class Before_color>
   void for_each_movable(int threads, const Visit& visit, const Before_color& before_color) const {
     for (std::size_t c = 0; c + 1 < color_begin_.size(); ++c) {

@@ -4,13 +4,8 @@
 #ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_DEVIATION_REDUCER_H
 #define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_DEVIATION_REDUCER_H
 
-#include <CGAL/Tubular_meshing/base/Kernel.h>
-#include <CGAL/Tubular_meshing/base/Nearest_tree.h>
 #include <CGAL/Tubular_meshing/Volume/internal/Patch_projection.h>
-#include <CGAL/Tubular_meshing/Volume/internal/Tetrahedron_store.h>
 #include <CGAL/Tubular_meshing/Volume/internal/Vertex_optimizer.h>
-#include <CGAL/Tubular_meshing/base/Vector_3d.h>
-#include <CGAL/Tubular_meshing/base/parallel.h>
 
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
@@ -47,9 +42,8 @@ public:
   }
 
   void run() {
-    std::vector<Vertex> corners;
-    for (Vertex u : vertices(surface_))
-      corners.push_back(u);
+    const auto all = surface_.vertices();
+    const std::vector<Vertex> corners(all.begin(), all.end());
     std::vector<Index> facet(corners.size(), Tetrahedron_store::none);
     for_each_range(corners.size(), threads_, [&](std::size_t first, std::size_t last) {
       for (std::size_t k = first; k < last; ++k) {
@@ -98,10 +92,7 @@ private:
                        squared_norm(store_.point(v[2]) - store_.point(v[0]))});
   }
   Double_kernel::Point_3 point(Vertex u) const { return to_double_point(get(CGAL::vertex_point, surface_, u)); }
-  Double_kernel::Point_3 to_point(Index v) const {
-    const Vector_3d& p = store_.point(v);
-    return Double_kernel::Point_3(p.x, p.y, p.z);
-  }
+  Double_kernel::Point_3 to_point(Index v) const { return to_double_point(store_.point(v)); }
 
   const Surface& surface_;
   Face_patch_map patch_;

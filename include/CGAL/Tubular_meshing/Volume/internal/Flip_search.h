@@ -68,9 +68,6 @@ private:
   static constexpr double peelable = 0.3;    // worse than this, a tetrahedron on the surface is flat
   static constexpr double least_gain = 1e-3; // in quality: smaller ones invite endless exchanges between near ties
 
-  double quality_of(Index a, Index b, Index c, Index d) const { return measure_.tetrahedron(a, b, c, d); }
-  double triangle_quality_of(Index a, Index b, Index c) const { return measure_.triangle(a, b, c); }
-
   bool can_remove_edge(Index t, int i, int j) {
     store_.ring(t, i, j, ring_);
     const int m = int(ring_.link.size());
@@ -141,8 +138,8 @@ private:
     if (label == 0 || label != store_[last].label[store_.corner(last, ring_.link[m - 2])])
       return false;
     // triangles count with the tetrahedra: one measure that only ever rises
-    const double before = (std::min)(triangle_quality_of(a, b, c), triangle_quality_of(a, b, d));
-    const double after = (std::min)(triangle_quality_of(a, c, d), triangle_quality_of(b, c, d));
+    const double before = (std::min)(measure_.triangle(a, b, c), measure_.triangle(a, b, d));
+    const double after = (std::min)(measure_.triangle(a, c, d), measure_.triangle(b, c, d));
     required = (std::min)(required, before + least_gain);
     if (after < required)
       return false;
@@ -183,10 +180,10 @@ private:
           double q = (std::min)(best_[i][j], best_[j][k]);
           if (q <= best || q < required)
             continue;
-          q = (std::min)(q, quality_of(r[i], r[j], r[k], ring_.b));
+          q = (std::min)(q, measure_.tetrahedron(r[i], r[j], r[k], ring_.b));
           if (q <= best || q < required)
             continue;
-          q = (std::min)(q, quality_of(r[i], r[k], r[j], ring_.a));
+          q = (std::min)(q, measure_.tetrahedron(r[i], r[k], r[j], ring_.a));
           if (q > best && q >= required) {
             best = q;
             apex_[i][k] = j;
@@ -219,7 +216,7 @@ private:
     new_cells_.clear();
     for (int k = 0; k < 3; ++k) {
       const Index u = tet.v[c[k]], v = tet.v[c[(k + 1) % 3]];
-      if (quality_of(p, q, u, v) < worst)
+      if (measure_.tetrahedron(p, q, u, v) < worst)
         return false;
       new_cells_.push_back({p, q, u, v});
     }

@@ -4,11 +4,9 @@
 #ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_PATCH_PROJECTION_H
 #define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_PATCH_PROJECTION_H
 
-#include <CGAL/Tubular_meshing/base/Kernel.h>
+#include <CGAL/Tubular_meshing/Rims/rim_corners.h>
 #include <CGAL/Tubular_meshing/Volume/internal/Tetrahedron_store.h>
 #include <CGAL/Tubular_meshing/base/Nearest_tree.h>
-#include <CGAL/Tubular_meshing/base/Vector_3d.h>
-#include <CGAL/Tubular_meshing/Rims/rim_corners.h>
 
 #include <algorithm>
 #include <cmath>
@@ -46,33 +44,21 @@ public:
 
   // The labelled facets of a mesh, interfaces included, and the edges at which facets of different labels meet.
   explicit Patch_projection(const Tetrahedron_store& mesh) {
-    typedef Tetrahedron_store::Index Index;
+    const auto point = [&](Tetrahedron_store::Index v) { return to_double_point(mesh.point(v)); };
     Triangles triangles;
     Segments segments;
-    std::vector<std::pair<std::pair<Index, Index>, std::int32_t>> edges;
-    for (Index t = 0; t < mesh.number_of_slots(); ++t)
+    for (Tetrahedron_store::Index t = 0; t < mesh.number_of_slots(); ++t)
       for (int i = 0; i < 4; ++i) {
-        if (!mesh.is_alive(t) || mesh[t].label[i] == 0)
-          continue;
-        const auto& c = Tetrahedron_store::facet_corners(i);
-        const auto vertex = [&](int k) { return mesh[t].v[c[k % 3]]; };
-        for (int k = 0; k < 3; ++k)
-          edges.push_back({std::minmax(vertex(k), vertex(k + 1)), mesh[t].label[i]});
-        // an interface is seen from both sides
-        if (mesh[t].neighbor[i] == Tetrahedron_store::none || Tetrahedron_store::facet(t, i) < mesh[t].neighbor[i])
-          triangles[mesh[t].label[i]].emplace_back(point(mesh, vertex(0)), point(mesh, vertex(1)),
-                                                   point(mesh, vertex(2)));
+        const auto facet = Tetrahedron_store::facet(t, i);
+        if (!mesh.is_alive(t) || mesh.label(facet) == 0 || mesh.other_side(facet) < facet)
+          continue; // an interface is seen from both sides
+        const auto v = mesh.vertices(facet);
+        triangles[mesh.label(facet)].emplace_back(point(v[0]), point(v[1]), point(v[2]));
       }
-    std::sort(edges.begin(), edges.end());
-    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-    for (std::size_t k = 0; k < edges.size();) {
-      const auto edge = edges[k].first;
-      Patches patches;
-      for (; k < edges.size() && edges[k].first == edge; ++k)
-        patches.push_back(edges[k].second);
+    mesh.for_each_labelled_edge([&](const auto& ends, const Patches& patches) {
       if (patches.size() > 1)
-        segments[patches].emplace_back(point(mesh, edge.first), point(mesh, edge.second));
-    }
+        segments[patches].emplace_back(point(ends.first), point(ends.second));
+    });
     build(triangles, segments);
   }
 
@@ -121,11 +107,6 @@ private:
     }
   }
 
-  static Double_kernel::Point_3 point(const Tetrahedron_store& mesh, Tetrahedron_store::Index v) {
-    const Vector_3d& p = mesh.point(v);
-    return Double_kernel::Point_3(p.x, p.y, p.z);
-  }
-
   static bool is_planar(const std::vector<Triangle>& triangles, Plane& plane) {
     Vector_3d normal;
     double extent = 0;
@@ -158,6 +139,43 @@ private:
   std::map<std::int32_t, Nearest_tree<Triangle>> patches_;
   std::map<Patches, Nearest_tree<Segment>> rims_;
   std::set<Double_kernel::Point_3> corners_;
+};
+
+/* Says whether a flip on the surface keeps the surface's shape: it may neither fold it nor take it away from the
+ * surface it approximates. */
+class Surface_flip_guard {
+public:
+  typedef Tetrahedron_store::Index Index;
+
+  // `keep`: the surface stays as it is.
+  Surface_flip_guard(const Tetrahedron_store& store, const Patch_projection& projection, bool keep = false)
+      : store_(store)
+      , projection_(projection)
+      , keep_(keep) {}
+
+  // May the edge ab between the facets abc and abd of a patch become the edge cd?
+  bool operator()(Index a, Index b, Index c, Index d, std::int32_t patch) const {
+    if (keep_)
+      return false;
+    const Vector_3d p = store_.point(a), q = store_.point(b), r = store_.point(c), s = store_.point(d);
+    const double before = cosine(cross(q - p, r - p), cross(p - q, s - q));
+    const double after = cosine(cross(s - r, p - r), cross(r - s, q - s));
+    if (after < 0.8 && after < before)
+      return false;
+    const double deviation = off_surface(0.5 * (r + s), patch);
+    return deviation <= (std::max)(0.1 * norm(s - r), off_surface(0.5 * (p + q), patch));
+  }
+
+private:
+  static double cosine(const Vector_3d& m, const Vector_3d& n) {
+    const double product = norm(m) * norm(n);
+    return product > 0 ? dot(m, n) / product : -1;
+  }
+  double off_surface(const Vector_3d& p, std::int32_t patch) const { return norm(projection_.to_patch(p, patch) - p); }
+
+  const Tetrahedron_store& store_;
+  const Patch_projection& projection_;
+  bool keep_;
 };
 
 } // namespace CGAL::Tubular_meshing::internal

@@ -4,9 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_TETRAHEDRON_STORE_H
 #define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_TETRAHEDRON_STORE_H
 
-#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
-#include <CGAL/Tubular_meshing/base/Vector_3d.h>
 #include <CGAL/Tubular_meshing/base/element_measures.h>
 
 #include <boost/container/small_vector.hpp>
@@ -105,6 +103,16 @@ public:
     return number;
   }
 
+  /* The same where the inside alone has changed since the mesh was read: the labelled triangles stay in their order, and
+   * with their vertices in theirs. */
+  void write_inside_to(Mixed_mesh& mesh) const {
+    Element_block<3> triangles = std::move(mesh.triangles);
+    const std::vector<Index> number = write_to(mesh);
+    for (Facet_vertices& t : triangles.vertices)
+      t = {number[t[0]], number[t[1]], number[t[2]]};
+    mesh.triangles = std::move(triangles);
+  }
+
   Index number_of_vertices() const { return Index(points_.size()); }
   Index number_of_slots() const { return Index(tetrahedra_.size()); } // some may not be alive
 
@@ -123,6 +131,56 @@ public:
     return {v[c[0]], v[c[1]], v[c[2]]};
   }
   Index tetrahedron_at(Index v) const { return at_vertex_[v]; }
+
+  // The tetrahedra that there are, in their order: all, or those of which `is_wanted(t)` holds.
+  std::vector<Index> tetrahedra() const {
+    return tetrahedra([](Index) { return true; });
+  }
+  template <class IsWanted> std::vector<Index> tetrahedra(const IsWanted& is_wanted) const {
+    std::vector<Index> result;
+    for (Index t = 0; t < number_of_slots(); ++t)
+      if (is_alive(t) && is_wanted(t))
+        result.push_back(t);
+    return result;
+  }
+
+  /* The labelled facets that a tetrahedron has at the vertex opposite to `base`, one of its facets: visit(facet, a, b),
+   * where a and b are the other two vertices, in the facet's order after that one. */
+  template <class Visit> void for_each_labelled_facet(Index base, const Visit& visit) const {
+    const Tetrahedron& t = tetrahedra_[tetrahedron_of(base)];
+    const int i = opposite_of(base);
+    for (int j = 0; j < 4; ++j) {
+      if (j == i || t.label[j] == 0)
+        continue;
+      const auto& c = facet_corners(j);
+      const int k = c[0] == i ? 0 : c[1] == i ? 1 : 2;
+      visit(facet(tetrahedron_of(base), j), t.v[c[(k + 1) % 3]], t.v[c[(k + 2) % 3]]);
+    }
+  }
+
+  /* The edges of labelled facets, in their order: visit(ends, labels), with the labels that facets have there, sorted
+   * and each once. O(n log n). */
+  template <class Visit> void for_each_labelled_edge(const Visit& visit) const {
+    std::vector<std::pair<std::pair<Index, Index>, std::int32_t>> edges;
+    for (Index t = 0; t < number_of_slots(); ++t)
+      for (int i = 0; i < 4; ++i) {
+        if (!is_alive(t) || tetrahedra_[t].label[i] == 0)
+          continue;
+        const Facet_vertices v = vertices(facet(t, i));
+        for (int k = 0; k < 3; ++k)
+          edges.push_back({std::minmax(v[k], v[(k + 1) % 3]), tetrahedra_[t].label[i]});
+      }
+    std::sort(edges.begin(), edges.end());
+    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+    std::vector<std::int32_t> labels;
+    for (std::size_t k = 0; k < edges.size();) {
+      const auto ends = edges[k].first;
+      labels.clear();
+      for (; k < edges.size() && edges[k].first == ends; ++k)
+        labels.push_back(edges[k].second);
+      visit(ends, labels);
+    }
+  }
 
   int corner(Index t, Index v) const {
     const Vertices& w = tetrahedra_[t].v;
@@ -255,6 +313,18 @@ public:
       for (Index v : tetrahedra_[tetrahedron_of(s.code)].v)
         at_vertex_[v] = tetrahedron_of(s.code);
     }
+  }
+
+  // The same with the tetrahedra between a new vertex and facets of `gone`, those around a cavity without labels inside.
+  template <class Tetrahedra, class Base_facets>
+  void replace_by_star(const Tetrahedra& gone, const Base_facets& bases, const Vector_3d& p, Index_list& come_numbers) {
+    const Index v = add_vertex(p);
+    boost::container::small_vector<Vertices, 64> come;
+    for (Index f : bases) {
+      const Facet_vertices w = vertices(f);
+      come.push_back({v, w[0], w[1], w[2]});
+    }
+    replace(gone, come, std::array<Labelled_facet, 0>(), come_numbers);
   }
 
   // A vertex that replace() can use from now on.

@@ -4,11 +4,9 @@
 #ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_TOPOLOGY_OPTIMIZER_H
 #define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_TOPOLOGY_OPTIMIZER_H
 
-#include <CGAL/Tubular_meshing/base/element_measures.h>
 #include <CGAL/Tubular_meshing/Volume/internal/Flip_search.h>
 #include <CGAL/Tubular_meshing/Volume/internal/Speculation.h>
-#include <CGAL/Tubular_meshing/Volume/internal/Tetrahedron_store.h>
-#include <CGAL/Tubular_meshing/base/parallel.h>
+#include <CGAL/Tubular_meshing/base/element_measures.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -58,10 +56,8 @@ public:
 
   // The same for those of which `is_of_interest(t)` holds.
   template <class IsOfInterest> std::size_t improve_below(double threshold, const IsOfInterest& is_of_interest) {
-    std::vector<Index> candidates;
-    for (Index t = 0; t < store_.number_of_slots(); ++t)
-      if (store_.is_alive(t) && quality_[t] < threshold && is_of_interest(t))
-        candidates.push_back(t);
+    std::vector<Index> candidates =
+        store_.tetrahedra([&](Index t) { return quality_[t] < threshold && is_of_interest(t); });
     return improve_these(candidates, threshold);
   }
 
@@ -92,18 +88,14 @@ public:
   // Where others change the store as well, they keep the qualities up to date.
   double quality(Index t) const { return quality_[t]; }
   void update_all() {
-    quality_.resize(store_.number_of_slots());
-    made_.resize(store_.number_of_slots(), 0);
+    grow();
     for_each_range(quality_.size(), threads_, [&](std::size_t first, std::size_t last) {
       for (std::size_t t = first; t < last; ++t)
         update(Index(t));
     });
   }
   template <class List> void update_new(const List& tetrahedra) {
-    if (quality_.size() < store_.number_of_slots()) {
-      quality_.resize(store_.number_of_slots());
-      made_.resize(store_.number_of_slots(), 0);
-    }
+    grow();
     ++now_;
     for (Index t : tetrahedra) {
       update(t);
@@ -126,6 +118,10 @@ public:
 private:
   typedef Flip_search<Surface_guard, Measure> Search;
 
+  void grow() {
+    quality_.resize(store_.number_of_slots());
+    made_.resize(store_.number_of_slots(), 0);
+  }
   void update(Index t) {
     if (store_.is_alive(t)) {
       const auto& v = store_[t].v;
@@ -143,6 +139,20 @@ private:
   Speculation<Search> searches_;
   Store::Index_list new_tetrahedra_;
 };
+
+/* Flips in turn with moves of vertices, move_vertices(pass), each of which ends with finish_pass(). */
+template <class Guard, class Move, class Finish>
+void optimize_in_passes(Tetrahedron_store& store, const Guard& guard, int passes, const Move& move_vertices,
+                        const Finish& finish_pass) {
+  // slivers first, then whatever is clearly below the mean that comes out
+  const double first_flips_below = 0.5, later_flips_below = 0.6;
+  Topology_optimizer<Guard>(store, guard).improve_below(first_flips_below);
+  for (int pass = 0; pass < passes; ++pass) {
+    move_vertices(pass);
+    Topology_optimizer<Guard>(store, guard).improve_below(later_flips_below);
+    finish_pass();
+  }
+}
 
 } // namespace CGAL::Tubular_meshing::internal
 

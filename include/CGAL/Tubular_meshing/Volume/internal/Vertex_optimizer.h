@@ -6,14 +6,10 @@
 
 #include <CGAL/Tubular_meshing/Volume/internal/Colored_stars.h>
 #include <CGAL/Tubular_meshing/Volume/internal/Shape_energy.h>
-#include <CGAL/Tubular_meshing/Volume/internal/Tetrahedron_store.h>
-#include <CGAL/Tubular_meshing/Volume/internal/newton_steps.h>
-#include <CGAL/Tubular_meshing/base/parallel.h>
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -43,9 +39,22 @@ public:
     stars_.build(store, [this](Index v) { return location_[v].dimension != 0; });
   }
 
+  /* Moves the apexes of pyramids, and no other vertices, down the energy of the tetrahedra around them and of the
+   * pyramids themselves: neither are inverted. The apex of pyramid k is vertex `pyramids.vertices[0][4] + k`. */
+  Vertex_optimizer(Store& store, const Projection& project, const Element_block<5>& pyramids, int threads)
+      : store_(store)
+      , project_(project)
+      , threads_(threads)
+      , pyramids_(&pyramids)
+      , location_(store.number_of_vertices()) {
+    if (!pyramids.empty())
+      stars_.build(store_, [this](Index v) { return v >= first_apex() && v - first_apex() < pyramids_->size(); });
+  }
+
   // One visit to each vertex.
   void sweep() {
-    stars_.for_each_movable(threads_, [this](Index v) { relocate(v); });
+    stars_.for_each_movable(
+        threads_, [this](Index v) { relocate(v); }, [] {});
   }
 
   // Whether v lies on the given patches and no others.
@@ -133,24 +142,35 @@ private:
 
   bool energy(Index v, const Vector_3d& x, const Normals& normals, bool with_derivatives, Shape_energy& e) const {
     const Location& at = location_[v];
+    if (pyramids_ != nullptr && !add_pyramid(pyramids_->vertices[v - first_apex()], x, with_derivatives, e))
+      return false;
+    bool positive = true;
     for (Index s : stars_.facets(v)) {
-      const auto& tet = store_[Store::tetrahedron_of(s)];
-      const int i = Store::opposite_of(s);
-      const auto& c = Store::facet_corners(i);
-      if (!e.add_tetrahedron(x, store_.point(tet.v[c[0]]), store_.point(tet.v[c[1]]), store_.point(tet.v[c[2]]),
-                             with_derivatives))
+      const auto f = store_.vertices(s);
+      if (!e.add_tetrahedron(x, store_.point(f[0]), store_.point(f[1]), store_.point(f[2]), with_derivatives))
         return false;
       if (at.dimension == 3)
         continue;
-      for (int j = 0; j < 4; ++j) {
-        if (j == i || tet.label[j] == 0)
-          continue;
-        const auto edge = facet_edge(tet, i, j);
-        if (!e.add_triangle(x, edge.first, edge.second, normals[tet.label[j] != at.patch[0]], triangle_weight,
-                            with_derivatives))
-          return false;
-      }
+      store_.for_each_labelled_facet(s, [&](Index facet, Index a, Index b) {
+        const Vector_3d& normal = normals[store_.label(facet) != at.patch[0]];
+        positive =
+            positive && e.add_triangle(x, store_.point(a), store_.point(b), normal, triangle_weight, with_derivatives);
+      });
+      if (!positive)
+        return false;
     }
+    return true;
+  }
+
+  Index first_apex() const { return pyramids_->vertices.front()[4]; }
+  // That of the four tetrahedra of a pyramid's corners, which cover it twice and hence count half.
+  bool add_pyramid(const Element_block<5>::Element& base, const Vector_3d& x, bool with_derivatives,
+                   Shape_energy& e) const {
+    for (std::size_t i = 0; i < 4; ++i)
+      if (!e.add_tetrahedron(x, store_.point(base[(i + 1) % 4]), store_.point(base[i]), store_.point(base[(i + 3) % 4]),
+                             with_derivatives))
+        return false;
+    e.scale(0.5);
     return true;
   }
 
@@ -158,23 +178,12 @@ private:
   double worst_quality(Index v) const {
     double worst = 1;
     for (Index s : stars_.facets(v)) {
-      const auto& tet = store_[Store::tetrahedron_of(s)];
-      worst = (std::min)(worst, gamma_of(store_, tet.v));
-      const int i = Store::opposite_of(s);
-      for (int j = 0; j < 4; ++j)
-        if (j != i && tet.label[j] != 0) {
-          const auto edge = facet_edge(tet, i, j);
-          worst = (std::min)(worst, 0.6 * triangle_gamma(store_.point(v), edge.first, edge.second));
-        }
+      worst = (std::min)(worst, gamma_of(store_, store_[Store::tetrahedron_of(s)].v));
+      store_.for_each_labelled_facet(s, [&](Index, Index a, Index b) {
+        worst = (std::min)(worst, 0.6 * triangle_gamma(store_.point(v), store_.point(a), store_.point(b)));
+      });
     }
     return worst;
-  }
-
-  // The two other vertices of the facet opposite to corner j, in the facet's order after corner i.
-  std::pair<Vector_3d, Vector_3d> facet_edge(const Store::Tetrahedron& tet, int i, int j) const {
-    const auto& f = Store::facet_corners(j);
-    const int k = f[0] == i ? 0 : f[1] == i ? 1 : 2;
-    return {store_.point(tet.v[f[(k + 1) % 3]]), store_.point(tet.v[f[(k + 2) % 3]])};
   }
 
   Normals surface_normals(Index v) const {
@@ -182,21 +191,18 @@ private:
     Normals sum;
     if (at.dimension == 3)
       return sum;
-    for (Index s : stars_.facets(v)) {
-      const auto& tet = store_[Store::tetrahedron_of(s)];
-      const int i = Store::opposite_of(s);
-      for (int j = 0; j < 4; ++j)
-        if (j != i && tet.label[j] != 0) {
-          const auto edge = facet_edge(tet, i, j);
-          sum[tet.label[j] != at.patch[0]] += cross(edge.first - store_.point(v), edge.second - store_.point(v));
-        }
-    }
+    const Vector_3d& p = store_.point(v);
+    for (Index s : stars_.facets(v))
+      store_.for_each_labelled_facet(s, [&](Index facet, Index a, Index b) {
+        sum[store_.label(facet) != at.patch[0]] += cross(store_.point(a) - p, store_.point(b) - p);
+      });
     return {normalized(sum[0]), normalized(sum[1])};
   }
 
   Store& store_;
   const Projection& project_;
   int threads_;
+  const Element_block<5>* pyramids_ = nullptr; // those of which the apexes move, if it is these
 
   Colored_stars stars_;
   std::vector<Location> location_; // of each vertex

@@ -10,7 +10,10 @@
 #include <CGAL/hilbert_sort.h>
 #include <CGAL/property_map.h>
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
+#include <numeric>
 #include <vector>
 
 namespace CGAL::Tubular_meshing::internal {
@@ -19,6 +22,30 @@ namespace CGAL::Tubular_meshing::internal {
 inline void order_in_space(const std::vector<Point_3>& points, std::vector<std::size_t>& numbers) {
   const auto point = make_property_map(points);
   hilbert_sort(numbers.begin(), numbers.end(), Spatial_sort_traits_adapter_3<Kernel, decltype(point)>(point));
+}
+
+// Value i becomes the one that was number order[i].
+template <class Value> void put_in_order(const std::vector<std::size_t>& order, std::vector<Value>& values) {
+  std::vector<Value> result;
+  result.reserve(order.size());
+  for (std::size_t i : order)
+    result.push_back(values[i]);
+  values.swap(result);
+}
+
+/* Sorts tetrahedra in the same way, by their centers. TetGen lists them in the order of its memory blocks; sorted, they
+ * are optimized in two thirds of the time. */
+inline void sort_in_space(const std::vector<Point_3>& points, std::vector<std::array<std::uint32_t, 4>>& tetrahedra) {
+  std::vector<Point_3> centers; // four times them
+  centers.reserve(tetrahedra.size());
+  for (const auto& t : tetrahedra) {
+    const Point_3 &p = points[t[0]], &q = points[t[1]], &r = points[t[2]], &s = points[t[3]];
+    centers.emplace_back(p.x() + q.x() + r.x() + s.x(), p.y() + q.y() + r.y() + s.y(), p.z() + q.z() + r.z() + s.z());
+  }
+  std::vector<std::size_t> order(tetrahedra.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  order_in_space(centers, order);
+  put_in_order(order, tetrahedra);
 }
 
 } // namespace CGAL::Tubular_meshing::internal

@@ -9,7 +9,7 @@
 #include <CGAL/Tubular_meshing/Centerlines/graph_segments.h>
 #include <CGAL/Tubular_meshing/Patches/internal/cut/Cut_surface.h>
 #include <CGAL/Tubular_meshing/Patches/internal/cut/Plane_section.h>
-#include <CGAL/Tubular_meshing/Patches/internal/cut/Shape_tree.h>
+#include <CGAL/Tubular_meshing/Patches/internal/cut/shape_searches.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
 #include <algorithm>

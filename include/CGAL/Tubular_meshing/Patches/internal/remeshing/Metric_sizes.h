@@ -55,7 +55,7 @@ public:
     const Map& map = maps_[patch];
     const Plane_axes axes = axes_[patch].at(at);
     const Metric_tensor_2 m = metric_shadow(checked_metric(map.point(at)), axes.first, axes.second);
-    const Metric_tensor_2 u = with_eigenvalues(map.induced_metric(at, fineness), [](double& larger, double& smaller) {
+    const Metric_tensor_2 u = map.induced_metric(at, fineness).with_eigenvalues([](double& larger, double& smaller) {
       larger = std::sqrt(larger);
       smaller = std::sqrt(smaller);
     });

@@ -5,7 +5,6 @@
 #define CGAL_TUBULAR_MESHING_PATCHES_INTERNAL_REMESHING_TANGENT_PLANES_H
 
 #include <CGAL/Tubular_meshing/Patches/Patch_parameterization.h>
-#include <CGAL/Tubular_meshing/Plane/metric_logarithm.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
 #include <algorithm>
@@ -25,7 +24,8 @@ struct Plane_axes {
 inline bool nearest_axes(const Vector_3d& a, const Vector_3d& b, Plane_axes& axes) {
   const double least = 1e-12; // squared ratio of the singular values
   bool exists = true;
-  const Metric_tensor_2 s = with_eigenvalues({dot(a, a), dot(a, b), dot(b, b)}, [&](double& larger, double& smaller) {
+  const Metric_tensor_2 products(dot(a, a), dot(a, b), dot(b, b));
+  const Metric_tensor_2 s = products.with_eigenvalues([&](double& larger, double& smaller) {
     exists = smaller > least * larger;
     larger = exists ? 1 / std::sqrt(larger) : 0;
     smaller = exists ? 1 / std::sqrt(smaller) : 0;

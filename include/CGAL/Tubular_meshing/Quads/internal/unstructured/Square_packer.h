@@ -76,9 +76,7 @@ private:
       return;
     const Node node = plane_.node_at(point(end));
     const double room = least_distance * size_in_metric(field_(end), node.metric);
-    if (insertion_.all_neighbors(
-            place, node, [&](Index w) { return Metric_plane::length(node, plane_.nodes[w]) >= room; },
-            [](Index) { return true; }))
+    if (insertion_.has_room(place, node, room, false))
       insertion_.insert(place, node);
   }
 

@@ -5,14 +5,12 @@
 #define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_CCDT_STEINER_POINTS_INSIDE_H
 
 #include <CGAL/Tubular_meshing/base/element_measures.h>
-#include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <map>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Tubular_meshing::internal {

@@ -4,11 +4,9 @@
 #ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_CCDT_RUN_CCDT_H
 #define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_CCDT_RUN_CCDT_H
 
-#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Volume/internal/Tetrahedron_store.h>
 #include <CGAL/Tubular_meshing/Volume/internal/ccdt/Steiner_points_inside.h>
 #include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/Recovered_boundary.h>
-#include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
 #include <CGAL/exceptions.h>
 #include <CGAL/make_conforming_constrained_Delaunay_triangulation_3.h>

@@ -13,7 +13,6 @@
 #include <cerrno>
 #include <csignal>
 #include <cstddef>
-#include <cstring>
 #include <new>
 #include <type_traits>
 #include <vector>
@@ -32,6 +31,20 @@ struct Child_ending {
   int code;
 };
 
+// Moves all of the data by transfer(place, size), which is read() or write() and moves as much as it can.
+template <class Byte, class Transfer> bool transfer_all(Byte* place, std::size_t size, const Transfer& transfer) {
+  while (size > 0) {
+    const ssize_t n = transfer(place, size);
+    if (n < 0 && errno == EINTR)
+      continue;
+    if (n <= 0)
+      return false;
+    place += n;
+    size -= std::size_t(n);
+  }
+  return true;
+}
+
 /* The child's end of the pipe to its parent: plain data goes in, in the order in which the parent reads it. */
 class Pipe_writer {
 public:
@@ -39,17 +52,8 @@ public:
       : file_(file) {}
 
   bool write(const void* data, std::size_t size) const {
-    const char* p = static_cast<const char*>(data);
-    while (size > 0) {
-      const ssize_t n = ::write(file_, p, size);
-      if (n < 0 && errno == EINTR)
-        continue;
-      if (n <= 0)
-        return false;
-      p += n;
-      size -= std::size_t(n);
-    }
-    return true;
+    return transfer_all(static_cast<const char*>(data), size,
+                        [this](const char* p, std::size_t n) { return ::write(file_, p, n); });
   }
   // How many there are, then the values.
   template <class T> bool write(const std::vector<T>& values) const {
@@ -69,17 +73,7 @@ public:
       : file_(file) {}
 
   bool read(void* data, std::size_t size) const {
-    char* p = static_cast<char*>(data);
-    while (size > 0) {
-      const ssize_t n = ::read(file_, p, size);
-      if (n < 0 && errno == EINTR)
-        continue;
-      if (n <= 0)
-        return false;
-      p += n;
-      size -= std::size_t(n);
-    }
-    return true;
+    return transfer_all(static_cast<char*>(data), size, [this](char* p, std::size_t n) { return ::read(file_, p, n); });
   }
   template <class T> bool read(std::vector<T>& values) const {
     static_assert(std::is_trivially_copyable<T>::value, "only plain data goes through a pipe");

@@ -6,11 +6,8 @@
 
 #include <CGAL/Tubular_meshing/Volume/internal/Tetrahedron_store.h>
 #include <CGAL/Tubular_meshing/base/Function_view.h>
-#include <CGAL/Tubular_meshing/base/Kernel.h>
-#include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <deque>
@@ -37,10 +34,8 @@ public:
 
   // Returns the number of points added, which is `most` if there was no room for more.
   std::size_t operator()(std::size_t most) {
-    std::deque<Index> todo;
-    for (Index t = 0; t < store_.number_of_slots(); ++t)
-      if (store_.is_alive(t))
-        todo.push_back(t);
+    const std::vector<Index> all = store_.tetrahedra();
+    std::deque<Index> todo(all.begin(), all.end());
     std::size_t added = 0;
     Store::Index_list come;
     for (; !todo.empty() && added < most; todo.pop_front()) {
@@ -83,13 +78,7 @@ private:
     collect_cavity(p, t);
     if (!make_visible(p, t) || is_crowded(x, spacing) || encroaches(x, least_height * h))
       return false;
-    const Index v = store_.add_vertex(x);
-    cells_.clear();
-    for (Index f : facets_) {
-      const auto w = store_.vertices(f);
-      cells_.push_back({v, w[0], w[1], w[2]});
-    }
-    store_.replace(cavity_, cells_, std::array<Store::Labelled_facet, 0>(), come);
+    store_.replace_by_star(cavity_, facets_, x, come);
     return true;
   }
 
@@ -172,7 +161,6 @@ private:
   // the cavity at hand
   std::vector<Index> cavity_;
   std::vector<Index> facets_; // each with its tetrahedron inside
-  std::vector<Store::Vertices> cells_;
 };
 
 } // namespace CGAL::Tubular_meshing::internal

@@ -7,18 +7,11 @@
 #include <CGAL/Tubular_meshing/Patches/surface_to_mixed_mesh.h>
 #include <CGAL/Tubular_meshing/Quality/validity_report.h>
 #include <CGAL/Tubular_meshing/Volume/fill_keeping_boundary.h>
-#include <CGAL/Tubular_meshing/Volume/internal/Tetrahedron_store.h>
-#include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/Child_process.h>
 #include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/Delaunay_refinement.h>
 #include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/Unit_frame.h>
 #include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/boundary_recovery.h>
 #include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/failure_sentence.h>
-#include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/sort_in_space.h>
-#include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/write_inside.h>
-#include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
-#include <CGAL/Tubular_meshing/base/Vector_3d.h>
-#include <CGAL/Tubular_meshing/base/element_measures.h>
-#include <CGAL/Tubular_meshing/base/exceptions.h>
+#include <CGAL/Tubular_meshing/Volume/internal/order_in_space.h>
 #include <CGAL/Tubular_meshing/base/labels.h>
 
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
@@ -130,7 +123,7 @@ inline bool add_points_inside(Length_function size, std::size_t most_points, Mix
   Tetrahedron_store store(mesh);
   if (Delaunay_refinement(store, size, kept_boundary_radius_bound)(most_points) == most_points)
     return false;
-  write_inside(store, mesh);
+  store.write_inside_to(mesh);
   sort_in_space(mesh.points, mesh.tetrahedra.vertices); // all have the same label
   return true;
 }

@@ -4,12 +4,8 @@
 #ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_PYRAMIDS_CROWNED_SURFACE_H
 #define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_PYRAMIDS_CROWNED_SURFACE_H
 
-#include <CGAL/Tubular_meshing/base/Kernel.h>
-#include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/Volume/internal/pyramids/Quad_crown.h>
-#include <CGAL/Tubular_meshing/Volume/internal/pyramids/crown_heights.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
-#include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 

@@ -5,10 +5,8 @@
 #define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_PYRAMIDS_SIZE_NEAR_SURFACE_H
 
 #include <CGAL/Tubular_meshing/base/Function_view.h>
-#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/base/Nearest_tree.h>
-#include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
 #include <CGAL/Orthogonal_k_neighbor_search.h>
 #include <CGAL/Search_traits_3.h>
@@ -19,6 +17,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Tubular_meshing::internal {
@@ -32,7 +31,7 @@ public:
       : field_(field)
       , mean_edge_(surface.points.size(), 0)
       , points_(positions(surface.points))
-      , tree_(points_.begin(), points_.end(), Tree::Splitter(), Search_traits(position_map())) {
+      , tree_(points_.begin(), points_.end(), Tree::Splitter(), Search_traits()) {
     std::vector<double> edges(surface.points.size(), 0);
     const auto add = [&](const auto& block) {
       for (const auto& f : block.vertices)
@@ -55,33 +54,19 @@ public:
   Size_near_surface& operator=(const Size_near_surface&) = delete;
 
   double operator()(const Point_3& p) const {
-    const Search search(tree_, to_double_point(p), 1, 0, true, distance());
+    const Search search(tree_, to_double_point(p), 1);
     const auto& nearest = *search.begin();
-    return (std::min)(field_(p), mean_edge_[nearest.first.vertex] + growth * std::sqrt(nearest.second));
+    return (std::min)(field_(p), mean_edge_[nearest.first.second] + growth * std::sqrt(nearest.second));
   }
 
 private:
   static constexpr double growth = 0.15; // of 0.3, quads half as wide as long leave a mean quality below 0.7
 
-  struct Entry {
-    Double_kernel::Point_3 position;
-    std::uint32_t vertex;
-  };
-  struct Position_map {
-    typedef Entry key_type;
-    typedef Double_kernel::Point_3 value_type;
-    typedef const value_type& reference;
-    typedef boost::readable_property_map_tag category;
-    friend reference get(const Position_map&, const Entry& e) { return e.position; }
-    reference operator[](const Entry& e) const { return e.position; }
-  };
+  typedef std::pair<Double_kernel::Point_3, std::uint32_t> Entry; // a vertex's position and number
+  typedef CGAL::First_of_pair_property_map<Entry> Position_map;
   typedef CGAL::Search_traits_adapter<Entry, Position_map, CGAL::Search_traits_3<Double_kernel>> Search_traits;
   typedef CGAL::Orthogonal_k_neighbor_search<Search_traits> Search;
   typedef Search::Tree Tree;
-  typedef Search::Distance Distance;
-
-  static Position_map position_map() { return Position_map(); }
-  static Distance distance() { return Distance(position_map()); }
 
   static std::vector<Entry> positions(const std::vector<Point_3>& points) {
     std::vector<Entry> entries;

@@ -4,15 +4,14 @@
 #ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REMESHING_CAVITY_H
 #define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REMESHING_CAVITY_H
 
-#include <CGAL/Tubular_meshing/Volume/internal/Tetrahedron_store.h>
 #include <CGAL/Tubular_meshing/Volume/internal/remeshing/Metric_mesh.h>
+#include <CGAL/Tubular_meshing/Volume/internal/remeshing/Remeshing_schedule.h>
 
 #include <boost/container/small_vector.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <vector>
 
 namespace CGAL::Tubular_meshing::internal {
 
@@ -42,8 +41,10 @@ public:
   typedef boost::container::small_vector<Facet_cone, 64> Cones;
   typedef boost::container::small_vector<Store::Labelled_facet, 16> Facets;
 
-  explicit Cavity(const Metric_mesh& mesh)
+  // `flips` know the qualities of tetrahedra.
+  Cavity(const Metric_mesh& mesh, const Remeshing_flips& flips)
       : mesh_(mesh)
+      , flips_(flips)
       , store_(mesh.store) {}
 
   // `vertex` is the kernel's number, if it is in the mesh already.
@@ -57,37 +58,34 @@ public:
   }
 
   const Metric_point& kernel() const { return kernel_; }
-  const Cones& cones() const { return cones_; }
   // labelled facets at the kernel
   Facets& facets() { return facets_; }
   const Facets& facets() const { return facets_; }
 
-  void add_tetrahedron(Index t, double quality) {
+  void add_tetrahedron(Index t) {
     gone_.push_back(t);
-    worst_before_ = (std::min)(worst_before_, quality);
+    worst_before_ = (std::min)(worst_before_, flips_.quality(t));
   }
 
-  // The cone over the facet of t opposite to corner i. A cone at the kernel is none.
-  void add_cone(Index t, int i) {
-    const auto& tet = store_[t];
-    const auto& c = Store::facet_corners(i);
-    const Store::Facet_vertices f = {tet.v[c[0]], tet.v[c[2]], tet.v[c[1]]};
-    if (f[0] == vertex_ || f[1] == vertex_ || f[2] == vertex_)
-      return;
-    cones_.push_back({f, tet.neighbor[i], tet.label[i], tet.region, quality(f), false});
+  // The cone over the facet of t opposite to vertex v. A cone at the kernel is none.
+  void add_cone(Index t, Index v) {
+    const int i = store_.corner(t, v);
+    const Store::Facet_vertices f = store_.vertices(Store::facet(t, i));
+    if (std::find(f.begin(), f.end(), vertex_) == f.end())
+      cones_.push_back(cone_over(t, i));
   }
 
-  double worst_before() const { return worst_before_; }
-  double worst() const {
-    double q = 1;
+  // Whether what the cavity would become is positive, and as good as it has to be.
+  bool is_allowed(const Operation_bounds& bounds) const {
+    double worst = 1;
     for (const Facet_cone& c : cones_)
-      q = (std::min)(q, c.quality);
-    return q;
+      worst = (std::min)(worst, c.quality);
+    return worst > 0 && bounds.allow(worst_before_, worst);
   }
 
   /* Takes in tetrahedra behind facets with cones below `wanted`, while each step makes the worst of the two sets
    * it exchanges better. */
-  template <class Quality> void enlarge(double wanted, const Quality& quality_of) {
+  void enlarge(double wanted) {
     for (int step = 0; step < most_steps; ++step) {
       Facet_cone* worst = nullptr;
       for (Facet_cone& c : cones_)
@@ -95,7 +93,7 @@ public:
           worst = &c;
       if (worst == nullptr)
         return;
-      if (worst->label != 0 || worst->outer == Store::none || !take_in(*worst, quality_of))
+      if (worst->label != 0 || worst->outer == Store::none || !take_in(*worst))
         worst->settled = true;
     }
   }
@@ -115,36 +113,41 @@ public:
     return range;
   }
 
-  // Of the tetrahedra to go.
-  template <class Predicate> bool all_of_gone(const Predicate& p) const {
-    return std::all_of(gone_.begin(), gone_.end(), p);
+  // Whether all of the tetrahedra are as they were, if those that have come since are those of which is_new(t) holds.
+  template <class IsNew> bool is_fresh(const IsNew& is_new) const { return are_fresh(gone_, is_new); }
+  template <class List, class IsNew> bool are_fresh(const List& tetrahedra, const IsNew& is_new) const {
+    return std::all_of(tetrahedra.begin(), tetrahedra.end(), [&](Index t) { return store_.is_alive(t) && !is_new(t); });
   }
 
   // Puts the cones, with `kernel` as their apex, in place of the cavity; their numbers are left in `come`.
-  void commit(Store& store, Index kernel, Store::Index_list& come) const {
+  void commit(Store& store, Remeshing_flips& flips, Index kernel, Store::Index_list& come) const {
     boost::container::small_vector<Store::Vertices, 64> cells;
     for (const Facet_cone& c : cones_)
       cells.push_back({c.f[0], c.f[1], c.f[2], kernel});
     store.replace(
         gone_, cells, [&](std::size_t k) { return cones_[k].region; }, facets_, come);
+    flips.update_new(come);
   }
 
 private:
   static constexpr int most_steps = 64;
 
-  double quality(const Store::Facet_vertices& f) const {
-    if (!is_positive(store_.point(f[0]), store_.point(f[1]), store_.point(f[2]), kernel_.position))
-      return 0;
-    return metric_quality(mesh_.at(f[0]), mesh_.at(f[1]), mesh_.at(f[2]), kernel_);
+  Facet_cone cone_over(Index t, int i) const {
+    const auto& tet = store_[t];
+    const auto& c = Store::facet_corners(i);
+    const Store::Facet_vertices f = {tet.v[c[0]], tet.v[c[2]], tet.v[c[1]]};
+    const bool positive = is_positive(store_.point(f[0]), store_.point(f[1]), store_.point(f[2]), kernel_.position);
+    const double quality = positive ? metric_quality(mesh_.at(f[0]), mesh_.at(f[1]), mesh_.at(f[2]), kernel_) : 0;
+    return {f, tet.neighbor[i], tet.label[i], tet.region, quality, false};
   }
 
-  template <class Quality> bool take_in(const Facet_cone& cone, const Quality& quality_of) {
+  bool take_in(const Facet_cone& cone) {
     const Index t = Store::tetrahedron_of(cone.outer);
     const auto& tet = store_[t];
     if (tet.region != cone.region || std::find(tet.v.begin(), tet.v.end(), vertex_) != tet.v.end())
       return false;
     boost::container::small_vector<std::size_t, 4> lost; // cones over the facets of t
-    double before = quality_of(t), after = 1;
+    double before = flips_.quality(t), after = 1;
     const std::size_t known = cones_.size();
     for (int i = 0; i < 4; ++i) {
       const Index code = Store::facet(t, i);
@@ -163,15 +166,12 @@ private:
       const Index code = Store::facet(t, i);
       if (std::any_of(lost.begin(), lost.end(), [&](std::size_t k) { return cones_[k].outer == code; }))
         continue;
-      const auto& c = Store::facet_corners(i);
-      const Store::Facet_vertices f = {tet.v[c[0]], tet.v[c[2]], tet.v[c[1]]};
-      found[n] = {f, tet.neighbor[i], tet.label[i], tet.region, quality(f), false};
+      found[n] = cone_over(t, i);
       after = (std::min)(after, found[n++].quality);
       if (after <= before)
         return false;
     }
-    worst_before_ = (std::min)(worst_before_, quality_of(t));
-    gone_.push_back(t);
+    add_tetrahedron(t);
     std::sort(lost.begin(), lost.end());
     for (std::size_t k = lost.size(); k-- > 0;) {
       cones_[lost[k]] = cones_.back();
@@ -182,6 +182,7 @@ private:
   }
 
   const Metric_mesh& mesh_;
+  const Remeshing_flips& flips_;
   const Store& store_;
   Metric_point kernel_;
   Index vertex_ = Store::none; // of the kernel, if it is one

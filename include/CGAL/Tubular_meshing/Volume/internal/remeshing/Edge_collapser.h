@@ -6,8 +6,6 @@
 
 #include <CGAL/Tubular_meshing/Volume/internal/remeshing/Cavity.h>
 #include <CGAL/Tubular_meshing/Volume/internal/remeshing/Link_condition.h>
-#include <CGAL/Tubular_meshing/Volume/internal/remeshing/Operation_bounds.h>
-#include <CGAL/Tubular_meshing/Volume/internal/remeshing/Remeshing_flips.h>
 
 #include <algorithm>
 #include <cmath>
@@ -27,8 +25,7 @@ public:
 
   Edge_collapser(const Metric_mesh& mesh, const Remeshing_flips& flips)
       : mesh_(mesh)
-      , flips_(flips)
-      , cavity_(mesh)
+      , cavity_(mesh, flips)
       , link_condition_(mesh.store) {}
 
   // Whether the edge between corners i and j of t can be collapsed: the one end onto the other, or the other way.
@@ -45,17 +42,14 @@ public:
 
   // Whether what was found still holds, if all changes since are that those tetrahedra have come of which is_new(t).
   template <class IsNew> bool is_fresh(const IsNew& is_new) const {
-    const auto is_old = [&](Index t) { return mesh_.store.is_alive(t) && !is_new(t); };
-    return cavity_.all_of_gone(is_old) &&
-           (mesh_.location(from_).dimension == 3 ||
-            std::all_of(link_condition_.other_star().begin(), link_condition_.other_star().end(), is_old));
+    return cavity_.is_fresh(is_new) &&
+           (mesh_.location(from_).dimension == 3 || cavity_.are_fresh(link_condition_.other_star(), is_new));
   }
 
   // Does what was found; the new tetrahedra are left in `come`.
   void commit(Metric_mesh& mesh, Remeshing_flips& flips, Store::Index_list& come) const {
-    cavity_.commit(mesh.store, to_, come);
+    cavity_.commit(mesh.store, flips, to_, come);
     mesh.store.remove_vertex(from_);
-    flips.update_new(come);
   }
 
 private:
@@ -75,15 +69,14 @@ private:
       return false;
     cavity_.begin(mesh_.at(w), w);
     for (Index t : star_) {
-      cavity_.add_tetrahedron(t, flips_.quality(t));
-      cavity_.add_cone(t, mesh_.store.corner(t, v));
+      cavity_.add_tetrahedron(t);
+      cavity_.add_cone(t, v);
     }
     if (at.dimension < 3 && (!add_facets(v, w) || !link_condition_.holds(v, w, ring_, star_)))
       return false;
     if (at.dimension == 3) // on the surface, vertices may come closer than tetrahedra allow for
-      cavity_.enlarge(wanted_quality, [this](Index t) { return flips_.quality(t); });
-    const double worst = cavity_.worst();
-    if (!(worst > 0) || !bounds.allow(cavity_.worst_before(), worst))
+      cavity_.enlarge(wanted_quality);
+    if (!cavity_.is_allowed(bounds))
       return false;
     from_ = v;
     to_ = w;
@@ -106,27 +99,23 @@ private:
 
   // What becomes of the labelled facets at v. False where one would turn too far.
   bool add_facets(Index v, Index w) {
-    const Vector_3d from = mesh_.store.point(v), to = mesh_.store.point(w);
-    for (Index t : star_) {
-      const auto& tet = mesh_.store[t];
-      for (int k = 0; k < 4; ++k) {
-        if (tet.label[k] == 0 || tet.v[k] == v)
-          continue;
-        Index other[2];
-        int n = 0;
-        for (int c : Store::facet_corners(k))
-          if (tet.v[c] != v)
-            other[n++] = tet.v[c];
-        if (other[0] == w || other[1] == w)
-          continue;
-        const Vector_3d a = mesh_.store.point(other[0]), b = mesh_.store.point(other[1]);
-        const Vector_3d before = cross(a - from, b - from), after = cross(a - to, b - to);
-        if (dot(before, after) < least_cosine * norm(before) * norm(after))
-          return false;
-        cavity_.facets().push_back({{w, other[0], other[1]}, tet.label[k]});
-      }
-    }
-    return true;
+    const Store& store = mesh_.store;
+    const Vector_3d from = store.point(v), to = store.point(w);
+    bool turns = false;
+    for_each_labelled_facet(v, [&](Index facet, Index p, Index q) {
+      if (turns || p == w || q == w)
+        return;
+      const Vector_3d a = store.point(p), b = store.point(q);
+      const Vector_3d before = cross(a - from, b - from), after = cross(a - to, b - to);
+      turns = dot(before, after) < least_cosine * norm(before) * norm(after);
+      cavity_.facets().push_back({{w, p, q}, store.label(facet)});
+    });
+    return !turns;
+  }
+  // Of those at v, the tetrahedra around which are at hand.
+  template <class Visit> void for_each_labelled_facet(Index v, const Visit& visit) const {
+    for (Index t : star_)
+      mesh_.store.for_each_labelled_facet(Store::facet(t, mesh_.store.corner(t, v)), visit);
   }
 
   // New edges on the surface lie close to it, in their length, or closer than v's edges did.
@@ -142,14 +131,11 @@ private:
   // The vertex but w to which v is joined along its rim: where facets with different labels meet.
   Index other_rim_neighbor(Index v, Index w) const {
     boost::container::small_vector<Store::Labelled_facet, 16> ends; // {u, …} and the label of a facet at vu
-    for (Index t : star_) {
-      const auto& tet = mesh_.store[t];
-      for (int k = 0; k < 4; ++k)
-        if (tet.label[k] != 0 && tet.v[k] != v)
-          for (int c : Store::facet_corners(k))
-            if (tet.v[c] != v && tet.v[c] != w)
-              ends.push_back({{tet.v[c], 0, 0}, tet.label[k]});
-    }
+    for_each_labelled_facet(v, [&](Index facet, Index p, Index q) {
+      for (Index u : {p, q})
+        if (u != w)
+          ends.push_back({{u, 0, 0}, mesh_.store.label(facet)});
+    });
     for (const auto& e : ends)
       for (const auto& f : ends)
         if (e.v[0] == f.v[0] && e.label != f.label)
@@ -171,7 +157,6 @@ private:
   }
 
   const Metric_mesh& mesh_;
-  const Remeshing_flips& flips_;
   Cavity cavity_;
   Link_condition link_condition_;
   Store::Ring ring_;

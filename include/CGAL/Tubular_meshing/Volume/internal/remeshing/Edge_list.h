@@ -4,9 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REMESHING_EDGE_LIST_H
 #define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REMESHING_EDGE_LIST_H
 
-#include <CGAL/Tubular_meshing/Volume/internal/Tetrahedron_store.h>
 #include <CGAL/Tubular_meshing/Volume/internal/remeshing/Metric_mesh.h>
-#include <CGAL/Tubular_meshing/base/parallel.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -79,14 +77,6 @@ Edge_list list_edges(const Metric_mesh& mesh, const std::vector<Tetrahedron_stor
     return std::make_tuple(-x.length, x.a, x.b) < std::make_tuple(-y.length, y.a, y.b);
   });
   return edges;
-}
-
-inline std::vector<Tetrahedron_store::Index> list_tetrahedra(const Tetrahedron_store& store) {
-  std::vector<Tetrahedron_store::Index> all;
-  for (Tetrahedron_store::Index t = 0; t < store.number_of_slots(); ++t)
-    if (store.is_alive(t))
-      all.push_back(t);
-  return all;
 }
 
 } // namespace CGAL::Tubular_meshing::internal

@@ -5,8 +5,6 @@
 #define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REMESHING_EDGE_SPLITTER_H
 
 #include <CGAL/Tubular_meshing/Volume/internal/remeshing/Cavity.h>
-#include <CGAL/Tubular_meshing/Volume/internal/remeshing/Operation_bounds.h>
-#include <CGAL/Tubular_meshing/Volume/internal/remeshing/Remeshing_flips.h>
 
 #include <algorithm>
 #include <cmath>
@@ -22,8 +20,7 @@ public:
 
   Edge_splitter(const Metric_mesh& mesh, const Remeshing_flips& flips)
       : mesh_(mesh)
-      , flips_(flips)
-      , cavity_(mesh) {}
+      , cavity_(mesh, flips) {}
 
   // Whether the edge between corners i and j of t can be split, at the share `s` of it.
   bool find(Index t, int i, int j, double s, const Operation_bounds& bounds) {
@@ -44,17 +41,14 @@ public:
   }
 
   // Whether what was found still holds, if all changes since are that those tetrahedra have come of which is_new(t).
-  template <class IsNew> bool is_fresh(const IsNew& is_new) const {
-    return cavity_.all_of_gone([&](Index t) { return mesh_.store.is_alive(t) && !is_new(t); });
-  }
+  template <class IsNew> bool is_fresh(const IsNew& is_new) const { return cavity_.is_fresh(is_new); }
 
   // Does what was found; the new tetrahedra are left in `come`.
   void commit(Metric_mesh& mesh, Remeshing_flips& flips, Store::Index_list& come) {
     const Index v = mesh.add_vertex(cavity_.kernel(), location_, on_surface_);
     for (auto& f : cavity_.facets())
       std::replace(f.v.begin(), f.v.end(), Store::none, v);
-    cavity_.commit(mesh.store, v, come);
-    flips.update_new(come);
+    cavity_.commit(mesh.store, flips, v, come);
   }
 
 private:
@@ -74,14 +68,13 @@ private:
     if (!has_room(bounds.shortest)) // which a larger cavity would not make
       return false;
     for (Index t : ring_.tetrahedra) {
-      cavity_.add_tetrahedron(t, flips_.quality(t));
-      cavity_.add_cone(t, mesh_.store.corner(t, ring_.a));
-      cavity_.add_cone(t, mesh_.store.corner(t, ring_.b));
+      cavity_.add_tetrahedron(t);
+      cavity_.add_cone(t, ring_.a);
+      cavity_.add_cone(t, ring_.b);
       add_facets(t);
     }
-    cavity_.enlarge(wanted_quality, [this](Index t) { return flips_.quality(t); });
-    const double worst = cavity_.worst();
-    if (!(worst > 0) || !bounds.allow(cavity_.worst_before(), worst))
+    cavity_.enlarge(wanted_quality);
+    if (!cavity_.is_allowed(bounds))
       return false;
     const auto lengths = cavity_.lengths();
     on_surface_ = on_surface;
@@ -109,7 +102,6 @@ private:
   }
 
   const Metric_mesh& mesh_;
-  const Remeshing_flips& flips_;
   Cavity cavity_;
   Store::Ring ring_;
   Surface_location location_;

@@ -92,19 +92,10 @@ private:
 
   template <class Star> void collect(Index v, const Star& star, Opposite_edges& edges) const {
     edges.clear();
-    for (Index t : star) {
-      const auto& tet = store_[t];
-      for (int k = 0; k < 4; ++k) {
-        if (tet.label[k] == 0 || tet.v[k] == v)
-          continue;
-        Index u[2];
-        int n = 0;
-        for (int c : Store::facet_corners(k))
-          if (tet.v[c] != v)
-            u[n++] = tet.v[c];
-        edges.push_back({(std::min)(u[0], u[1]), (std::max)(u[0], u[1]), tet.label[k]});
-      }
-    }
+    for (Index t : star)
+      store_.for_each_labelled_facet(Store::facet(t, store_.corner(t, v)), [&](Index facet, Index a, Index b) {
+        edges.push_back({(std::min)(a, b), (std::max)(a, b), store_.label(facet)});
+      });
   }
 
   // Vertices joined to the one by labelled facets, and by rims.

@@ -4,11 +4,9 @@
 #ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REMESHING_METRIC_MESH_H
 #define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REMESHING_METRIC_MESH_H
 
-#include <CGAL/Tubular_meshing/Fields/Metric_tensor_3.h>
-#include <CGAL/Tubular_meshing/Volume/internal/Patch_projection.h>
 #include <CGAL/Tubular_meshing/Volume/anisotropic_tetrahedral_remeshing.h>
-#include <CGAL/Tubular_meshing/Volume/internal/Tetrahedron_store.h>
-#include <CGAL/Tubular_meshing/Volume/internal/order_in_space.h>
+#include <CGAL/Tubular_meshing/Volume/internal/Patch_projection.h>
+#include <CGAL/Tubular_meshing/Volume/internal/Topology_optimizer.h>
 #include <CGAL/Tubular_meshing/Volume/internal/remeshing/Surface_locations.h>
 #include <CGAL/Tubular_meshing/Volume/internal/remeshing/Vertex_clock.h>
 #include <CGAL/Tubular_meshing/Volume/internal/remeshing/metric_quality.h>
@@ -17,7 +15,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -160,6 +157,32 @@ public:
     return n;
   }
 
+  /* For each vertex, the mean volume in the metric of the tetrahedra around it, over that of the regular one, smoothed
+   * once over the neighbors: whether vertices are too many there (below one) or too few. Linear. */
+  std::vector<float> local_volumes() const {
+    const std::vector<Index> tetrahedra = store.tetrahedra();
+    std::vector<float> of_vertex(store.number_of_vertices()), number(store.number_of_vertices());
+    std::vector<float> of_tetrahedron(store.number_of_slots());
+    for (Index t : tetrahedra)
+      of_tetrahedron[t] = float(shape(store[t].v).volume);
+    for (int round = 0; round < 2; ++round) {
+      std::fill(of_vertex.begin(), of_vertex.end(), 0.f);
+      std::fill(number.begin(), number.end(), 0.f);
+      for (Index t : tetrahedra)
+        for (Index v : store[t].v) {
+          of_vertex[v] += of_tetrahedron[t];
+          number[v] += 1;
+        }
+      for (std::size_t v = 0; v < of_vertex.size(); ++v)
+        of_vertex[v] /= (std::max)(number[v], 1.f);
+      for (Index t : tetrahedra) {
+        const auto& v = store[t].v;
+        of_tetrahedron[t] = (of_vertex[v[0]] + of_vertex[v[1]] + of_vertex[v[2]] + of_vertex[v[3]]) / 4;
+      }
+    }
+    return of_vertex;
+  }
+
   // Vertices and tetrahedra along a space-filling curve; the unused are gone.
   void renumber() {
     std::vector<Point_3> points;
@@ -171,17 +194,9 @@ public:
         order.push_back(v);
     }
     order_in_space(points, order);
-    std::vector<Metric_tensor_3> metric;
-    std::vector<Surface_location> location;
-    std::vector<char> on_surface;
-    for (std::size_t v : order) {
-      metric.push_back(metric_[v]);
-      location.push_back(location_[v]);
-      on_surface.push_back(on_surface_[v]);
-    }
-    metric_.swap(metric);
-    location_.swap(location);
-    on_surface_.swap(on_surface);
+    put_in_order(order, metric_);
+    put_in_order(order, location_);
+    put_in_order(order, on_surface_);
     clock.renumber(order);
     store.renumber(std::vector<Index>(order.begin(), order.end()));
   }
@@ -217,6 +232,8 @@ private:
   std::vector<Surface_location> location_;
   std::vector<char> on_surface_; // written by several threads, for vertices of their own
 };
+
+typedef Topology_optimizer<Surface_flip_guard, const Metric_mesh&> Remeshing_flips;
 
 } // namespace CGAL::Tubular_meshing::internal
 

@@ -5,7 +5,7 @@
 #define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REMESHING_METRIC_RELOCATION_H
 
 #include <CGAL/Tubular_meshing/Volume/internal/Colored_stars.h>
-#include <CGAL/Tubular_meshing/Volume/internal/newton_steps.h>
+#include <CGAL/Tubular_meshing/Volume/internal/Shape_energy.h>
 #include <CGAL/Tubular_meshing/Volume/internal/remeshing/Metric_mesh.h>
 
 #include <algorithm>
@@ -27,7 +27,10 @@ struct Metric_energy {
   double value = 0;
   Vector_3d gradient;
   Symmetric_matrix_3d hessian;
-  double size2 = 1;
+  double size2; // the square of the unit length
+
+  explicit Metric_energy(double size2 = 1)
+      : size2(size2) {}
 
   // The tetrahedron that the vertex spans with the facet at u, v, w from it, in its mean metric. False if inverted.
   bool add(const Vector_3d& u, const Vector_3d& v, const Vector_3d& w, const Metric_tensor_3& mean,
@@ -43,21 +46,13 @@ struct Metric_energy {
     value += q + size_weight * (s / size2 + size2 / s);
     if (!with_derivatives)
       return true;
-    const Vector_3d m(mean.xx * sum.x + mean.xy * sum.y + mean.xz * sum.z,
-                      mean.xy * sum.x + mean.yy * sum.y + mean.yz * sum.z,
-                      mean.xz * sum.x + mean.yz * sum.y + mean.zz * sum.z);
-    const Vector_3d ds = (-1. / 3) * m, dd = -density * cross(v - u, w - u);
+    const Symmetric_matrix_3d m = {mean.xx, mean.xy, mean.xz, mean.yy, mean.yz, mean.zz};
+    const Vector_3d ds = (-1. / 3) * (m * sum), dd = -density * cross(v - u, w - u);
     const double f_s = 1.5 * root / d + size_weight * (1 / size2 - size2 / (s * s)), f_d = -q / d;
     gradient += f_s * ds;
     gradient += f_d * dd;
     // s is quadratic with the Hessian `mean`, d is linear; an indefinite part of it is left out
-    const double f = (std::max)(f_s, 0.);
-    hessian.xx += f * mean.xx;
-    hessian.xy += f * mean.xy;
-    hessian.xz += f * mean.xz;
-    hessian.yy += f * mean.yy;
-    hessian.yz += f * mean.yz;
-    hessian.zz += f * mean.zz;
+    hessian.add((std::max)(f_s, 0.), m);
     hessian.add_product(0.75 / (root * d) + 2 * size_weight * size2 / (s * s * s), ds, ds);
     hessian.add_product(-3 * root / (d * d), ds, dd);
     hessian.add_product(2 * q / (d * d), dd, dd);
@@ -142,37 +137,28 @@ public:
 
   // One visit to each vertex near which something has changed since the last one.
   void sweep() {
-    stars_.for_each_movable(
-        mesh_.threads,
-        [this](Index v) {
-          if (!mesh_.clock.is_awake(store_, v, stars_.facets(v)))
-            return;
-          relocate(v);
-          mesh_.clock.set_visited(v);
-        },
-        [this] { mesh_.clock.tick(); });
+    for_each_movable([this](Index v) {
+      if (!mesh_.clock.is_awake(store_, v, stars_.facets(v)))
+        return;
+      relocate(v);
+      mesh_.clock.set_visited(v);
+    });
   }
 
   // One visit to each of these.
   void sweep(const std::vector<char>& is_wanted) {
-    stars_.for_each_movable(
-        mesh_.threads,
-        [&](Index v) {
-          if (is_wanted[v])
-            relocate(v);
-        },
-        [this] { mesh_.clock.tick(); });
+    for_each_movable([&](Index v) {
+      if (is_wanted[v])
+        relocate(v);
+    });
   }
 
   // Brings vertices that are off the surface, where it was out of reach when they were made, onto it.
   void pull_to_surface() {
-    stars_.for_each_movable(
-        mesh_.threads,
-        [this](Index v) {
-          if (mesh_.location(v).dimension < 3 && !mesh_.is_on_surface(v))
-            pull(v);
-        },
-        [this] { mesh_.clock.tick(); });
+    for_each_movable([this](Index v) {
+      if (mesh_.location(v).dimension < 3 && !mesh_.is_on_surface(v))
+        pull(v);
+    });
   }
 
 private:
@@ -181,11 +167,15 @@ private:
   static constexpr double negligible = 1e-9; // distance from the surface, in the metric
   static constexpr double noticeable = 0.05; // a way, in the metric, that is of interest to the neighbors
 
+  // Each color is one step of time.
+  template <class Visit> void for_each_movable(const Visit& visit) const {
+    stars_.for_each_movable(mesh_.threads, visit, [this] { mesh_.clock.tick(); });
+  }
+
   void relocate(Index v) const {
     const Surface_location at = mesh_.location(v);
     const Metric_point old = mesh_.at(v);
-    Metric_energy here;
-    here.size2 = size2_;
+    Metric_energy here(size2_);
     if (!energy(v, old, true, here))
       return;
     Vector_3d step = newton(v, at, old, here);
@@ -200,8 +190,7 @@ private:
       if (at.dimension < 3 && squared_norm(p - moved) > squared_norm(s))
         return false;
       const Metric_point there = mesh_.at(p);
-      Metric_energy e;
-      e.size2 = size2_;
+      Metric_energy e(size2_);
       if (!energy(v, there, false, e) || !(e.value < here.value) || !keeps_surface(v, p) || !is_valid(v, p))
         return false;
       move(v, there, true);
@@ -220,8 +209,7 @@ private:
     const Metric_point old = mesh_.at(v);
     const Vector_3d p = mesh_.project(old.position, mesh_.location(v));
     const double distance2 = old.metric.squared_length(p - old.position);
-    Metric_energy here;
-    here.size2 = size2_;
+    Metric_energy here(size2_);
     if (distance2 < negligible * negligible * size2_)
       return mesh_.move(v, old, true);
     if (!energy(v, old, false, here))
@@ -230,8 +218,7 @@ private:
     for (double share = 1; share > 0.1; share /= 2) {
       const Vector_3d x = old.position + share * (p - old.position);
       const Metric_point there = mesh_.at(share == 1 ? p : x);
-      Metric_energy e;
-      e.size2 = size2_;
+      Metric_energy e(size2_);
       if (energy(v, there, false, e) && e.value < most_loss * here.value && keeps_surface(v, there.position) &&
           is_valid(v, there.position)) {
         move(v, there, share == 1);
@@ -292,19 +279,14 @@ private:
     Vector_3d first, second;
   };
   template <class Visit> void for_each_facet(Index v, const Visit& visit) const {
-    for (Index s : stars_.facets(v)) {
-      const auto& tet = store_[Store::tetrahedron_of(s)];
-      const int i = Store::opposite_of(s);
-      for (int j = 0; j < 4; ++j) {
+    for (Index s : stars_.facets(v))
+      store_.for_each_labelled_facet(s, [&](Index facet, Index a, Index b) {
         // an interface is visited from its side of lower region
-        if (j == i || tet.label[j] == 0 ||
-            (tet.neighbor[j] != Store::none && store_.region(Store::tetrahedron_of(tet.neighbor[j])) < tet.region))
-          continue;
-        const auto& f = Store::facet_corners(j);
-        const int k = f[0] == i ? 0 : f[1] == i ? 1 : 2;
-        visit(tet.v[f[(k + 1) % 3]], tet.v[f[(k + 2) % 3]], tet.label[j]);
-      }
-    }
+        const Index other = store_.other_side(facet);
+        if (other == Store::none ||
+            store_.region(Store::tetrahedron_of(other)) >= store_.region(Store::tetrahedron_of(facet)))
+          visit(a, b, store_.label(facet));
+      });
   }
   Normals normals(Index v) const {
     std::int32_t lowest = (std::numeric_limits<std::int32_t>::max)();

@@ -8,14 +8,9 @@
 #include <CGAL/Tubular_meshing/Volume/internal/remeshing/Edge_collapser.h>
 #include <CGAL/Tubular_meshing/Volume/internal/remeshing/Edge_list.h>
 #include <CGAL/Tubular_meshing/Volume/internal/remeshing/Edge_splitter.h>
-#include <CGAL/Tubular_meshing/Volume/internal/remeshing/Metric_mesh.h>
 #include <CGAL/Tubular_meshing/Volume/internal/remeshing/Metric_relocation.h>
-#include <CGAL/Tubular_meshing/Volume/internal/remeshing/Remeshing_flips.h>
-#include <CGAL/Tubular_meshing/Volume/internal/remeshing/Remeshing_schedule.h>
-#include <CGAL/Tubular_meshing/Volume/internal/remeshing/local_volumes.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -38,8 +33,8 @@ public:
   explicit Metric_remesher(Metric_mesh& mesh)
       : mesh_(mesh)
       , store_(mesh.store)
-      , flips_(store_, Remeshing_flip_guard{{store_, mesh.projection}, mesh.keep_boundary}, Metric_measure{&mesh},
-               mesh.threads, Speculation<Edge_splitter>::default_batch)
+      , flips_(store_, Surface_flip_guard(store_, mesh.projection, mesh.keep_boundary), mesh, mesh.threads,
+               Speculation<Edge_splitter>::default_batch)
       , splitters_(mesh.threads, Speculation<Edge_splitter>::default_batch, mesh_, flips_)
       , collapsers_(mesh.threads, Speculation<Edge_collapser>::default_batch, mesh_, flips_) {}
 
@@ -102,7 +97,7 @@ private:
   /* Splits edges that a small feature of the field crosses unseen by both ends: their length by samples is much larger
    * than by their ends. From there on, the ends see it. */
   void find_hidden() {
-    std::vector<Index> todo = list_tetrahedra(store_);
+    std::vector<Index> todo = store_.tetrahedra();
     for (int round = 0; round < 8 && !todo.empty(); ++round) {
       const Edge_list edges = list_edges(mesh_, todo, [](double) { return true; });
       std::vector<float> share(edges.size(), 0);
@@ -113,10 +108,7 @@ private:
       todo.clear();
       apply(
           splitters_, edges.size(), [&](std::size_t k) { return share[k] > 0; },
-          [&](Edge_splitter& s, std::size_t k) {
-            int i, j;
-            return edges[k].find(store_, i, j) && s.find(edges[k].t, i, j, share[k], S::split(1, 1));
-          },
+          [&](Edge_splitter& s, std::size_t k) { return find(s, edges[k], share[k], S::split(1, 1)); },
           [&](const Store::Index_list& come) { todo.insert(todo.end(), come.begin(), come.end()); });
     }
   }
@@ -137,7 +129,7 @@ private:
   }
 
   bool has_edges_above(double length) const {
-    return !list_edges(mesh_, list_tetrahedra(store_), [=](double l) { return l > length; }).empty();
+    return !list_edges(mesh_, store_.tetrahedra(), [=](double l) { return l > length; }).empty();
   }
 
   void relocate(int sweeps, double size) {
@@ -153,13 +145,16 @@ private:
     flips_.update_all();
   }
 
+  std::vector<Index> tetrahedra_below(double quality) const {
+    return store_.tetrahedra([&](Index t) { return flips_.quality(t) < quality; });
+  }
+
   // Around bad shapes nothing else counts.
   void relax_below(double quality) {
     std::vector<char> is_near(store_.number_of_vertices(), 0);
-    for (Index t = 0; t < store_.number_of_slots(); ++t)
-      if (store_.is_alive(t) && flips_.quality(t) < quality)
-        for (Index v : store_[t].v)
-          is_near[v] = 1;
+    for (Index t : tetrahedra_below(quality))
+      for (Index v : store_[t].v)
+        is_near[v] = 1;
     Metric_relocation relocation(mesh_, 1, false);
     for (int i = 0; i < 3; ++i)
       relocation.sweep(is_near);
@@ -205,7 +200,7 @@ private:
     const std::size_t most = most_splits();
     std::size_t n = 0;
     double longest = 1e300;
-    std::vector<Index> todo = list_tetrahedra(store_), next, made;
+    std::vector<Index> todo = store_.tetrahedra(), next, made;
     for (; !todo.empty() && n < most; todo.swap(next)) {
       const Edge_list edges = list_edges(mesh_, todo, [=](double l) { return l > S::sqrt_2 * size; });
       next.clear();
@@ -219,14 +214,18 @@ private:
         next.push_back(e->t);
       n += apply(
           splitters_, std::size_t(later - edges.begin()), always,
-          [&](Edge_splitter& s, std::size_t k) {
-            int i, j;
-            return edges[k].find(store_, i, j) && s.find(edges[k].t, i, j, S::split(size, edges[k].length));
-          },
+          [&](Edge_splitter& s, std::size_t k) { return find(s, edges[k], S::split(size, edges[k].length)); },
           [&](const Store::Index_list& come) { made.insert(made.end(), come.begin(), come.end()); });
       flips_.improve_these(made, S::flipped_after_splits);
       next.insert(next.end(), made.begin(), made.end());
     }
+  }
+
+  // Whether an edge, if it is still there, can be split or collapsed.
+  template <class Operation, class... Arguments>
+  bool find(Operation& operation, const Listed_edge& edge, const Arguments&... arguments) const {
+    int i, j;
+    return edge.find(store_, i, j) && operation.find(edge.t, i, j, arguments...);
   }
 
   /* Does what is wanted, wanted(k), and found to be possible, find(worker, k), for k < n, one after the other.
@@ -256,17 +255,14 @@ private:
 
   // The shortest edges first, again where new ones come about; few rounds do most.
   void collapse_below(double size) {
-    std::vector<Index> todo = list_tetrahedra(store_);
+    std::vector<Index> todo = store_.tetrahedra();
     for (int round = 0; round < S::most_rounds_of_collapses && !todo.empty(); ++round) {
       Edge_list edges = list_edges(mesh_, todo, [=](double l) { return l < size / S::sqrt_2; });
       std::reverse(edges.begin(), edges.end());
       todo.clear();
       apply(
           collapsers_, edges.size(), always,
-          [&](Edge_collapser& c, std::size_t k) {
-            int i, j;
-            return edges[k].find(store_, i, j) && c.find(edges[k].t, i, j, S::collapse(size));
-          },
+          [&](Edge_collapser& c, std::size_t k) { return find(c, edges[k], S::collapse(size)); },
           [&](const Store::Index_list& come) { todo.insert(todo.end(), come.begin(), come.end()); });
     }
   }
@@ -275,7 +271,7 @@ private:
    * are too small all around, vertices are taken out; where they are too large, put in; no two next to each other in
    * one pass, as relocation is to spread what each of them changes. */
   void balance() {
-    const std::vector<float> volume = local_volumes(mesh_);
+    const std::vector<float> volume = mesh_.local_volumes();
     std::vector<char> locked(volume.size(), 0);
     const auto lock = [&](const Store::Index_list& tetrahedra) {
       for (Index t : tetrahedra)
@@ -286,42 +282,30 @@ private:
     const auto is_free = [&](const Listed_edge& e) {
       return e.a < locked.size() && e.b < locked.size() && !locked[e.a] && !locked[e.b];
     };
-    Edge_list edges = list_edges(mesh_, list_tetrahedra(store_), [](double l) { return l < S::longest_collapsed; });
+    Edge_list edges = list_edges(mesh_, store_.tetrahedra(), [](double l) { return l < S::longest_collapsed; });
     std::reverse(edges.begin(), edges.end());
     apply(
         collapsers_, edges.size(),
         [&](std::size_t k) {
           return is_free(edges[k]) && volume[edges[k].a] < S::dense && volume[edges[k].b] < S::dense;
         },
-        [&](Edge_collapser& c, std::size_t k) {
-          int i, j;
-          return edges[k].find(store_, i, j) && c.find(edges[k].t, i, j, S::collapse_where_dense());
-        },
-        lock);
-    edges = list_edges(mesh_, list_tetrahedra(store_), [](double l) { return l > S::shortest_split; });
+        [&](Edge_collapser& c, std::size_t k) { return find(c, edges[k], S::collapse_where_dense()); }, lock);
+    edges = list_edges(mesh_, store_.tetrahedra(), [](double l) { return l > S::shortest_split; });
     apply(
         splitters_, edges.size(),
         [&](std::size_t k) {
           return is_free(edges[k]) && volume[edges[k].a] > S::sparse && volume[edges[k].b] > S::sparse;
         },
-        [&](Edge_splitter& s, std::size_t k) {
-          int i, j;
-          return edges[k].find(store_, i, j) && s.find(edges[k].t, i, j, S::split_where_sparse());
-        },
-        lock);
+        [&](Edge_splitter& s, std::size_t k) { return find(s, edges[k], S::split_where_sparse()); }, lock);
   }
 
   /* The worst tetrahedra, which neither flips nor relocation have improved: an edge of them is collapsed or
    * split, short or long, if that makes the worst quality of the cavity better. */
   void repair_below(double quality) {
     const Operation_bounds better = S::repair();
-    std::vector<Index> worst;
-    for (Index t = 0; t < store_.number_of_slots(); ++t)
-      if (store_.is_alive(t) && flips_.quality(t) < quality)
-        worst.push_back(t);
     Edge_collapser collapser(mesh_, flips_);
     Edge_splitter splitter(mesh_, flips_);
-    for (Index t : worst)
+    for (Index t : tetrahedra_below(quality))
       for (int e = 0; e < 6 && store_.is_alive(t) && flips_.quality(t) < quality; ++e) {
         const int i = e < 3 ? 0 : e < 5 ? 1 : 2, j = e < 3 ? e + 1 : e < 5 ? e - 1 : 3;
         if (collapser.find(t, i, j, better))

@@ -4,12 +4,42 @@
 #ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REMESHING_REMESHING_SCHEDULE_H
 #define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REMESHING_REMESHING_SCHEDULE_H
 
-#include <CGAL/Tubular_meshing/Volume/internal/remeshing/Operation_bounds.h>
-
 #include <algorithm>
 #include <cmath>
 
 namespace CGAL::Tubular_meshing::internal {
+
+/* What a split or a collapse has to keep to: the worst quality of its cavity, and the lengths of the new edges. By
+ * itself it allows what makes the worst quality no worse. */
+struct Operation_bounds {
+  double quality_floor = 1;  // a cavity may become as bad as this,
+  double quality_factor = 1; // or as bad as this times what it was
+  double shortest = 0;       // of the new edges
+  double longest = 1e300;
+  double urgent_floor = 1; // the same where it is urgent: neither may be passed
+  double urgent_factor = 1;
+
+  bool allow(double before, double after) const {
+    return after >= (std::min)(quality_floor, quality_factor * before) ||
+           (after >= urgent_floor && after >= urgent_factor * before);
+  }
+
+  Operation_bounds& quality(double floor, double factor) {
+    quality_floor = floor;
+    quality_factor = factor;
+    return *this;
+  }
+  Operation_bounds& lengths(double from, double to) {
+    shortest = from;
+    longest = to;
+    return *this;
+  }
+  Operation_bounds& urgent_quality(double floor, double factor) {
+    urgent_floor = floor;
+    urgent_factor = factor;
+    return *this;
+  }
+};
 
 /* How the remesher goes about it: what is done how often, from which quality on, and what each operation has to keep
  * to. Lengths are those of the metric, where they should be one; qualities are those of (16), inverted: one is best.

@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <map>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Tubular_meshing::internal {
@@ -52,36 +51,18 @@ public:
   // The locations of all vertices; `is_corner(v)` is asked of vertices on rims.
   template <class IsCorner> std::vector<Surface_location> of_vertices(const Store& store, const IsCorner& is_corner) {
     std::vector<Surface_location> locations(store.number_of_vertices());
-    std::vector<std::pair<std::pair<Index, Index>, std::int32_t>> edges; // of labelled facets, with their labels
-    for (Index t = 0; t < store.number_of_slots(); ++t)
-      for (int i = 0; i < 4; ++i) {
-        if (!store.is_alive(t) || store[t].label[i] == 0)
-          continue;
-        const auto& c = Store::facet_corners(i);
-        for (int k = 0; k < 3; ++k) {
-          const Index a = store[t].v[c[k]], b = store[t].v[c[(k + 1) % 3]];
-          edges.push_back({std::minmax(a, b), store[t].label[i]});
-          locations[a] = {2, store[t].label[i]};
-        }
-      }
-    Patches patches;
-    std::sort(edges.begin(), edges.end());
-    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
     std::vector<std::uint8_t> rim_edges(store.number_of_vertices(), 0);
-    for (std::size_t k = 0; k < edges.size();) {
-      patches.clear();
-      const auto edge = edges[k].first;
-      for (; k < edges.size() && edges[k].first == edge; ++k)
-        patches.push_back(edges[k].second);
-      if (patches.size() < 2)
-        continue;
-      const std::int32_t rim = number_of(patches);
-      for (Index v : {edge.first, edge.second}) {
-        const bool fits = rim_edges[v] == 0 || (rim_edges[v] == 1 && locations[v] == Surface_location{1, rim});
-        locations[v] = fits ? Surface_location{1, rim} : Surface_location{0, 0};
-        rim_edges[v] = std::uint8_t((std::min)(rim_edges[v] + 1, 3));
+    store.for_each_labelled_edge([&](const auto& ends, const Patches& patches) {
+      const bool is_rim = patches.size() > 1;
+      const Surface_location place = is_rim ? Surface_location{1, number_of(patches)} : Surface_location{2, patches[0]};
+      for (Index v : {ends.first, ends.second}) {
+        if (!is_rim && rim_edges[v] > 0)
+          continue;
+        const bool fits = rim_edges[v] == 0 || (rim_edges[v] == 1 && locations[v] == place);
+        locations[v] = fits ? place : Surface_location{0, 0};
+        rim_edges[v] = std::uint8_t((std::min)(rim_edges[v] + int(is_rim), 3));
       }
-    }
+    });
     for (Index v = 0; v < store.number_of_vertices(); ++v)
       if (locations[v].dimension == 1 && (rim_edges[v] != 2 || is_corner(v)))
         locations[v] = {0, 0};

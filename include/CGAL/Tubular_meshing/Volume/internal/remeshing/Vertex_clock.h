@@ -5,6 +5,7 @@
 #define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REMESHING_VERTEX_CLOCK_H
 
 #include <CGAL/Tubular_meshing/Volume/internal/Tetrahedron_store.h>
+#include <CGAL/Tubular_meshing/Volume/internal/order_in_space.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -30,15 +31,8 @@ public:
     visited_.resize(n, 0);
   }
   void renumber(const std::vector<std::size_t>& order) {
-    const auto in_order = [&](std::vector<Time>& times) {
-      std::vector<Time> result;
-      for (std::size_t v : order)
-        result.push_back(times[v]);
-      times.swap(result);
-    };
-    in_order(moved_);
-    in_order(renewed_);
-    in_order(visited_);
+    for (std::vector<Time>* times : {&moved_, &renewed_, &visited_})
+      put_in_order(order, *times);
   }
 
   Time now() const { return now_; }

@@ -6,7 +6,6 @@
 
 #include <CGAL/Tubular_meshing/Fields/Metric_tensor_3.h>
 #include <CGAL/Tubular_meshing/base/element_measures.h>
-#include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
 #include <algorithm>
 #include <cmath>
@@ -52,12 +51,9 @@ inline double metric_quality(const Metric_point& a, const Metric_point& b, const
   return sum > 0 ? 2 * std::sqrt(3.) * area / sum : 0;
 }
 
-/* The length (10) of an edge, the metric varying linearly between its ends: the integral in closed form. */
+/* The length (10) of an edge, the metric varying linearly between its ends. */
 inline double metric_length(const Metric_point& a, const Metric_point& b) {
-  const Vector_3d e = b.position - a.position;
-  const double s = a.metric.squared_length(e), t = b.metric.squared_length(e);
-  const double l = std::sqrt((std::max)(s, 0.)), m = std::sqrt((std::max)(t, 0.));
-  return l + m > 0 ? 2. / 3 * (s + l * m + t) / (l + m) : 0;
+  return Metric_tensor_3::edge_length_linear(b.position - a.position, a.metric, b.metric);
 }
 
 } // namespace CGAL::Tubular_meshing::internal

@@ -5,13 +5,9 @@
 #define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REMESHING_REMESHING_INPUT_H
 
 #include <CGAL/Tubular_meshing/Fields/Metric_tensor_3.h>
-#include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/Quality/validity_report.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
-#include <CGAL/Tubular_meshing/base/Vector_3d.h>
-#include <CGAL/Tubular_meshing/base/Sentence.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <sstream>

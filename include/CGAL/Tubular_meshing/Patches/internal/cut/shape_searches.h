@@ -1,73 +1,20 @@
 // Copyright (c) 2026 The Tubular_meshing authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_TUBULAR_MESHING_PATCHES_INTERNAL_CUT_SHAPE_TREE_H
-#define CGAL_TUBULAR_MESHING_PATCHES_INTERNAL_CUT_SHAPE_TREE_H
+#ifndef CGAL_TUBULAR_MESHING_PATCHES_INTERNAL_CUT_SHAPE_SEARCHES_H
+#define CGAL_TUBULAR_MESHING_PATCHES_INTERNAL_CUT_SHAPE_SEARCHES_H
 
-#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/base/Nearest_tree.h>
-#include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
-#include <CGAL/AABB_tree.h>
 #include <CGAL/Bbox_3.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <limits>
-#include <memory>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Tubular_meshing::internal {
-
-/* CGAL's AABB tree over segments or triangles of doubles, for other questions than which is nearest: a visitor says
- * which boxes to enter. Copies of the shapes are searched, so that the surface they come from may be refined. */
-template <class Shape> class Shape_tree {
-public:
-  struct Primitive {
-    typedef const Shape* Id;
-    typedef Shape Datum;
-    typedef const Shape& Datum_reference;
-    typedef Double_kernel::Point_3 Point;
-    typedef Point Point_reference;
-
-    const Shape* shape;
-
-    explicit Primitive(const Shape* s)
-        : shape(s) {}
-    Id id() const { return shape; }
-    Datum_reference datum() const { return *shape; }
-    Point_reference reference_point() const { return shape->vertex(0); }
-  };
-
-  explicit Shape_tree(std::vector<Shape> shapes)
-      : shapes_(new std::vector<Shape>(std::move(shapes)))
-      , tree_(new Tree(shapes_->data(), shapes_->data() + shapes_->size())) {
-    tree_->do_not_accelerate_distance_queries();
-    if (!shapes_->empty())
-      tree_->build();
-  }
-
-  const Shape& operator[](std::size_t i) const { return (*shapes_)[i]; }
-  std::size_t index(const Primitive& p) const { return std::size_t(p.shape - shapes_->data()); }
-
-  // The visitor has the members of the traversal traits of CGAL's trees; the query is handed to them.
-  template <class Query, class Visitor> void visit(const Query& query, Visitor& visitor) const {
-    if (!shapes_->empty())
-      tree_->traversal(query, visitor);
-  }
-  template <class Query, class Visitor> void visit_best_first(const Query& query, Visitor& visitor) const {
-    if (!shapes_->empty())
-      tree_->traversal_with_priority(query, visitor);
-  }
-
-private:
-  typedef CGAL::AABB_tree<Aabb_traits<Double_kernel, Primitive>> Tree;
-
-  std::unique_ptr<std::vector<Shape>> shapes_;
-  std::unique_ptr<Tree> tree_;
-};
 
 /* The segments whose boxes meet a box, in no particular order. O(log n + found). */
 class Segments_in_box {
@@ -184,4 +131,4 @@ private:
 
 } // namespace CGAL::Tubular_meshing::internal
 
-#endif // CGAL_TUBULAR_MESHING_PATCHES_INTERNAL_CUT_SHAPE_TREE_H
+#endif // CGAL_TUBULAR_MESHING_PATCHES_INTERNAL_CUT_SHAPE_SEARCHES_H
