@@ -17,8 +17,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
 namespace internal {
 struct Divided_patch;
@@ -156,8 +155,7 @@ private:
   std::vector<std::vector<int>> loop_halfedge_; // of each edge of each loop
 };
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
 #include <CGAL/Tubular_meshing/Patches/Patch_parameterization_impl.h>

@@ -23,9 +23,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL::Tubular_meshing {
-
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 inline void check_cut_input(const Surface& surface, Face_patch_map patch, const Centerline_graph& graph,
                             double aspect_ratio) {
@@ -139,8 +137,6 @@ CGAL_TUBULAR_MESHING_INLINE Surface_cut cut_by_centerlines(Surface& surface, con
   return Centerline_cut(surface, graph, patch, options.aspect_ratio).run();
 }
 
-} // namespace internal
-
-} // namespace CGAL::Tubular_meshing
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_PATCHES_CUT_BY_CENTERLINES_IMPL_H

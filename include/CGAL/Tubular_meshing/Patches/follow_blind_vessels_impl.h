@@ -11,9 +11,7 @@
 
 #include <vector>
 
-namespace CGAL::Tubular_meshing {
-
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 CGAL_TUBULAR_MESHING_INLINE std::vector<Surface::Vertex_index>
 tips_of_blind_vessels(Surface& surface, Face_patch_map patch, const Centerline_graph& graph) {
@@ -24,8 +22,6 @@ tips_of_blind_vessels(Surface& surface, Face_patch_map patch, const Centerline_g
   return tips;
 }
 
-} // namespace internal
-
-} // namespace CGAL::Tubular_meshing
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_PATCHES_FOLLOW_BLIND_VESSELS_IMPL_H

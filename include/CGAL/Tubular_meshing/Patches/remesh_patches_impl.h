@@ -13,9 +13,7 @@
 
 #include <vector>
 
-namespace CGAL::Tubular_meshing {
-
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 CGAL_TUBULAR_MESHING_INLINE Remeshed_surface remesh_patches_by_size(const Surface& surface, const Surface_cut& cut,
                                                                     const std::vector<Patch_parameterization>& maps,
@@ -38,8 +36,6 @@ CGAL_TUBULAR_MESHING_INLINE Remeshed_surface remesh_patches_by_metric(const Surf
   return result;
 }
 
-} // namespace internal
-
-} // namespace CGAL::Tubular_meshing
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_PATCHES_REMESH_PATCHES_IMPL_H

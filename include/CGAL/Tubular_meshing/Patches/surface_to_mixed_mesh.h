@@ -9,8 +9,7 @@
 #include <CGAL/Tubular_meshing/Patches/Remeshed_surface.h>
 #include <CGAL/Tubular_meshing/base/convert_surface.h>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
 namespace internal {
 void surface_to_mixed_mesh(const Surface& surface, Face_patch_map patch, Mixed_mesh& mesh);
@@ -51,8 +50,7 @@ void surface_to_mixed_mesh(const FaceGraph& surface, FacePatchMap patch, Mixed_m
  */
 void surface_to_mixed_mesh(const Remeshed_surface& remeshed, Mixed_mesh& mesh);
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
 #include <CGAL/Tubular_meshing/Patches/surface_to_mixed_mesh_impl.h>

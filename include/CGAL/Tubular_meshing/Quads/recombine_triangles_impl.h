@@ -15,8 +15,7 @@
 #include <limits>
 #include <string>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 namespace internal {
 
 inline void check_triangles(const std::vector<Point_3>& points,
@@ -158,7 +157,6 @@ recombine_triangles(const std::vector<Point_3>& points, const std::vector<std::a
   return result;
 }
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #endif // CGAL_TUBULAR_MESHING_QUADS_RECOMBINE_TRIANGLES_IMPL_H

@@ -9,8 +9,6 @@
 #include <CGAL/Tubular_meshing/base/Sentence.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 
-#include <CGAL/boost/graph/iterator.h>
-
 #include <cmath>
 #include <cstddef>
 #include <string>

@@ -7,7 +7,6 @@
 #include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Rims/Opening_site.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <unordered_map>

@@ -14,7 +14,6 @@
 #include <CGAL/boost/graph/iterator.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <vector>

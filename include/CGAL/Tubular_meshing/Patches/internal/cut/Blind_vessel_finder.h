@@ -11,7 +11,6 @@
 #include <CGAL/Tubular_meshing/base/parallel.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <vector>
 

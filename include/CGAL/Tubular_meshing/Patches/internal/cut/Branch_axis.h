@@ -8,7 +8,6 @@
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>

@@ -10,7 +10,6 @@
 #include <CGAL/Bbox_3.h>
 #include <CGAL/number_type_config.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>

@@ -13,7 +13,6 @@
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
 #include <algorithm>
-#include <cstddef>
 #include <limits>
 #include <vector>
 

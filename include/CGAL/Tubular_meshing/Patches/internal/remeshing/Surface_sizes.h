@@ -9,7 +9,6 @@
 #include <CGAL/Tubular_meshing/Patches/internal/remeshing/triangle_shapes.h>
 #include <CGAL/Tubular_meshing/Patches/pieces/Curve_divider.h>
 #include <CGAL/Tubular_meshing/Plane/Metric_tensor_2.h>
-#include <CGAL/Tubular_meshing/Plane/metric_logarithm.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
 #include <cstddef>

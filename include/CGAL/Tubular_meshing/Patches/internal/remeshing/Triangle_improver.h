@@ -14,8 +14,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstddef>
 #include <vector>
 
 namespace CGAL::Tubular_meshing::internal {

@@ -14,7 +14,6 @@
 #include <CGAL/Tubular_meshing/base/parallel.h>
 
 #include <algorithm>
-#include <cstddef>
 #include <vector>
 
 namespace CGAL::Tubular_meshing::internal {

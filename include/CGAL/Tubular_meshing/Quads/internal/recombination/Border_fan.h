@@ -9,7 +9,6 @@
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <utility>
 #include <vector>
