@@ -5,6 +5,7 @@
 #define CGAL_TUBULAR_MESHING_BASE_ELEMENT_MEASURES_H
 
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
+#include <CGAL/Tubular_meshing/base/cell_topology.h>
 
 #include <algorithm>
 #include <array>
@@ -66,9 +67,8 @@ inline double quad_eta(const std::array<Vector_3d, 4>& p) {
 
 // eq. (15), over the angles of the six faces
 inline double hexahedron_zeta(const std::array<Vector_3d, 8>& p) {
-  static const int faces[6][4] = {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
   double smallest = pi, largest = 0;
-  for (const auto& f : faces) {
+  for (const auto& f : Cell_topology<8>::quads()) {
     const auto range = angle_range({p[f[0]], p[f[1]], p[f[2]], p[f[3]]});
     smallest = (std::min)(smallest, range[0]);
     largest = (std::max)(largest, range[1]);
@@ -76,27 +76,25 @@ inline double hexahedron_zeta(const std::array<Vector_3d, 8>& p) {
   return 1 - (std::max)(largest - pi / 2, pi / 2 - smallest) / (pi / 2);
 }
 
-// The smallest scaled Jacobian at the corners of the base.
-inline double pyramid_jacobian(const std::array<Vector_3d, 5>& p) {
+// The smallest scaled Jacobian at the corners of a cell that have one.
+template <std::size_t N> double scaled_jacobian(const std::array<Vector_3d, N>& p) {
   double smallest = 1;
-  for (std::size_t i = 0; i < 4; ++i) {
-    const Vector_3d u = p[(i + 1) % 4] - p[i], v = p[(i + 3) % 4] - p[i], w = p[4] - p[i];
+  for (const Corner& c : Cell_topology<N>::corners()) {
+    const Vector_3d u = p[c[1]] - p[c[0]], v = p[c[2]] - p[c[0]], w = p[c[3]] - p[c[0]];
     const double lengths = norm(u) * norm(v) * norm(w);
     smallest = (std::min)(smallest, lengths > 0 ? dot(cross(u, v), w) / lengths : 0);
   }
   return smallest;
 }
 
-// The smallest scaled Jacobian at the six corners.
+// At the corners of the base.
+inline double pyramid_jacobian(const std::array<Vector_3d, 5>& p) {
+  return scaled_jacobian(p);
+}
+
+// At the six corners.
 inline double prism_jacobian(const std::array<Vector_3d, 6>& p) {
-  static const int corners[6][4] = {{0, 1, 2, 3}, {1, 2, 0, 4}, {2, 0, 1, 5}, {3, 5, 4, 0}, {4, 3, 5, 1}, {5, 4, 3, 2}};
-  double smallest = 1;
-  for (const auto& c : corners) {
-    const Vector_3d u = p[c[1]] - p[c[0]], v = p[c[2]] - p[c[0]], w = p[c[3]] - p[c[0]];
-    const double lengths = norm(u) * norm(v) * norm(w);
-    smallest = (std::min)(smallest, lengths > 0 ? dot(cross(u, v), w) / lengths : 0);
-  }
-  return smallest;
+  return scaled_jacobian(p);
 }
 
 } // namespace CGAL::Tubular_meshing::internal

@@ -8,6 +8,8 @@
 #include <CGAL/Tubular_meshing/Patches/internal/cut/Graph_pieces.h>
 #include <CGAL/Tubular_meshing/Patches/internal/cut/Tube_divider.h>
 
+#include <boost/pending/disjoint_sets.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -42,12 +44,15 @@ public:
       return std::make_pair(cutter_.cuts_of(a).size(), graph_.branches()[a].length) <
              std::make_pair(cutter_.cuts_of(b).size(), graph_.branches()[b].length);
     });
-    Union_find pieces(graph_.nodes().size());
+    boost::disjoint_sets_with_storage<> pieces(graph_.nodes().size());
     for (size_type b : branches) {
       const auto& branch = graph_.branches()[b];
       if (cutter_.cuts_of(b).size() >= 2)
         break;
-      if (!pieces.unite(branch.source, branch.target, cutter_.cuts_of(b).empty())) {
+      const size_type source = pieces.find_set(branch.source), target = pieces.find_set(branch.target);
+      if (source != target && cutter_.cuts_of(b).empty()) {
+        pieces.link(source, target);
+      } else if (source == target) {
         while (cutter_.cuts_of(b).size() < 2 && cut_somewhere(b)) {
         }
         tubes_.divide(b);
@@ -83,30 +88,6 @@ private:
   static constexpr size_type none = (std::numeric_limits<size_type>::max)();
   static constexpr double round = 2.5; // a section's perimeter over its inscribed circle's, at most
   static constexpr double step = 0.25; // radii
-
-  class Union_find {
-  public:
-    explicit Union_find(size_type n)
-        : parent_(n) {
-      std::iota(parent_.begin(), parent_.end(), 0);
-    }
-    // False if they are united already. Unites them only if told to.
-    bool unite(size_type a, size_type b, bool really) {
-      a = root(a);
-      b = root(b);
-      if (a != b && really)
-        parent_[b] = a;
-      return a != b;
-    }
-
-  private:
-    size_type root(size_type a) {
-      while (parent_[a] != a)
-        a = parent_[a] = parent_[parent_[a]];
-      return a;
-    }
-    std::vector<size_type> parent_;
-  };
 
   struct Place {
     size_type branch;
