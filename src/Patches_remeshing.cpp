@@ -3,6 +3,6 @@
 
 #include <CGAL/Tubular_meshing/Patches/Patch_report_impl.h>
 #include <CGAL/Tubular_meshing/Patches/metric_surface_report_impl.h>
-#include <CGAL/Tubular_meshing/Patches/pieces/mesh_by_pieces_impl.h>
+#include <CGAL/Tubular_meshing/Patches/pieces/Piece_mesher_impl.h>
 #include <CGAL/Tubular_meshing/Patches/remesh_patches_impl.h>
 #include <CGAL/Tubular_meshing/Patches/surface_to_mixed_mesh_impl.h>

@@ -10,7 +10,7 @@
 #include <CGAL/Tubular_meshing/Generators/tubular_shapes.h>
 #include <CGAL/Tubular_meshing/Generators/tubular_surface.h>
 #include <CGAL/Tubular_meshing/IO/read_surface.h>
-#include <CGAL/Tubular_meshing/Patches/internal/remeshing/Isotropic_sizes.h>
+#include <CGAL/Tubular_meshing/Patches/internal/remeshing/Surface_sizes.h>
 #include <CGAL/Tubular_meshing/Patches/internal/remeshing/Triangle_piece_mesher.h>
 #include <CGAL/Tubular_meshing/Patches/pieces/Curve_divider.h>
 #include <CGAL/Tubular_meshing/Patches/pieces/Peak_finder.h>

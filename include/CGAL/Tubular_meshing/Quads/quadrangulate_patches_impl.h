@@ -4,7 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_QUADS_QUADRANGULATE_PATCHES_IMPL_H
 #define CGAL_TUBULAR_MESHING_QUADS_QUADRANGULATE_PATCHES_IMPL_H
 
-#include <CGAL/Tubular_meshing/Patches/pieces/mesh_by_pieces.h>
+#include <CGAL/Tubular_meshing/Patches/pieces/Piece_mesher.h>
 #include <CGAL/Tubular_meshing/Quads/internal/surface/Quad_piece_mesher.h>
 #include <CGAL/Tubular_meshing/Quads/internal/surface/make_quad_report.h>
 #include <CGAL/Tubular_meshing/Quads/quadrangulate_patches.h>
@@ -16,7 +16,7 @@ CGAL_TUBULAR_MESHING_INLINE Remeshed_surface quadrangulate_patches(const Surface
                                                                    Length_function size,
                                                                    const Quadrangulate_patches_options& options) {
   Quad_piece_mesher mesher(surface, cut, maps, size, options.quad_caps, options.number_of_threads);
-  Remeshed_surface result = mesh_by_pieces(cut, maps, mesher);
+  Remeshed_surface result = mesh_by_pieces(mesher);
   result.quads = make_quad_report(result, mesher.kinds());
   return result;
 }

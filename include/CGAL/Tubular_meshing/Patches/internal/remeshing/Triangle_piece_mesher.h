@@ -10,7 +10,6 @@
 #include <CGAL/Tubular_meshing/Patches/pieces/Curve_divider.h>
 #include <CGAL/Tubular_meshing/Patches/pieces/Curve_gaps.h>
 #include <CGAL/Tubular_meshing/Patches/pieces/Piece_mesher.h>
-#include <CGAL/Tubular_meshing/Patches/pieces/old_triangles.h>
 #include <CGAL/Tubular_meshing/base/parallel.h>
 
 #include <algorithm>
@@ -31,8 +30,7 @@ public:
   std::vector<size_type> improve(Remeshed_surface& result, const std::vector<size_type>& piece_of_face) const override {
     typedef Surface::Vertex_index Vertex;
     Surface& surface = result.surface;
-    const Triangle_shape& shape = sizes_.shape();
-    Triangle_improver improver(surface, shape);
+    Triangle_improver improver(surface, sizes_.shape());
     const std::vector<Surface::Face_index> bad = improver.bad_triangles();
     if (bad.empty())
       return {};
@@ -44,7 +42,7 @@ public:
       return !is_fixed[size_type(v)] && result.patch_of_face[surface.face(surface.halfedge(v))] >= 0;
     };
     const auto may_flip = [&](Surface::Halfedge_index h) {
-      if (!shape.is_for_caps() && result.patch_of_face[surface.face(h)] < 0)
+      if (!sizes_.are_isotropic() && result.patch_of_face[surface.face(h)] < 0)
         return false;
       return piece_of_face[size_type(surface.face(h))] == piece_of_face[size_type(surface.face(surface.opposite(h)))];
     };

@@ -14,23 +14,12 @@
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <vector>
 
 namespace CGAL::Tubular_meshing::internal {
-
-/* The points of a curve on a loop of a patch, in the order of the loop. */
-inline std::vector<Patch_location> on_loop(const Patch_parameterization& map, std::size_t l, const Patch_loop& loop,
-                                           std::size_t edges, const std::vector<Curve_position>& points) {
-  std::vector<Patch_location> result;
-  for (const auto& p : points)
-    result.push_back(loop.forward ? map.on_loop_edge(l, p.edge, p.t)
-                                  : map.on_loop_edge(l, edges - 1 - p.edge, 1 - p.t));
-  if (!loop.forward)
-    std::reverse(result.begin(), result.end());
-  return result;
-}
 
 /* Divides the curves of a cut surface for grids: those that annular patches join, one after another, form a chain and
  * get the same even number of points, at equal distances unless another curve is close, and turned so that the grids
@@ -68,6 +57,12 @@ public:
   bool is_tube(size_type k) const {
     const auto& loops = cut_.patches[k].loops;
     return loops.size() == 2 && loops[0].curve != loops[1].curve && maps_[k].number_of_loops() == 2;
+  }
+
+  /* The points of a tube's curves on its two loops, each in the order of its loop. */
+  std::array<std::vector<Patch_location>, 2> on_loops(size_type k, const std::vector<Points>& points) const {
+    const auto& loops = cut_.patches[k].loops;
+    return {on_loop(k, 0, points[loops[0].curve]), on_loop(k, 1, points[loops[1].curve])};
   }
 
 private:
@@ -146,12 +141,15 @@ private:
     return dividers_[c].divide_equally(polylines_[c], n, start);
   }
 
+  std::vector<Patch_location> on_loop(size_type k, size_type l, const Points& points) const {
+    const Patch_loop& loop = cut_.patches[k].loops[l];
+    return internal::on_loop(maps_[k], l, loop, polylines_[loop.curve].size(), points);
+  }
+
   // The mean place around the patch of points of one of its loops.
   double mean_angle(const Annular_chart& chart, size_type k, size_type c, const Points& points) const {
-    const auto& loops = cut_.patches[k].loops;
-    const size_type l = loops[0].curve == c ? 0 : 1;
     double sum = 0;
-    for (const auto& w : chart.row(on_loop(maps_[k], l, loops[l], polylines_[c].size(), points)))
+    for (const auto& w : chart.row(on_loop(k, cut_.patches[k].loops[0].curve == c ? 0 : 1, points)))
       sum += w.x();
     return sum / double(points.size());
   }

@@ -10,7 +10,7 @@
 #include <CGAL/Tubular_meshing/Quads/internal/unstructured/Quad_smoother.h>
 #include <CGAL/Tubular_meshing/Quads/internal/unstructured/Sheet.h>
 #include <CGAL/Tubular_meshing/Patches/Remeshed_surface.h>
-#include <CGAL/Tubular_meshing/Patches/pieces/old_triangles.h>
+#include <CGAL/Tubular_meshing/Patches/pieces/Piece_mesher.h>
 #include <CGAL/Tubular_meshing/base/Nearest_tree.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
