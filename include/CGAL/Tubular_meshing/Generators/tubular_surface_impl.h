@@ -47,7 +47,7 @@ public:
 
   void make_open_surface(double points_per_circumference) {
     // Cells smaller than the radius leave no tube and no gap between tubes unseen; the remeshing does the rest.
-    march_tetrahedra(function_, Tubular_octree(function_, 0.9), mesh_);
+    Tetrahedra_marcher(function_, Tubular_octree(function_, 0.9), mesh_);
     Tubular_remesher remesher(function_, ends_, points_per_circumference, mesh_);
     remesher.clean_up_slivers();
     mesh_.collect_garbage();
@@ -95,7 +95,7 @@ public:
         continue;
       const double weight = t >= 1 ? 1 : t * t * (3 - 2 * t), a = frame.angle(p);
       const double wave = shape == Sag_shape::saddle ? rho * rho * std::cos(2 * a) : rho * std::cos(a);
-      move(v, amplitude * end.radius * weight * wave * frame.n);
+      move(v, amplitude * end.radius * weight * wave * frame.normal);
     }
   }
 

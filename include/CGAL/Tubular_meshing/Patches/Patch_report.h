@@ -5,7 +5,6 @@
 #define CGAL_TUBULAR_MESHING_PATCHES_PATCH_REPORT_H
 
 #include <CGAL/Tubular_meshing/Patches/Surface_patch.h>
-#include <CGAL/Tubular_meshing/Patches/Parameterization_method.h>
 #include <CGAL/Tubular_meshing/Patches/Patch_parameterization.h>
 
 #include <cstddef>

@@ -4,7 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_RIMS_TRIM_BY_PLANE_IMPL_H
 #define CGAL_TUBULAR_MESHING_RIMS_TRIM_BY_PLANE_IMPL_H
 
-#include <CGAL/Tubular_meshing/Rims/internal/Trim_applier.h>
+#include <CGAL/Tubular_meshing/Rims/internal/Trim_plan.h>
 #include <CGAL/Tubular_meshing/Rims/internal/Trim_planner.h>
 #include <CGAL/Tubular_meshing/Rims/trim_by_plane.h>
 

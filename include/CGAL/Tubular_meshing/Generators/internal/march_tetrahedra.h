@@ -196,10 +196,6 @@ private:
   std::unordered_map<std::uint64_t, Vertex> crossings_;
 };
 
-inline void march_tetrahedra(const Tubular_distance_function& function, const Tubular_octree& octree, Surface& mesh) {
-  Tetrahedra_marcher(function, octree, mesh);
-}
-
 } // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_GENERATORS_INTERNAL_MARCH_TETRAHEDRA_H
