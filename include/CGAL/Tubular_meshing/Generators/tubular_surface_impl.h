@@ -29,8 +29,6 @@ namespace CGAL::Tubular_meshing::internal {
 /* Makes the surface around a skeleton, and changes it as asked for. */
 class Tubular_surface_generator {
 public:
-  typedef Surface::Vertex_index Vertex;
-  typedef Surface::Halfedge_index Halfedge;
   typedef Tubular_skeleton::End End;
 
   explicit Tubular_surface_generator(const Tubular_skeleton& skeleton)

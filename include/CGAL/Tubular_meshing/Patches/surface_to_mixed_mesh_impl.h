@@ -22,7 +22,6 @@ namespace CGAL::Tubular_meshing {
 namespace internal {
 
 CGAL_TUBULAR_MESHING_INLINE void surface_to_mixed_mesh(const Surface& surface, Face_patch_map patch, Mixed_mesh& mesh) {
-  typedef Surface::Vertex_index Vertex;
   if (!CGAL::is_closed(surface) || surface.is_empty())
     throw Meshing_error("Only a closed surface can be the boundary of a mesh: close its openings first.");
   mesh = Mixed_mesh();

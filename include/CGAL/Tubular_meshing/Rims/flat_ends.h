@@ -38,10 +38,6 @@ inline std::vector<Flat_end_criteria> possible_flat_ends() {
 constexpr double max_flat_end_sag = 0.05; // of the radius
 
 class Flat_end_finder {
-  typedef Surface::Vertex_index Vertex;
-  typedef Surface::Halfedge_index Halfedge;
-  typedef Surface::Face_index Face;
-
 public:
   /* `inside_out`: whether the faces' normals point into the lumen. */
   Flat_end_finder(const Surface& mesh, bool inside_out)

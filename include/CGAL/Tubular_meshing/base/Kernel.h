@@ -28,6 +28,14 @@ typedef CGAL::Surface_mesh<Point_3> Surface;
 /// The label of each face of a Surface: its property map `f:patch`.
 typedef Surface::Property_map<Surface::Face_index, int> Face_patch_map;
 
+namespace internal {
+
+typedef Surface::Vertex_index Vertex;
+typedef Surface::Halfedge_index Halfedge;
+typedef Surface::Edge_index Edge;
+typedef Surface::Face_index Face;
+
+} // namespace internal
 } // namespace CGAL::Tubular_meshing
 
 #endif // CGAL_TUBULAR_MESHING_BASE_KERNEL_H

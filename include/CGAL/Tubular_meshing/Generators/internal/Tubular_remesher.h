@@ -26,10 +26,6 @@ namespace CGAL::Tubular_meshing::internal {
  * ends and stay there. A pass is linear in the number of triangles, and costs about three evaluations a vertex. */
 class Tubular_remesher {
 public:
-  typedef Surface::Vertex_index Vertex;
-  typedef Surface::Halfedge_index Halfedge;
-  typedef Surface::Edge_index Edge;
-  typedef Surface::Face_index Face;
   typedef Tubular_skeleton::End End;
 
   Tubular_remesher(const Tubular_distance_function& function, const std::vector<End>& ends,

@@ -39,7 +39,6 @@ public:
 private:
   typedef Tubular_octree::Cell Cell;
   typedef Tubular_octree::Lattice_point Lattice_point;
-  typedef Surface::Vertex_index Vertex;
   typedef std::array<std::size_t, 4> Tetrahedron; // of lattice points
 
   void march(const Cell& c) {

@@ -35,9 +35,6 @@ struct End_frame : Plane_frame {
 // Fills the rim of an end with rings of triangles around its centre, about as large as the rim's edges.
 class Cap_filler {
 public:
-  typedef Surface::Vertex_index Vertex;
-  typedef Surface::Halfedge_index Halfedge;
-
   Cap_filler(const Tubular_skeleton::End& end, Surface& mesh)
       : frame_(end)
       , mesh_(mesh) {}

@@ -53,9 +53,6 @@ public:
   }
 
 private:
-  typedef Surface::Vertex_index Vertex;
-  typedef Surface::Face_index Face;
-
   std::vector<size_type> pieces_that_do_not_fit() const {
     std::vector<char> failed;
     for (const auto& piece : mesher_.pieces())

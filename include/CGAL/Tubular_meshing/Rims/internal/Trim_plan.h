@@ -23,13 +23,11 @@ namespace CGAL::Tubular_meshing::internal {
  * is moved onto the plane) or below (it stays, whichever side it lies on). An edge between above and below is crossing,
  * and is split. A face is removed when it has an above and no below vertex, split when it has both. */
 struct Trim_plan {
-  typedef Surface::Vertex_index Vertex;
-
   Oriented_plane plane;
-  std::unordered_map<Vertex, Point_3> on;           ///< with the places that they move to
-  std::unordered_set<Vertex> above;                 ///< unless they are on the plane
-  std::vector<Surface::Halfedge_index> split_edges; ///< each directed down
-  std::vector<Surface::Face_index> split_faces, removed_faces;
+  std::unordered_map<Vertex, Point_3> on; ///< with the places that they move to
+  std::unordered_set<Vertex> above;       ///< unless they are on the plane
+  std::vector<Halfedge> split_edges;      ///< each directed down
+  std::vector<Face> split_faces, removed_faces;
   Vertex loop_vertex; ///< of the cut, if no edge is split
 
   bool is_on(Vertex v) const { return on.count(v) != 0; }
@@ -45,10 +43,6 @@ struct Trim_plan {
 
 /* Does what a Trim_plan says, on the mesh that it was made for. */
 class Trim_applier {
-  typedef Surface::Vertex_index Vertex;
-  typedef Surface::Halfedge_index Halfedge;
-  typedef Surface::Face_index Face;
-
 public:
   Trim_applier(Surface& mesh, const Trim_plan& plan)
       : mesh_(mesh)

@@ -21,10 +21,6 @@ namespace CGAL::Tubular_meshing::internal {
  * O(n log n) in the surface and the graph, and O(graph) for each such part. */
 class Blind_vessel_finder {
 public:
-  typedef Surface::Face_index Face;
-  typedef Surface::Halfedge_index Halfedge;
-  typedef Surface::Vertex_index Vertex;
-
   struct Blind_vessel {
     Vertex tip;
     Face face;

@@ -20,20 +20,16 @@ namespace CGAL::Tubular_meshing::internal {
 
 /* A point of a curve that is going to be cut: a vertex, or a point on an edge; and the face that the curve enters. */
 struct Curve_point {
-  Surface::Vertex_index vertex;     // null for a point on an edge
-  Surface::Halfedge_index halfedge; // the edge it is on
-  double t;                         // along the halfedge
-  Surface::Face_index next_face;
+  Vertex vertex;     // null for a point on an edge
+  Halfedge halfedge; // the edge it is on
+  double t;          // along the halfedge
+  Face next_face;
 };
 
 /* A closed labelled surface while it is being cut: knows its rims and the curves cut so far, and which faces have come
  * from one of the original ones. */
 class Cut_surface {
 public:
-  typedef Surface::Vertex_index Vertex;
-  typedef Surface::Halfedge_index Halfedge;
-  typedef Surface::Edge_index Edge;
-  typedef Surface::Face_index Face;
   typedef std::vector<Curve_point> Curve;
 
   Cut_surface(Surface& mesh, Face_patch_map patch)

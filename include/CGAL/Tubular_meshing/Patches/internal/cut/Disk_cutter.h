@@ -34,7 +34,7 @@ struct Disk {
 struct Branch_cut {
   std::size_t branch;
   double abscissa;
-  std::vector<Surface::Halfedge_index> halfedges; // with the side of the branch's source on their left
+  std::vector<Halfedge> halfedges; // with the side of the branch's source on their left
 };
 
 /* Tries disks across the branches, cuts the surface along them, and keeps account of the cuts. */

@@ -24,9 +24,6 @@ namespace CGAL::Tubular_meshing::internal {
  * surface, O(n log n) in the number of patches. */
 class Patch_labeller {
 public:
-  typedef Surface::Face_index Face;
-  typedef Surface::Halfedge_index Halfedge;
-  typedef Surface::Vertex_index Vertex;
   typedef std::size_t size_type;
 
   Patch_labeller(const Cut_surface& surface, const Disk_cutter& cutter, Surface_cut& result)

@@ -27,10 +27,6 @@ namespace CGAL::Tubular_meshing::internal {
  * the part behind it, and nothing else. */
 class Section_finder {
 public:
-  typedef Surface::Face_index Face;
-  typedef Surface::Halfedge_index Halfedge;
-  typedef Surface::Vertex_index Vertex;
-
   Section_finder(const Cut_surface& surface, const Centerline_graph& graph)
       : surface_(surface)
       , first_hit_(triangles(surface))

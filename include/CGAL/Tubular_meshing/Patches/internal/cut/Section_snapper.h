@@ -26,9 +26,6 @@ namespace CGAL::Tubular_meshing::internal {
  * before to the vertex, and on. It stays a closed curve through the same faces. */
 class Section_snapper {
 public:
-  typedef Surface::Vertex_index Vertex;
-  typedef Surface::Halfedge_index Halfedge;
-
   explicit Section_snapper(const Cut_surface& surface)
       : surface_(surface)
       , mesh_(surface.mesh()) {}

@@ -90,7 +90,7 @@ private:
   }
 
   // At the source of a halfedge: the mean of the faces around, by area, but for those of caps.
-  static Vector_3d wall_normal(const Surface& surface, const Surface_cut& cut, Surface::Halfedge_index out) {
+  static Vector_3d wall_normal(const Surface& surface, const Surface_cut& cut, Halfedge out) {
     Vector_3d sum;
     for (auto h : surface.halfedges_around_target(surface.opposite(out)))
       if (!surface.is_border(h) && cut.patch_of_face[surface.face(h)] >= 0) {

@@ -23,9 +23,6 @@ namespace CGAL::Tubular_meshing::internal {
  * inside of patches are flipped; each step raises the worst quality of the triangles that it changes. */
 class Triangle_improver {
 public:
-  typedef Surface::Vertex_index Vertex;
-  typedef Surface::Halfedge_index Halfedge;
-  typedef Surface::Face_index Face;
   typedef Nearest_tree<Double_kernel::Triangle_3> Tree;
 
   static constexpr double good_quality = 0.6; // gamma_T

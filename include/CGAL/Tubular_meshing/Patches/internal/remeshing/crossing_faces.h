@@ -17,7 +17,7 @@
 
 namespace CGAL::Tubular_meshing::internal {
 
-typedef std::vector<std::pair<Surface::Face_index, Surface::Face_index>> Face_pairs;
+typedef std::vector<std::pair<Face, Face>> Face_pairs;
 
 inline Face_pairs crossing_triangles(const Surface& triangles) {
   Face_pairs pairs;
@@ -28,8 +28,6 @@ inline Face_pairs crossing_triangles(const Surface& triangles) {
 
 // With the diagonals from the first, or the second corners of the quads.
 inline void add_crossing_halves(const Surface& surface, std::size_t corner, Face_pairs& pairs) {
-  typedef Surface::Face_index Face;
-  typedef Surface::Vertex_index Vertex;
   Surface triangles;
   std::vector<Face> origin; // of each triangle
   for (Vertex v : surface.vertices())

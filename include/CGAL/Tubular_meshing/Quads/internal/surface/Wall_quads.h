@@ -18,8 +18,6 @@ namespace CGAL::Tubular_meshing::internal {
 /* The wall of a surface of quads as a whole. Its first vertices are those on rims, which stay; normals are the means of
  * the quads' own. */
 struct Wall_quads {
-  typedef Surface::Vertex_index Vertex;
-
   Quad_patch mesh;
   std::vector<Vertex> vertices;           // of the surface, for each of the mesh's
   std::vector<std::size_t> patch_of_quad; // of the cut
@@ -53,7 +51,7 @@ private:
     return n;
   }
 
-  void add_quad(const Surface& surface, Surface::Face_index f) {
+  void add_quad(const Surface& surface, Face f) {
     Quad_patch::Quad q;
     std::size_t i = 0;
     for (Vertex v : surface.vertices_around_face(surface.halfedge(f)))
