@@ -105,10 +105,7 @@ private:
     return length / 2;
   }
 
-  void move(Vertex v, const Vector_3d& d) {
-    const Vector_3d p = Vector_3d(mesh_.point(v)) + d;
-    mesh_.point(v) = Point_3(p.x, p.y, p.z);
-  }
+  void move(Vertex v, const Vector_3d& d) { mesh_.point(v) = as<Point_3>(Vector_3d(mesh_.point(v)) + d); }
 
   std::size_t nearest_end(std::size_t branch, const Vector_3d& p) const {
     const std::vector<std::size_t>& ends = ends_of_branch_[branch];

@@ -82,8 +82,7 @@ public:
 
 private:
   Point_3 middle(size_type branch) const {
-    const Vector_3d p = cutter_.axis(branch).point(graph_.branches()[branch].length / 2);
-    return Point_3(p.x, p.y, p.z);
+    return as<Point_3>(cutter_.axis(branch).point(graph_.branches()[branch].length / 2));
   }
 
   void report_patches(const Patch_labeller& labeller, Surface_cut& result) const {

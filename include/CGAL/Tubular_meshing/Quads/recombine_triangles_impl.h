@@ -111,7 +111,7 @@ CGAL_TUBULAR_MESHING_INLINE Recombination_report recombine_faces(Surface& surfac
     const auto in_last = own.halfedges[std::size_t(previous_halfedge(fan.halfedges().back()))];
     const auto in_first = surface.prev(own.halfedges[std::size_t(fan.halfedges().front())]);
     const auto fresh = surface.source(CGAL::Euler::split_vertex(in_last, in_first, surface));
-    surface.point(fresh) = Point_3(fan.new_vertex().x, fan.new_vertex().y, fan.new_vertex().z);
+    surface.point(fresh) = as<Point_3>(fan.new_vertex());
   }
   for (int h : recombiner.joined())
     CGAL::Euler::join_face(own.halfedges[std::size_t(h)], surface);
@@ -148,7 +148,7 @@ recombine_triangles(const std::vector<Point_3>& points, const std::vector<std::a
     const std::size_t v = triangles[std::size_t(first / 3)][std::size_t(first % 3)];
     add_quad(first, {{v, at(internal::next_halfedge(first)), at(internal::previous_halfedge(first)), at(first)}});
     add_quad(last, {{v, at(last), at(internal::next_halfedge(last)), at(internal::previous_halfedge(last))}});
-    result.points.push_back(Point_3(fan.new_vertex().x, fan.new_vertex().y, fan.new_vertex().z));
+    result.points.push_back(internal::as<Point_3>(fan.new_vertex()));
   }
   for (int t : recombiner.left()) {
     result.triangles.push_back({{at(3 * t), at(3 * t + 1), at(3 * t + 2)}});

@@ -88,7 +88,7 @@ private:
   }
 
   void put(Vertex v, const Place& place) {
-    mesh_.point(v) = Point_3(place.point.x, place.point.y, place.point.z);
+    mesh_.point(v) = as<Point_3>(place.point);
     normal_[v] = place.normal;
     size_[v] = edge_over_radius_ * place.radius;
   }

@@ -170,8 +170,7 @@ private:
     const auto inserted = crossings_.emplace((std::uint64_t(i) << 32) | std::uint64_t(j), Vertex());
     if (inserted.second) {
       const double t = (std::min)((std::max)(values_[i] / (values_[i] - values_[j]), 0.1), 0.9);
-      const Vector_3d p = positions_[i] + t * (positions_[j] - positions_[i]);
-      inserted.first->second = mesh_.add_vertex(Point_3(p.x, p.y, p.z));
+      inserted.first->second = mesh_.add_vertex(as<Point_3>(positions_[i] + t * (positions_[j] - positions_[i])));
     }
     return inserted.first->second;
   }

@@ -71,8 +71,7 @@ private:
     Ring ring;
     for (int i = 0; i < size; ++i) {
       const double angle = first_angle + 2 * CGAL_PI * i / size;
-      const Vector_3d p = frame_.on_disk(angle, fraction * frame_.radius);
-      ring.push_back({angle, mesh_.add_vertex(Point_3(p.x, p.y, p.z))});
+      ring.push_back({angle, mesh_.add_vertex(as<Point_3>(frame_.on_disk(angle, fraction * frame_.radius)))});
     }
     return ring;
   }

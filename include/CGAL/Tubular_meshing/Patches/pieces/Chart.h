@@ -103,10 +103,7 @@ public:
     const Vector_3d d = Vector_3d(p) - origin_;
     return Point_2(dot(d, first_), dot(d, second_));
   }
-  Point_3 point(const Point_2& uv) const override {
-    const Vector_3d p = origin_ + uv.x() * first_ + uv.y() * second_;
-    return Point_3(p.x, p.y, p.z);
-  }
+  Point_3 point(const Point_2& uv) const override { return as<Point_3>(origin_ + uv.x() * first_ + uv.y() * second_); }
   Metric_tensor_2 metric(const Point_2& uv) const override { return metric_(point(uv), first_, second_); }
 
 private:

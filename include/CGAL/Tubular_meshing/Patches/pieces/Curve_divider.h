@@ -98,10 +98,7 @@ private:
     return a + t * (b - a);
   }
   static Curve_position at(const std::vector<Point_3>& polyline, std::size_t edge, double t) {
-    if (t == 0)
-      return {edge, t, polyline[edge]};
-    const Vector_3d p = on_edge(polyline, edge, t);
-    return {edge, t, Point_3(p.x, p.y, p.z)};
+    return {edge, t, t == 0 ? polyline[edge] : as<Point_3>(on_edge(polyline, edge, t))};
   }
 
   // Stations at the vertices, and between them where the size is small compared to an edge.

@@ -119,8 +119,7 @@ private:
     Vector_3d best_place;
     for (const Vector_3d& target : targets(p))
       for (double s : {1., 0.5, 0.25, 0.1}) {
-        const Vector_3d q = p + s * (target - p);
-        const Vector_3d x(old_surface.nearest({q.x, q.y, q.z}).point);
+        const Vector_3d x(old_surface.nearest(as<Double_kernel::Point_3>(p + s * (target - p))).point);
         const double after = worst(x);
         if (after > best) {
           best = after;
@@ -129,7 +128,7 @@ private:
       }
     if (best == before + least_gain)
       return false;
-    surface_.point(v) = Point_3(best_place.x, best_place.y, best_place.z);
+    surface_.point(v) = as<Point_3>(best_place);
     return true;
   }
 

@@ -66,7 +66,7 @@ public:
 
 private:
   Metric_tensor_2 shadow(const Vector_3d& p, const Vector_3d& first, const Vector_3d& second) const {
-    return metric_shadow(metric_(Point_3(p.x, p.y, p.z)), first, second);
+    return metric_shadow(metric_(as<Point_3>(p)), first, second);
   }
 
   const Metric_function metric_;

@@ -81,7 +81,7 @@ private:
     for (size_type i = 0; i < polyline.size(); ++i) {
       const Vector_3d a(polyline[i]), b(polyline[(i + 1) % polyline.size()]), middle = 0.5 * (a + b);
       length += norm(b - a);
-      in_sizes += norm(b - a) / size(Point_3(middle.x, middle.y, middle.z));
+      in_sizes += norm(b - a) / size(as<Point_3>(middle));
     }
     in_sizes_.push_back(in_sizes);
     lengths_.push_back(length);

@@ -55,8 +55,7 @@ public:
       Vector_3d last = vector_at(between(i, 0), hint);
       for (std::size_t k = 1; k <= steps; ++k) {
         const Vector_3d p = vector_at(between(i, double(k) / double(steps)), hint);
-        const Vector_3d middle = 0.5 * (last + p);
-        heights[k] += norm(p - last) / (double(lines) * size(Point_3(middle.x, middle.y, middle.z)));
+        heights[k] += norm(p - last) / (double(lines) * size(as<Point_3>(0.5 * (last + p))));
         last = p;
       }
     }

@@ -173,9 +173,8 @@ private:
       if (mesh.is_fixed(int(v))) {
         number[v] = v;
       } else if (mesh.valence(int(v)) > 0) {
-        const Vector_3d& p = mesh.places[v].point;
         number[v] = mesh.on_loops + piece.inner_points.size();
-        piece.inner_points.emplace_back(p.x, p.y, p.z);
+        piece.inner_points.push_back(as<Point_3>(mesh.places[v].point));
       }
     for (int q = 0; q < int(mesh.quads.size()); ++q)
       if (mesh.is_alive(q)) {

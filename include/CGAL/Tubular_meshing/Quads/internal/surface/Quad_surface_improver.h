@@ -29,8 +29,7 @@ public:
 
   bool move(const Sheet_place& from, const Vector_3d& step, Sheet_place& to) const override {
     const double most_turn = 0.3; // cosine: not over to the other side of a gap
-    const Vector_3d p = from.point + step;
-    const auto nearest = tree_.nearest({p.x, p.y, p.z});
+    const auto nearest = tree_.nearest(as<Double_kernel::Point_3>(from.point + step));
     const Double_kernel::Triangle_3& t = tree_.shape(nearest.index);
     const Vector_3d a(t[0]), n = cross(Vector_3d(t[1]) - a, Vector_3d(t[2]) - a);
     to = from;
@@ -63,10 +62,8 @@ public:
     vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
     const Triangle_sheet sheet(old_triangles(old_surface_, cut_, patches_below(good_quality)));
     Quad_smoother(wall_.mesh, sheet).raise_worst(vertices, good_quality, rounds);
-    for (int v : vertices) {
-      const Vector_3d& p = wall_.mesh.point(v);
-      result_.surface.point(wall_.vertices[std::size_t(v)]) = Point_3(p.x, p.y, p.z);
-    }
+    for (int v : vertices)
+      result_.surface.point(wall_.vertices[std::size_t(v)]) = as<Point_3>(wall_.mesh.point(v));
   }
 
   // The patches with quads that turn over.

@@ -120,7 +120,7 @@ private:
       else if (!sheet_.place(Eigen::Vector2d(plane.points[i].x(), plane.points[i].y()), hint, at))
         return false;
       hint = at.triangle;
-      points.emplace_back(at.point.x, at.point.y, at.point.z);
+      points.push_back(as<Point_3>(at.point));
       mesh.add_vertex(at);
     }
     const auto recombined = recombine_triangles(points, plane.triangles);
