@@ -10,7 +10,6 @@
 #include <CGAL/Tubular_meshing/base/parallel.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <string>
 

@@ -6,7 +6,7 @@
 
 #include <CGAL/Tubular_meshing/Patches/pieces/Piece_mesher.h>
 #include <CGAL/Tubular_meshing/Quads/internal/surface/Quad_piece_mesher.h>
-#include <CGAL/Tubular_meshing/Quads/internal/surface/Wall_quads.h>
+#include <CGAL/Tubular_meshing/Quads/internal/surface/Quad_surface_improver.h>
 #include <CGAL/Tubular_meshing/Quads/quadrangulate_patches.h>
 #include <CGAL/Tubular_meshing/base/element_measures.h>
 

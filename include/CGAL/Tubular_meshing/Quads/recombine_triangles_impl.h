@@ -48,13 +48,6 @@ inline std::vector<Patch_triangle> patch_triangles(const std::vector<std::array<
   return result;
 }
 
-inline std::vector<Vector_3d> vectors_of(const std::vector<Point_3>& points) {
-  std::vector<Vector_3d> result;
-  for (const Point_3& p : points)
-    result.emplace_back(p);
-  return result;
-}
-
 // The triangles of a surface, and their halfedges by the numbers of Triangle_adjacency.h.
 struct Surface_triangles {
   std::vector<Point_3> points;
@@ -103,7 +96,7 @@ CGAL_TUBULAR_MESHING_INLINE Recombination_report recombine_faces(Surface& surfac
   const Surface_triangles own(surface);
   check_triangles(own.points, own.triangles, patches);
   const std::vector<Patch_triangle> indexed = patch_triangles(own.triangles);
-  const std::vector<Vector_3d> vectors = vectors_of(own.points);
+  const std::vector<Vector_3d> vectors(own.points.begin(), own.points.end());
   Triangle_recombiner recombiner(indexed, vectors, patches);
   recombiner.run();
   for (const Border_fan& fan : recombiner.splits()) {
@@ -125,7 +118,7 @@ recombine_triangles(const std::vector<Point_3>& points, const std::vector<std::a
                     const std::vector<int>& patches) {
   internal::check_triangles(points, triangles, patches);
   const std::vector<internal::Patch_triangle> indexed = internal::patch_triangles(triangles);
-  const std::vector<internal::Vector_3d> vectors = internal::vectors_of(points);
+  const std::vector<internal::Vector_3d> vectors(points.begin(), points.end());
   internal::Triangle_recombiner recombiner(indexed, vectors, patches);
   recombiner.run();
 

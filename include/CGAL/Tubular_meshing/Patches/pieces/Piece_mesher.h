@@ -11,7 +11,7 @@
 #include <CGAL/Tubular_meshing/Patches/Surface_patch.h>
 #include <CGAL/Tubular_meshing/Patches/pieces/Chart.h>
 #include <CGAL/Tubular_meshing/Patches/pieces/Curve_divider.h>
-#include <CGAL/Tubular_meshing/Plane/triangulate_in_metric.h>
+#include <CGAL/Tubular_meshing/Plane/Plane_triangulation.h>
 #include <CGAL/Tubular_meshing/base/Nearest_tree.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 #include <CGAL/Tubular_meshing/base/parallel.h>
@@ -160,12 +160,7 @@ protected:
    * False if the polygons do not bound a domain, as they touch each other. */
   static bool triangulate(const Chart& chart, bool judged_in_space, const Plane_polygons& polygons, bool turn,
                           Piece& piece) {
-    const auto metric = [&](const Plane_point& uv) { return chart.metric(uv); };
-    const auto image = [&](const Plane_point& uv) { return chart.point(uv); };
-    const Plane_embedding embedding(image);
-    std::string problem;
-    auto plane = mesh_plane(polygons, metric, judged_in_space ? &embedding : nullptr, chart.hidden_places(),
-                            Triangulate_in_metric_options(), problem);
+    auto plane = chart.mesh(polygons, judged_in_space);
     if (!plane)
       return false;
     std::size_t on_boundary = 0;
@@ -209,6 +204,15 @@ private:
  *
  * Throws Meshing_error if they meet each other even where they are eight times finer. */
 Remeshed_surface mesh_by_pieces(Piece_mesher& mesher);
+
+// Their numbers.
+inline std::vector<std::size_t> marked(const std::vector<char>& marks) {
+  std::vector<std::size_t> result;
+  for (std::size_t k = 0; k < marks.size(); ++k)
+    if (marks[k])
+      result.push_back(k);
+  return result;
+}
 
 /* The triangles of the marked patches of a cut surface, and of their neighbours, to move vertices on. */
 inline Nearest_tree<Double_kernel::Triangle_3> old_triangles(const Surface& surface, const Surface_cut& cut,

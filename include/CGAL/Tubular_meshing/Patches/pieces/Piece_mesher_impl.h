@@ -61,14 +61,6 @@ private:
     return marked(failed);
   }
 
-  static std::vector<size_type> marked(const std::vector<char>& marks) {
-    std::vector<size_type> result;
-    for (size_type k = 0; k < marks.size(); ++k)
-      if (marks[k])
-        result.push_back(k);
-    return result;
-  }
-
   // A point on a curve, by the curve's number and its own on it.
   typedef std::pair<size_type, size_type> Curve_point_number;
   // An edge inside of a piece, between two points on curves.

@@ -72,15 +72,7 @@ private:
   static constexpr double triangle_side = 1.0746;
 
   std::optional<Triangles> isotropic_triangles(double factor) const {
-    const double s = 1 / (triangle_side * triangle_side * factor * factor);
-    const auto metric = [&](const Plane_point& uv) {
-      const Metric_tensor_2 m = chart_.metric(uv);
-      return Metric_tensor_2(s * m.xx, s * m.xy, s * m.yy);
-    };
-    const auto image = [&](const Plane_point& uv) { return Vector_3d(chart_.point(uv)); };
-    const Plane_embedding embedding(image);
-    std::string problem;
-    return mesh_plane(polygons_, metric, &embedding, chart_.hidden_places(), Triangulate_in_metric_options(), problem);
+    return chart_.mesh(polygons_, true, 1 / (triangle_side * triangle_side * factor * factor));
   }
 
   // None where the chart has no metric at a point that is asked for: isotropic ones ask for others.
