@@ -48,8 +48,6 @@ inline void check_cut_input(const Surface& surface, Face_patch_map patch, const 
 /* The steps of cut_by_centerlines(), on input that has been checked. */
 class Centerline_cut {
 public:
-  typedef std::size_t size_type;
-
   Centerline_cut(Surface& surface, const Centerline_graph& graph, Face_patch_map patch, double aspect_ratio)
       : surface_(surface, patch)
       , graph_(graph)

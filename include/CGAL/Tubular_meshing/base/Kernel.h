@@ -7,6 +7,8 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <cstddef>
+
 namespace CGAL::Tubular_meshing {
 
 /*! \ingroup PkgTubularMeshingBase
@@ -30,6 +32,7 @@ typedef Surface::Property_map<Surface::Face_index, int> Face_patch_map;
 
 namespace internal {
 
+typedef std::size_t size_type;
 typedef Surface::Vertex_index Vertex;
 typedef Surface::Halfedge_index Halfedge;
 typedef Surface::Edge_index Edge;

@@ -47,7 +47,6 @@ public:
   typedef Patch_parameterization Map;
   typedef Remeshed_piece Piece;
   typedef std::vector<Curve_position> Curve_points;
-  typedef std::size_t size_type;
 
   /* Throws Input_error if there is not one parameterization a patch. */
   Piece_mesher(const Surface& surface, const Surface_cut& cut, const std::vector<Map>& maps, int threads)

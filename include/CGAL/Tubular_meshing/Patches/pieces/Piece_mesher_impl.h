@@ -23,8 +23,6 @@ namespace CGAL::Tubular_meshing::internal {
 /* See mesh_by_pieces(). */
 class Surface_remesher {
 public:
-  typedef std::size_t size_type;
-
   explicit Surface_remesher(Piece_mesher& mesher)
       : mesher_(mesher) {}
 

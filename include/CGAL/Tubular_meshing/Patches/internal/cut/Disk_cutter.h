@@ -42,7 +42,6 @@ class Disk_cutter {
 public:
   typedef Centerline_graph Graph;
   typedef Branch_axis Axis;
-  typedef std::size_t size_type;
 
   static constexpr int number_of_tilts = 17;
 

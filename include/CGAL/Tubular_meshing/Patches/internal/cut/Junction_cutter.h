@@ -20,7 +20,6 @@ namespace CGAL::Tubular_meshing::internal {
  * whose perimeter is hardly greater than those of the disks behind it: before, the disk widens into the junction. */
 class Junction_cutter {
 public:
-  typedef std::size_t size_type;
   typedef Disk_cutter::Axis Axis;
 
   explicit Junction_cutter(Disk_cutter& cutter)

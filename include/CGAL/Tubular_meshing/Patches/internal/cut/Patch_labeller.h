@@ -24,8 +24,6 @@ namespace CGAL::Tubular_meshing::internal {
  * surface, O(n log n) in the number of patches. */
 class Patch_labeller {
 public:
-  typedef std::size_t size_type;
-
   Patch_labeller(const Cut_surface& surface, const Disk_cutter& cutter, Surface_cut& result)
       : surface_(surface)
       , mesh_(surface.mesh())

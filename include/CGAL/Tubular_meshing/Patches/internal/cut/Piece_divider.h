@@ -24,7 +24,6 @@ namespace CGAL::Tubular_meshing::internal {
  * pieces around bifurcations that are too long are divided. */
 class Piece_divider {
 public:
-  typedef std::size_t size_type;
   typedef Disk_cutter::Axis Axis;
 
   Piece_divider(Disk_cutter& cutter, Tube_divider& tubes, double aspect_ratio)

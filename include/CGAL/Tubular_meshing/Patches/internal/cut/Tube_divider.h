@@ -20,7 +20,6 @@ namespace CGAL::Tubular_meshing::internal {
  * branch. */
 class Tube_divider {
 public:
-  typedef std::size_t size_type;
   typedef Disk_cutter::Axis Axis;
 
   Tube_divider(Disk_cutter& cutter, double aspect_ratio)

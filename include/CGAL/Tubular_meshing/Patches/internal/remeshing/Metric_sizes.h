@@ -26,7 +26,6 @@ namespace CGAL::Tubular_meshing::internal {
 class Metric_sizes final : public Surface_sizes {
 public:
   typedef Patch_parameterization Map;
-  typedef std::size_t size_type;
 
   // O(n) in the old triangles.
   Metric_sizes(const Surface& surface, const Surface_cut& cut, const std::vector<Map>& maps, Metric_function metric)

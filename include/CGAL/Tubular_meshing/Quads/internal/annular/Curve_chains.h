@@ -28,7 +28,6 @@ class Curve_chains {
 public:
   typedef Patch_parameterization Map;
   typedef std::vector<Curve_position> Points;
-  typedef std::size_t size_type;
 
   Curve_chains(const Surface& surface, const Surface_cut& cut, const std::vector<Map>& maps, Length_function size)
       : cut_(cut)
