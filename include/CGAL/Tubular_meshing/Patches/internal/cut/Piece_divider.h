@@ -24,8 +24,6 @@ namespace CGAL::Tubular_meshing::internal {
  * pieces around bifurcations that are too long are divided. */
 class Piece_divider {
 public:
-  typedef Disk_cutter::Axis Axis;
-
   Piece_divider(Disk_cutter& cutter, Tube_divider& tubes, double aspect_ratio)
       : cutter_(cutter)
       , graph_(cutter.graph())
@@ -110,7 +108,7 @@ private:
   // Every so often between two abscissae, half a radius away from them.
   template <class Order>
   void add_places(size_type branch, double from, double to, const Order& order, std::vector<Place>& places) const {
-    const Axis axis = cutter_.axis(branch);
+    const Branch_axis axis = cutter_.axis(branch);
     const double first = from + 0.5 * axis.radius(from), last = to - 0.5 * axis.radius(to);
     for (double s = first; s <= last; s += (std::max)(step * axis.radius(s), 1e-3 * axis.length()))
       places.push_back(Place{branch, s, order(s)});

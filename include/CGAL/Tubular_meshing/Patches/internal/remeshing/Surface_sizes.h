@@ -35,16 +35,14 @@ public:
 /* Sizes that are the same in all directions. */
 class Isotropic_sizes final : public Surface_sizes {
 public:
-  typedef Patch_parameterization Map;
-
-  Isotropic_sizes(const std::vector<Map>& maps, Length_function size)
+  Isotropic_sizes(const std::vector<Patch_parameterization>& maps, Length_function size)
       : maps_(maps)
       , size_(size) {}
 
   double along_curve(std::size_t, const Curve_position& at) const override { return size_(at.point); }
 
   Metric_tensor_2 on_patch(std::size_t patch, const Patch_location& at, double fineness) const override {
-    const Map& map = maps_[patch];
+    const Patch_parameterization& map = maps_[patch];
     return map.induced_metric(at, fineness * size_(map.point(at)));
   }
 
@@ -56,7 +54,7 @@ public:
   const Triangle_shape& shape() const override { return shape_; }
 
 private:
-  const std::vector<Map>& maps_;
+  const std::vector<Patch_parameterization>& maps_;
   const Length_function size_;
   const Shape_in_space shape_{};
 };

@@ -26,10 +26,9 @@ namespace CGAL::Tubular_meshing::internal {
 class Elliptic_grid_maker {
 public:
   typedef Annular_chart Chart;
-  typedef Patch_parameterization Map;
   typedef std::array<std::vector<Patch_location>, 2> Loop_points;
 
-  Elliptic_grid_maker(const Map& map, const Loop_points& ends)
+  Elliptic_grid_maker(const Patch_parameterization& map, const Loop_points& ends)
       : chart_(map)
       , ends_(ends)
       , columns_(ends[0].size()) {
