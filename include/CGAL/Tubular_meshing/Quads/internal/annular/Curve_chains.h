@@ -124,15 +124,9 @@ private:
     }
     const size_type n = (std::max)(fewest, 2 * size_type(std::lround(sum / double(chain.size()) / finest / 2)));
     for (const Link& link : chain) {
-      const double start = link.before == none ? 0 : start_after(link, n, points[link.before]);
+      const double start = link.before == none ? 0 : best_start(link, n, points[link.before]);
       points[link.curve] = points_from(link.curve, n, start);
     }
-  }
-
-  // Anywhere, if the patch between cannot be unrolled: it gets no grid.
-  double start_after(const Link& link, size_type n, const Points& before) const {
-    const Annular_chart chart(maps_[link.patch]);
-    return chart.is_unrolled() ? best_start(chart, link, n, before) : 0;
   }
 
   // The first of n points at a part of their distance.
@@ -154,8 +148,12 @@ private:
   }
 
   /* By which part of a distance the points of a curve must be moved so that they are opposite those before, on the mean
-   * around: while they move by a whole one, the mean angle grows, or falls, by 2π / n. */
-  double best_start(const Annular_chart& chart, const Link& link, size_type n, const Points& before) const {
+   * around: while they move by a whole one, the mean angle grows, or falls, by 2π / n. By any, if the patch between
+   * cannot be unrolled: it gets no grid. */
+  double best_start(const Link& link, size_type n, const Points& before) const {
+    const Annular_chart chart(maps_[link.patch]);
+    if (!chart.is_unrolled())
+      return 0;
     const int steps = 20;
     const double step = Annular_chart::period / double(n);
     const auto angle_at = [&](double start) {
