@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Tubular_meshing authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Computes the centerlines of a tubular surface, which is mended first. See --help.
+// Computes the centerlines of a tubular surface, which is repaired first. See --help.
 
 #include "command_line/Points.h"
 #include "command_line/run_tool.h"
@@ -54,7 +54,7 @@ std::vector<Point_3> seeds_of(const Options& o) {
   return seeds;
 }
 
-Surface mended_surface(const Options& o) {
+Surface repaired_surface(const Options& o) {
   std::vector<Point_3> points;
   std::vector<std::array<std::size_t, 3>> triangles;
   tubular::IO::read_triangle_soup(o.surface, points, triangles);
@@ -90,7 +90,7 @@ void run(const Options& o) {
   if (!tubular::IO::is_supported_centerlines_format(o.output))
     throw tubular::Parameter_error("Centerlines cannot be written to \"" + o.output + "\": give a .vtp or .vtk file.");
   const std::vector<Point_3> seeds = seeds_of(o);
-  Surface surface = mended_surface(o);
+  Surface surface = repaired_surface(o);
   const Graph graph =
       seeds.empty() ? centerlines_between_openings(o, surface) : centerlines_between_seeds(o, surface, seeds);
   if (o.whole)

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Tubular_meshing authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// From a surface to a mesh of isotropic tetrahedra: mended in one call, meshed in another. Centerlines are computed
+// From a surface to a mesh of isotropic tetrahedra: repaired in one call, meshed in another. Centerlines are computed
 // where they are not given.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

@@ -570,7 +570,7 @@ TEST(Cut, Reports_a_vessel_between_branches_without_centerline) {
                           [](const Problem& p) { return p.kind == Problem::no_centerline; }));
 }
 
-// The third branch of a bifurcation closed at its end, and without a centerline; a seed there mends it.
+// The third branch of a bifurcation closed at its end, and without a centerline; a seed there sets that right.
 TEST(Cut, Reports_a_blind_vessel_without_centerline) {
   Model model = model_of(tubular::y_bifurcation());
   const Point end = model.openings.back().center;

@@ -10,7 +10,7 @@
 #include <CGAL/Tubular_meshing/Generators/tubular_shapes.h>
 #include <CGAL/Tubular_meshing/Generators/tubular_surface.h>
 #include <CGAL/Tubular_meshing/IO/read_surface.h>
-#include <CGAL/Tubular_meshing/Patches/internal/remeshing/Isotropic_sizes.h>
+#include <CGAL/Tubular_meshing/Patches/internal/remeshing/Surface_sizes.h>
 #include <CGAL/Tubular_meshing/Patches/internal/remeshing/Triangle_piece_mesher.h>
 #include <CGAL/Tubular_meshing/Patches/pieces/Curve_divider.h>
 #include <CGAL/Tubular_meshing/Patches/pieces/Peak_finder.h>
@@ -466,7 +466,7 @@ TEST(Remeshed_surface, Is_refined_piece_by_piece) {
   const auto before = mesher.pieces();
   const auto curves_before = mesher.curve_points();
   mesher.mesh_finer({0});
-  EXPECT_EQ(mesher.number_of_refined_pieces(), 1u);
+  EXPECT_EQ(mesher.report().refined_patches, 1u);
   EXPECT_GT(mesher.pieces()[0].triangles.size(), 1.7 * double(before[0].triangles.size()));
   EXPECT_EQ(mesher.pieces()[2].triangles, before[2].triangles) << "not a neighbour";
   for (std::size_t c = 0; c < curves_before.size(); ++c) {

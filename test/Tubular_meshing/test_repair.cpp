@@ -209,7 +209,7 @@ void check_cell(const defects::Defect& defect, const Clean_surface& clean, int s
 
 class Defect_matrix : public testing::TestWithParam<std::size_t> {};
 
-TEST_P(Defect_matrix, Is_mended_or_refused_by_name) {
+TEST_P(Defect_matrix, Is_repaired_or_refused_by_name) {
   const defects::Defect& defect = defects::all_defects()[GetParam()];
   for (const Clean_surface& clean : defects::clean_surfaces())
     for (int severity = 0; severity < 3; ++severity)

@@ -13,7 +13,6 @@
 #include <cstdint>
 #include <limits>
 #include <utility>
-#include <vector>
 
 namespace CGAL::Tubular_meshing {
 

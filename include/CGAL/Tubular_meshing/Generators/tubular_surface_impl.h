@@ -29,8 +29,6 @@ namespace CGAL::Tubular_meshing::internal {
 /* Makes the surface around a skeleton, and changes it as asked for. */
 class Tubular_surface_generator {
 public:
-  typedef Surface::Vertex_index Vertex;
-  typedef Surface::Halfedge_index Halfedge;
   typedef Tubular_skeleton::End End;
 
   explicit Tubular_surface_generator(const Tubular_skeleton& skeleton)
@@ -47,7 +45,7 @@ public:
 
   void make_open_surface(double points_per_circumference) {
     // Cells smaller than the radius leave no tube and no gap between tubes unseen; the remeshing does the rest.
-    march_tetrahedra(function_, Tubular_octree(function_, 0.9), mesh_);
+    Tetrahedra_marcher(function_, Tubular_octree(function_, 0.9), mesh_);
     Tubular_remesher remesher(function_, ends_, points_per_circumference, mesh_);
     remesher.clean_up_slivers();
     mesh_.collect_garbage();
@@ -95,7 +93,7 @@ public:
         continue;
       const double weight = t >= 1 ? 1 : t * t * (3 - 2 * t), a = frame.angle(p);
       const double wave = shape == Sag_shape::saddle ? rho * rho * std::cos(2 * a) : rho * std::cos(a);
-      move(v, amplitude * end.radius * weight * wave * frame.n);
+      move(v, amplitude * end.radius * weight * wave * frame.normal);
     }
   }
 
@@ -107,10 +105,7 @@ private:
     return length / 2;
   }
 
-  void move(Vertex v, const Vector_3d& d) {
-    const Vector_3d p = Vector_3d(mesh_.point(v)) + d;
-    mesh_.point(v) = Point_3(p.x, p.y, p.z);
-  }
+  void move(Vertex v, const Vector_3d& d) { mesh_.point(v) = as<Point_3>(Vector_3d(mesh_.point(v)) + d); }
 
   std::size_t nearest_end(std::size_t branch, const Vector_3d& p) const {
     const std::vector<std::size_t>& ends = ends_of_branch_[branch];

@@ -7,7 +7,6 @@
 #include <CGAL/Tubular_meshing/base/Function_view.h>
 #include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Patches/Indexed_patch.h>
-#include <CGAL/Tubular_meshing/Patches/Parameterization_method.h>
 #include <CGAL/Tubular_meshing/Plane/Metric_tensor_2.h>
 #include <CGAL/Tubular_meshing/Plane/Plane_triangle_tree.h>
 
@@ -17,11 +16,42 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 
 namespace internal {
 struct Divided_patch;
+}
+
+/*! \ingroup PkgTubularMeshingPatches
+ *
+ * How a patch was mapped onto the plane: each of these is tried when the one before gave no bijection.
+ */
+enum class Parameterization_method {
+  conformal,          ///< keeps angles
+  conformal_repaired, ///< conformal, but near triangles that were flipped: there mean value coordinates
+  harmonic,           ///< by cotangents, bounded from below, with the outer loop on a circle: mostly near conformal
+  mean_value,         ///< Floater's mean value coordinates, with the outer loop on a circle by its lengths
+  uniform,            ///< Tutte's map: each vertex in the middle of its neighbours
+  shortened           ///< for long blind branches: as if the surface were less deep, as seen from its outer loop
+};
+
+/*! \ingroup PkgTubularMeshingPatches
+ * Its name, as reports print it. */
+inline const char* name_of(Parameterization_method method) {
+  switch (method) {
+  case Parameterization_method::conformal:
+    return "conformal";
+  case Parameterization_method::conformal_repaired:
+    return "conformal_repaired";
+  case Parameterization_method::harmonic:
+    return "harmonic";
+  case Parameterization_method::mean_value:
+    return "mean_value";
+  case Parameterization_method::uniform:
+    return "uniform";
+  default:
+    return "shortened";
+  }
 }
 
 /*! \ingroup PkgTubularMeshingPatches
@@ -156,8 +186,7 @@ private:
   std::vector<std::vector<int>> loop_halfedge_; // of each edge of each loop
 };
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
 #include <CGAL/Tubular_meshing/Patches/Patch_parameterization_impl.h>

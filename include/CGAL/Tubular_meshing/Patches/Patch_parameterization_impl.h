@@ -59,7 +59,7 @@ CGAL_TUBULAR_MESHING_INLINE Point_3 Patch_parameterization::point(const Patch_lo
   internal::Vector_3d sum;
   for (std::size_t i = 0; i < 3; ++i)
     sum += at.barycentric[i] * internal::Vector_3d(patch_.points[std::size_t(corner(at.triangle, i))]);
-  return Point_3(sum.x, sum.y, sum.z);
+  return internal::as<Point_3>(sum);
 }
 
 CGAL_TUBULAR_MESHING_INLINE Patch_parameterization::Derivatives

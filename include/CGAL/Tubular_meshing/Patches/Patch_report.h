@@ -5,9 +5,9 @@
 #define CGAL_TUBULAR_MESHING_PATCHES_PATCH_REPORT_H
 
 #include <CGAL/Tubular_meshing/Patches/Surface_patch.h>
-#include <CGAL/Tubular_meshing/Patches/Parameterization_method.h>
 #include <CGAL/Tubular_meshing/Patches/Patch_parameterization.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <map>
 #include <string>
@@ -43,12 +43,20 @@ struct Patch_report {
 
 /*! \ingroup PkgTubularMeshingPatches
  * The report on a cut and the parameterizations of its patches. */
-Patch_report patch_report(const Surface_cut& cut, const std::vector<Patch_parameterization>& maps);
+inline Patch_report patch_report(const Surface_cut& cut, const std::vector<Patch_parameterization>& maps) {
+  Patch_report report;
+  for (const auto& patch : cut.patches) {
+    ++report.kinds[patch.kind];
+    report.largest_aspect_ratio = (std::max)(report.largest_aspect_ratio, patch.aspect_ratio());
+  }
+  for (const auto& map : maps)
+    ++report.methods[map.method()];
+  report.moved_cuts = cut.moved_cuts;
+  for (const auto& problem : cut.problems)
+    report.problems.push_back(problem.message());
+  return report;
+}
 
 } // namespace CGAL::Tubular_meshing
-
-#ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
-#include <CGAL/Tubular_meshing/Patches/Patch_report_impl.h>
-#endif
 
 #endif // CGAL_TUBULAR_MESHING_PATCHES_PATCH_REPORT_H

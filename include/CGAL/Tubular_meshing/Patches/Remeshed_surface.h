@@ -8,11 +8,29 @@
 #include <CGAL/Tubular_meshing/base/Labelled_surface.h>
 #include <CGAL/Tubular_meshing/Fields/Metric_tensor_3.h>
 #include <CGAL/Tubular_meshing/Patches/Patch_report.h>
-#include <CGAL/Tubular_meshing/Patches/Quad_report.h>
 
+#include <cstddef>
 #include <vector>
 
 namespace CGAL::Tubular_meshing {
+
+/*! \ingroup PkgTubularMeshingPatches
+ *
+ * The quads of a surface: how they were made, and how good those of the wall are.
+ */
+struct Quad_report {
+  std::size_t structured_quads = 0;             ///< of grids on annular patches
+  std::size_t unstructured_quads = 0;           ///< of the wall's other patches
+  std::size_t cap_quads = 0;                    ///< of caps
+  std::size_t cap_triangles = 0;                ///< of caps
+  std::size_t irregular_vertices = 0;           ///< of the wall, its rims left out: those of other than four quads
+  std::size_t annular_patches_without_grid = 0; ///< whose grids had bad or folded cells: unstructured
+  std::size_t folded_quads = 0; ///< with a corner that turns the other way than the surface: 0 unless it is folded
+  double least_eta = 1;         ///< the least \f$ \eta_q \f$ (14) of the wall's quads
+  double mean_eta = 1;          ///< its mean
+
+  std::size_t wall_quads() const { return structured_quads + unstructured_quads; }
+};
 
 /*! \ingroup PkgTubularMeshingPatches
  *

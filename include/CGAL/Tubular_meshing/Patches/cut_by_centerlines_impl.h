@@ -23,9 +23,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL::Tubular_meshing {
-
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 inline void check_cut_input(const Surface& surface, Face_patch_map patch, const Centerline_graph& graph,
                             double aspect_ratio) {
@@ -50,8 +48,6 @@ inline void check_cut_input(const Surface& surface, Face_patch_map patch, const 
 /* The steps of cut_by_centerlines(), on input that has been checked. */
 class Centerline_cut {
 public:
-  typedef std::size_t size_type;
-
   Centerline_cut(Surface& surface, const Centerline_graph& graph, Face_patch_map patch, double aspect_ratio)
       : surface_(surface, patch)
       , graph_(graph)
@@ -71,7 +67,7 @@ public:
     pieces_.divide_long_pieces();
 
     Surface_cut result;
-    Labeller labeller(surface_, cutter_, result);
+    Patch_labeller labeller(surface_, cutter_, result);
     labeller.label();
     for (size_type b : junctions_.merged())
       if (cutter_.cuts_of(b).empty())
@@ -83,35 +79,32 @@ public:
   }
 
 private:
-  typedef Disk_cutter Cutter;
-  typedef Patch_labeller Labeller;
-  typedef Cut_problem Problem;
-
   Point_3 middle(size_type branch) const {
-    const Vector_3d p = cutter_.axis(branch).point(graph_.branches()[branch].length / 2);
-    return Point_3(p.x, p.y, p.z);
+    return as<Point_3>(cutter_.axis(branch).point(graph_.branches()[branch].length / 2));
   }
 
-  void report_patches(const Labeller& labeller, Surface_cut& result) const {
+  void report_patches(const Patch_labeller& labeller, Surface_cut& result) const {
     const double rounding = 1e-9;
     for (size_type i = 0; i < result.patches.size(); ++i) {
       const Surface_patch& p = result.patches[i];
       const bool is_known = !p.branches.empty();
       const size_type b = is_known ? p.branches.front() : 0;
-      const auto report = [&](Problem::Kind kind) { result.problems.push_back(Problem{kind, middle(b), b, i}); };
+      const auto report = [&](Cut_problem::Kind kind) {
+        result.problems.push_back(Cut_problem{kind, middle(b), b, i});
+      };
       if (!is_known || !p.is_sphere_with_holes() || is_on_both_sides(p, i) || labeller.has_half_a_piece(i))
-        report(Problem::wrong_topology);
+        report(Cut_problem::wrong_topology);
       else if (labeller.has_several_pieces(i))
-        report(Problem::no_centerline);
+        report(Cut_problem::no_centerline);
       else if (p.aspect_ratio() > aspect_ratio_ * (1 + rounding))
-        report(Problem::too_long);
+        report(Cut_problem::too_long);
     }
   }
 
   void report_blind_vessels(Surface_cut& result) const {
     for (const auto& vessel : Blind_vessel_finder(surface_, graph_).find())
-      result.problems.push_back(Problem{Problem::no_centerline, surface_.mesh().point(vessel.tip), vessel.branch,
-                                        size_type(result.patch_of_face[vessel.face])});
+      result.problems.push_back(Cut_problem{Cut_problem::no_centerline, surface_.mesh().point(vessel.tip),
+                                            vessel.branch, size_type(result.patch_of_face[vessel.face])});
   }
 
   static bool is_on_both_sides(const Surface_patch& patch, size_type number) {
@@ -123,7 +116,7 @@ private:
 
   Cut_surface surface_;
   const Centerline_graph& graph_;
-  Cutter cutter_;
+  Disk_cutter cutter_;
   Junction_cutter junctions_;
   Tube_divider tubes_;
   Piece_divider pieces_;
@@ -139,8 +132,6 @@ CGAL_TUBULAR_MESHING_INLINE Surface_cut cut_by_centerlines(Surface& surface, con
   return Centerline_cut(surface, graph, patch, options.aspect_ratio).run();
 }
 
-} // namespace internal
-
-} // namespace CGAL::Tubular_meshing
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_PATCHES_CUT_BY_CENTERLINES_IMPL_H

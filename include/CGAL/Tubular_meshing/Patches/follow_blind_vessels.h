@@ -13,8 +13,7 @@ namespace CGAL::Tubular_meshing::internal {
 
 /* The tips of vessels that end without an opening and have no centerline, each in the order of its vessel's first face.
  * The surface is as it was afterwards. O(n log n). */
-std::vector<Surface::Vertex_index> tips_of_blind_vessels(Surface& surface, Face_patch_map patch,
-                                                         const Centerline_graph& graph);
+std::vector<Vertex> tips_of_blind_vessels(Surface& surface, Face_patch_map patch, const Centerline_graph& graph);
 
 /* Adds lines into vessels that end without an opening, to centerlines that lead to the openings: without one, such a
  * vessel would be meshed at the size of the vessel that it leaves, and not be cut. O(n log n) a generation.
@@ -26,7 +25,7 @@ void follow_blind_vessels(Surface& surface, Face_patch_map patch, Computation& c
   const int most_generations = 6; // blind vessels may leave blind vessels
   for (int generation = 0; generation < most_generations; ++generation) {
     bool is_longer = false;
-    for (Surface::Vertex_index tip : tips_of_blind_vessels(surface, patch, graph))
+    for (Vertex tip : tips_of_blind_vessels(surface, patch, graph))
       is_longer = computation.add_end(tip) || is_longer;
     if (!is_longer)
       return;

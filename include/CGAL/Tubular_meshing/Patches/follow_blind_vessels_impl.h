@@ -11,21 +11,17 @@
 
 #include <vector>
 
-namespace CGAL::Tubular_meshing {
+namespace CGAL::Tubular_meshing::internal {
 
-namespace internal {
-
-CGAL_TUBULAR_MESHING_INLINE std::vector<Surface::Vertex_index>
-tips_of_blind_vessels(Surface& surface, Face_patch_map patch, const Centerline_graph& graph) {
+CGAL_TUBULAR_MESHING_INLINE std::vector<Vertex> tips_of_blind_vessels(Surface& surface, Face_patch_map patch,
+                                                                      const Centerline_graph& graph) {
   const Cut_surface uncut(surface, patch);
-  std::vector<Surface::Vertex_index> tips;
+  std::vector<Vertex> tips;
   for (const auto& vessel : Blind_vessel_finder(uncut, graph).find())
     tips.push_back(vessel.tip);
   return tips;
 }
 
-} // namespace internal
-
-} // namespace CGAL::Tubular_meshing
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_PATCHES_FOLLOW_BLIND_VESSELS_IMPL_H

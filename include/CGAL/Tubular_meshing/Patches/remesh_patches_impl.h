@@ -5,17 +5,15 @@
 #define CGAL_TUBULAR_MESHING_PATCHES_REMESH_PATCHES_IMPL_H
 
 #include <CGAL/Tubular_meshing/Patches/remesh_patches.h>
-#include <CGAL/Tubular_meshing/Patches/internal/remeshing/Isotropic_sizes.h>
 #include <CGAL/Tubular_meshing/Patches/internal/remeshing/Metric_sizes.h>
+#include <CGAL/Tubular_meshing/Patches/internal/remeshing/Surface_sizes.h>
 #include <CGAL/Tubular_meshing/Patches/internal/remeshing/Triangle_piece_mesher.h>
-#include <CGAL/Tubular_meshing/Patches/pieces/mesh_by_pieces.h>
+#include <CGAL/Tubular_meshing/Patches/pieces/Piece_mesher.h>
 #include <CGAL/Tubular_meshing/base/config.h>
 
 #include <vector>
 
-namespace CGAL::Tubular_meshing {
-
-namespace internal {
+namespace CGAL::Tubular_meshing::internal {
 
 CGAL_TUBULAR_MESHING_INLINE Remeshed_surface remesh_patches_by_size(const Surface& surface, const Surface_cut& cut,
                                                                     const std::vector<Patch_parameterization>& maps,
@@ -23,7 +21,7 @@ CGAL_TUBULAR_MESHING_INLINE Remeshed_surface remesh_patches_by_size(const Surfac
                                                                     const Remesh_patches_options& options) {
   const Isotropic_sizes sizes(maps, size);
   Triangle_piece_mesher mesher(surface, cut, maps, sizes, options.even_curves, options.number_of_threads);
-  return mesh_by_pieces(cut, maps, mesher);
+  return mesh_by_pieces(mesher);
 }
 
 CGAL_TUBULAR_MESHING_INLINE Remeshed_surface remesh_patches_by_metric(const Surface& surface, const Surface_cut& cut,
@@ -32,14 +30,12 @@ CGAL_TUBULAR_MESHING_INLINE Remeshed_surface remesh_patches_by_metric(const Surf
                                                                       const Remesh_patches_options& options) {
   const Metric_sizes sizes(surface, cut, maps, metric);
   Triangle_piece_mesher mesher(surface, cut, maps, sizes, options.even_curves, options.number_of_threads);
-  Remeshed_surface result = mesh_by_pieces(cut, maps, mesher);
+  Remeshed_surface result = mesh_by_pieces(mesher);
   for (auto v : result.surface.vertices())
     result.metrics.push_back(metric(result.surface.point(v)));
   return result;
 }
 
-} // namespace internal
-
-} // namespace CGAL::Tubular_meshing
+} // namespace CGAL::Tubular_meshing::internal
 
 #endif // CGAL_TUBULAR_MESHING_PATCHES_REMESH_PATCHES_IMPL_H

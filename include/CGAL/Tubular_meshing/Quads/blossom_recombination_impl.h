@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 // LEMON 1.3 calls members of std::allocator that C++20 has removed.
 #if defined(CGAL_TUBULAR_MESHING_WITH_LEMON) && __cplusplus < 202002L
@@ -18,6 +17,7 @@
 #ifndef LEMON_ONLY_TEMPLATES
 #define LEMON_ONLY_TEMPLATES
 #endif
+#include <boost/pending/disjoint_sets.hpp>
 #include <lemon/matching.h>
 #include <lemon/smart_graph.h>
 #endif
@@ -37,16 +37,14 @@ namespace internal {
 #ifdef CGAL_TUBULAR_MESHING_HAS_LEMON
 
 /* The nodes and pairs of each connected component of a graph. */
-class Graph_components {
-public:
-  Graph_components(std::size_t number_of_nodes, const std::vector<Node_pair>& pairs)
-      : parent_(number_of_nodes) {
-    std::iota(parent_.begin(), parent_.end(), 0);
+struct Graph_components {
+  Graph_components(std::size_t number_of_nodes, const std::vector<Node_pair>& pairs) {
+    boost::disjoint_sets_with_storage<> sets(number_of_nodes);
     for (const Node_pair& p : pairs)
-      parent_[std::size_t(root(p.first))] = root(p.second);
+      sets.union_set(std::size_t(p.first), std::size_t(p.second));
     std::vector<int> number(number_of_nodes, -1);
     for (int v = 0; v < int(number_of_nodes); ++v) {
-      int& k = number[std::size_t(root(v))];
+      int& k = number[sets.find_set(std::size_t(v))];
       if (k < 0) {
         k = int(nodes.size());
         nodes.emplace_back();
@@ -55,19 +53,11 @@ public:
       nodes[std::size_t(k)].push_back(v);
     }
     for (std::size_t e = 0; e < pairs.size(); ++e)
-      edges[std::size_t(number[std::size_t(root(pairs[e].first))])].push_back(e);
+      edges[std::size_t(number[sets.find_set(std::size_t(pairs[e].first))])].push_back(e);
   }
 
   std::vector<std::vector<int>> nodes;
   std::vector<std::vector<std::size_t>> edges;
-
-private:
-  int root(int v) {
-    while (parent_[std::size_t(v)] != v)
-      v = parent_[std::size_t(v)] = parent_[std::size_t(parent_[std::size_t(v)])];
-    return v;
-  }
-  std::vector<int> parent_;
 };
 
 /* The matching of one connected graph. Costs become integers, with which LEMON's result is exact. */

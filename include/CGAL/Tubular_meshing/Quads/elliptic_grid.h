@@ -38,23 +38,11 @@ struct Elliptic_grid {
   }
 };
 
-/*! \ingroup PkgTubularMeshingQuads
- *
- * The options of elliptic_grid(): its named parameters. */
-struct Elliptic_grid_options {
-  std::size_t number_of_rows = 0;
-
-  Elliptic_grid_options() = default;
-  template <class NamedParameters>
-  explicit Elliptic_grid_options(const NamedParameters& np)
-      : number_of_rows(internal::choose(np, internal_np::number_of_rows, std::size_t(0))) {}
-};
-
 namespace internal {
 
 Elliptic_grid elliptic_grid(const Patch_parameterization& map,
                             const std::array<std::vector<Patch_location>, 2>& loop_points, Length_function size,
-                            const Elliptic_grid_options& options);
+                            std::size_t number_of_rows);
 
 } // namespace internal
 
@@ -95,7 +83,7 @@ Elliptic_grid elliptic_grid(const Patch_parameterization& map,
                             const std::array<std::vector<Patch_location>, 2>& loop_points, const SizingField& size,
                             const NamedParameters& np = CGAL::parameters::default_values()) {
   return internal::elliptic_grid(map, loop_points, internal::Field_at_point<SizingField>(size),
-                                 Elliptic_grid_options(np));
+                                 internal::choose(np, internal_np::number_of_rows, std::size_t(0)));
 }
 
 } // namespace CGAL::Tubular_meshing

@@ -14,7 +14,7 @@ namespace CGAL::Tubular_meshing::internal {
 
 CGAL_TUBULAR_MESHING_INLINE Elliptic_grid elliptic_grid(const Patch_parameterization& map,
                                                         const std::array<std::vector<Patch_location>, 2>& loop_points,
-                                                        Length_function size, const Elliptic_grid_options& options) {
+                                                        Length_function size, std::size_t number_of_rows) {
   if (map.number_of_loops() != 2)
     throw Input_error("A patch with " + std::to_string(map.number_of_loops()) +
                       " loops is not annular; a grid needs two loops.");
@@ -23,7 +23,7 @@ CGAL_TUBULAR_MESHING_INLINE Elliptic_grid elliptic_grid(const Patch_parameteriza
                       std::to_string(loop_points[1].size()) +
                       " points on the loops of an annular patch; give as many on both, three at least.");
   Elliptic_grid_maker maker(map, loop_points);
-  maker.divide_into_rows(size, options.number_of_rows);
+  maker.divide_into_rows(size, number_of_rows);
   maker.smooth();
 
   Elliptic_grid grid;

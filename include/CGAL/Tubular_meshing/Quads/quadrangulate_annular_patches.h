@@ -26,23 +26,11 @@ struct Annular_quads {
   std::vector<Elliptic_grid> grids;
 };
 
-/*! \ingroup PkgTubularMeshingQuads
- *
- * The options of quadrangulate_annular_patches(): its named parameters. */
-struct Quadrangulate_annular_patches_options {
-  int number_of_threads = 0;
-
-  Quadrangulate_annular_patches_options() = default;
-  template <class NamedParameters>
-  explicit Quadrangulate_annular_patches_options(const NamedParameters& np)
-      : number_of_threads(internal::choose(np, internal_np::number_of_threads, 0)) {}
-};
-
 namespace internal {
 
 Annular_quads quadrangulate_annular_patches(const Surface& surface, const Surface_cut& cut,
                                             const std::vector<Patch_parameterization>& maps, Length_function size,
-                                            const Quadrangulate_annular_patches_options& options);
+                                            int threads);
 
 } // namespace internal
 
@@ -81,7 +69,7 @@ Annular_quads quadrangulate_annular_patches(const Surface& surface, const Surfac
                                             const std::vector<Patch_parameterization>& maps, const SizingField& size,
                                             const NamedParameters& np = CGAL::parameters::default_values()) {
   return internal::quadrangulate_annular_patches(surface, cut, maps, internal::Field_at_point<SizingField>(size),
-                                                 Quadrangulate_annular_patches_options(np));
+                                                 internal::choose(np, internal_np::number_of_threads, 0));
 }
 
 } // namespace CGAL::Tubular_meshing

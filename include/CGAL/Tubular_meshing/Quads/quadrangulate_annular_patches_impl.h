@@ -10,7 +10,6 @@
 #include <CGAL/Tubular_meshing/base/parallel.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <string>
 
@@ -28,9 +27,9 @@ inline void share_points(const std::vector<std::vector<Point_3>>& curve_points, 
   }
 }
 
-CGAL_TUBULAR_MESHING_INLINE Annular_quads quadrangulate_annular_patches(
-    const Surface& surface, const Surface_cut& cut, const std::vector<Patch_parameterization>& maps,
-    Length_function size, const Quadrangulate_annular_patches_options& options) {
+CGAL_TUBULAR_MESHING_INLINE Annular_quads quadrangulate_annular_patches(const Surface& surface, const Surface_cut& cut,
+                                                                        const std::vector<Patch_parameterization>& maps,
+                                                                        Length_function size, int threads) {
   if (maps.size() != cut.patches.size())
     throw Input_error("There are " + std::to_string(maps.size()) + " parameterizations of " +
                       std::to_string(cut.patches.size()) + " patches; pass what parameterize_patches() returns.");
@@ -44,15 +43,10 @@ CGAL_TUBULAR_MESHING_INLINE Annular_quads quadrangulate_annular_patches(
       result.curve_points.back().push_back(p.point);
   }
   result.grids.resize(cut.patches.size());
-  for_each_task(cut.patches.size(), options.number_of_threads, [&](std::size_t k) {
+  for_each_task(cut.patches.size(), threads, [&](std::size_t k) {
     if (!chains.is_tube(k))
       return;
-    std::array<std::vector<Patch_location>, 2> ends;
-    for (std::size_t l = 0; l < 2; ++l) {
-      const Patch_loop& loop = cut.patches[k].loops[l];
-      ends[l] = on_loop(maps[k], l, loop, cut.curves[loop.curve].vertices.size(), positions[loop.curve]);
-    }
-    result.grids[k] = internal::elliptic_grid(maps[k], ends, size, Elliptic_grid_options());
+    result.grids[k] = internal::elliptic_grid(maps[k], chains.on_loops(k, positions), size, 0);
     share_points(result.curve_points, cut.patches[k], result.grids[k]);
   });
   return result;

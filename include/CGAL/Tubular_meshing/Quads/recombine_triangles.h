@@ -10,7 +10,6 @@
 #include <CGAL/Tubular_meshing/base/convert_surface.h>
 #include <CGAL/Tubular_meshing/base/parameters.h>
 
-#include <CGAL/boost/graph/iterator.h>
 #include <CGAL/property_map.h>
 
 #include <array>

@@ -15,8 +15,7 @@
 #include <limits>
 #include <string>
 
-namespace CGAL {
-namespace Tubular_meshing {
+namespace CGAL::Tubular_meshing {
 namespace internal {
 
 inline void check_triangles(const std::vector<Point_3>& points,
@@ -46,13 +45,6 @@ inline std::vector<Patch_triangle> patch_triangles(const std::vector<std::array<
   std::vector<Patch_triangle> result;
   for (const auto& t : triangles)
     result.push_back({{int(t[0]), int(t[1]), int(t[2])}});
-  return result;
-}
-
-inline std::vector<Vector_3d> vectors_of(const std::vector<Point_3>& points) {
-  std::vector<Vector_3d> result;
-  for (const Point_3& p : points)
-    result.emplace_back(p);
   return result;
 }
 
@@ -104,7 +96,7 @@ CGAL_TUBULAR_MESHING_INLINE Recombination_report recombine_faces(Surface& surfac
   const Surface_triangles own(surface);
   check_triangles(own.points, own.triangles, patches);
   const std::vector<Patch_triangle> indexed = patch_triangles(own.triangles);
-  const std::vector<Vector_3d> vectors = vectors_of(own.points);
+  const std::vector<Vector_3d> vectors(own.points.begin(), own.points.end());
   Triangle_recombiner recombiner(indexed, vectors, patches);
   recombiner.run();
   for (const Border_fan& fan : recombiner.splits()) {
@@ -112,7 +104,7 @@ CGAL_TUBULAR_MESHING_INLINE Recombination_report recombine_faces(Surface& surfac
     const auto in_last = own.halfedges[std::size_t(previous_halfedge(fan.halfedges().back()))];
     const auto in_first = surface.prev(own.halfedges[std::size_t(fan.halfedges().front())]);
     const auto fresh = surface.source(CGAL::Euler::split_vertex(in_last, in_first, surface));
-    surface.point(fresh) = Point_3(fan.new_vertex().x, fan.new_vertex().y, fan.new_vertex().z);
+    surface.point(fresh) = as<Point_3>(fan.new_vertex());
   }
   for (int h : recombiner.joined())
     CGAL::Euler::join_face(own.halfedges[std::size_t(h)], surface);
@@ -126,7 +118,7 @@ recombine_triangles(const std::vector<Point_3>& points, const std::vector<std::a
                     const std::vector<int>& patches) {
   internal::check_triangles(points, triangles, patches);
   const std::vector<internal::Patch_triangle> indexed = internal::patch_triangles(triangles);
-  const std::vector<internal::Vector_3d> vectors = internal::vectors_of(points);
+  const std::vector<internal::Vector_3d> vectors(points.begin(), points.end());
   internal::Triangle_recombiner recombiner(indexed, vectors, patches);
   recombiner.run();
 
@@ -149,7 +141,7 @@ recombine_triangles(const std::vector<Point_3>& points, const std::vector<std::a
     const std::size_t v = triangles[std::size_t(first / 3)][std::size_t(first % 3)];
     add_quad(first, {{v, at(internal::next_halfedge(first)), at(internal::previous_halfedge(first)), at(first)}});
     add_quad(last, {{v, at(last), at(internal::next_halfedge(last)), at(internal::previous_halfedge(last))}});
-    result.points.push_back(Point_3(fan.new_vertex().x, fan.new_vertex().y, fan.new_vertex().z));
+    result.points.push_back(internal::as<Point_3>(fan.new_vertex()));
   }
   for (int t : recombiner.left()) {
     result.triangles.push_back({{at(3 * t), at(3 * t + 1), at(3 * t + 2)}});
@@ -158,7 +150,6 @@ recombine_triangles(const std::vector<Point_3>& points, const std::vector<std::a
   return result;
 }
 
-} // namespace Tubular_meshing
-} // namespace CGAL
+} // namespace CGAL::Tubular_meshing
 
 #endif // CGAL_TUBULAR_MESHING_QUADS_RECOMBINE_TRIANGLES_IMPL_H

@@ -9,8 +9,6 @@
 #include <CGAL/Tubular_meshing/base/Sentence.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 
-#include <CGAL/boost/graph/iterator.h>
-
 #include <cmath>
 #include <cstddef>
 #include <string>
@@ -22,9 +20,8 @@ namespace CGAL::Tubular_meshing::internal {
 
 /* Where an opening is in a mesh: its rim, and the faces of its cap if it has one. */
 struct Opening_site {
-  std::vector<Surface::Halfedge_index>
-      rim; ///< in order, on the side of the cap: border halfedges, or halfedges of the cap's faces
-  std::vector<Surface::Face_index> cap; ///< empty for a border loop
+  std::vector<Halfedge> rim; ///< in order, on the side of the cap: border halfedges, or halfedges of the cap's faces
+  std::vector<Face> cap;     ///< empty for a border loop
   Rim_shape shape;
 
   bool is_open() const { return cap.empty(); }
@@ -34,11 +31,11 @@ inline std::string coordinates(const Point_3& p) {
   return place_of(p).str();
 }
 
-inline std::string vertex_name(Surface::Vertex_index v, const Surface& mesh) {
+inline std::string vertex_name(Vertex v, const Surface& mesh) {
   return "vertex " + std::to_string(std::size_t(v)) + " " + coordinates(mesh.point(v));
 }
 
-inline std::vector<Point_3> rim_points(const std::vector<Surface::Halfedge_index>& rim, const Surface& mesh) {
+inline std::vector<Point_3> rim_points(const std::vector<Halfedge>& rim, const Surface& mesh) {
   std::vector<Point_3> points;
   points.reserve(rim.size());
   for (auto h : rim)
@@ -46,7 +43,7 @@ inline std::vector<Point_3> rim_points(const std::vector<Surface::Halfedge_index
   return points;
 }
 
-inline Vector_3 area_vector(Surface::Halfedge_index h, const Surface& mesh) {
+inline Vector_3 area_vector(Halfedge h, const Surface& mesh) {
   const Point_3 &a = mesh.point(mesh.source(h)), &b = mesh.point(mesh.target(h)),
                 &c = mesh.point(mesh.target(mesh.next(h)));
   return CGAL::cross_product(b - a, c - a) / 2;
@@ -71,7 +68,6 @@ inline void check_tubular_surface(const Surface& mesh) {
 
 /* The border loops of any manifold mesh, in the order of their first halfedges: they may touch, and bound no area. */
 inline std::vector<Opening_site> border_cycles(const Surface& mesh) {
-  typedef Surface::Halfedge_index Halfedge;
   std::vector<Opening_site> loops;
   std::unordered_set<Halfedge> visited;
   for (Halfedge first : mesh.halfedges()) {
@@ -89,7 +85,7 @@ inline std::vector<Opening_site> border_cycles(const Surface& mesh) {
 /* The same, but loops that touch, or bound no area, are refused. */
 inline std::vector<Opening_site> border_loops(const Surface& mesh) {
   std::vector<Opening_site> loops = border_cycles(mesh);
-  std::unordered_set<Surface::Vertex_index> on_border;
+  std::unordered_set<Vertex> on_border;
   for (const Opening_site& loop : loops) {
     for (auto h : loop.rim)
       if (!on_border.insert(mesh.target(h)).second)

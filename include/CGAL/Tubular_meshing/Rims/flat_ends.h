@@ -7,7 +7,6 @@
 #include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Rims/Opening_site.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <unordered_map>
@@ -39,10 +38,6 @@ inline std::vector<Flat_end_criteria> possible_flat_ends() {
 constexpr double max_flat_end_sag = 0.05; // of the radius
 
 class Flat_end_finder {
-  typedef Surface::Vertex_index Vertex;
-  typedef Surface::Halfedge_index Halfedge;
-  typedef Surface::Face_index Face;
-
 public:
   /* `inside_out`: whether the faces' normals point into the lumen. */
   Flat_end_finder(const Surface& mesh, bool inside_out)

@@ -24,16 +24,15 @@ std::vector<Index_triangle> triangulate_inside(const std::vector<Kernel::Point_2
  * empty if the polygon is not simple and counterclockwise. Vertices on straight sides are used. O(n log n). */
 std::vector<Index_triangle> triangulate_polygon(const std::vector<Kernel::Point_2>& polygon);
 
-void remove_faces(const std::vector<Surface::Face_index>& faces, Surface& mesh);
+void remove_faces(const std::vector<Face>& faces, Surface& mesh);
 
 /* Fills a border loop with the triangulation of its projection onto a plane. Returns no faces, and leaves the mesh as
  * it is, if the projection is not a simple polygon, or an edge that it needs is in the wall already. */
-std::vector<Surface::Face_index> fill_loop(const std::vector<Surface::Halfedge_index>& rim, const Rim_plane& plane,
-                                           Surface& mesh);
+std::vector<Face> fill_loop(const std::vector<Halfedge>& rim, const Rim_plane& plane, Surface& mesh);
 
 /* Removes triangles with two edges on the loop, the ears: once the rim is in a plane such a triangle lies in it too,
  * and on the cap. Returns the new loop; it keeps at least three edges. */
-std::vector<Surface::Halfedge_index> peel_ears(std::vector<Surface::Halfedge_index> rim, Surface& mesh);
+std::vector<Halfedge> peel_ears(std::vector<Halfedge> rim, Surface& mesh);
 
 } // namespace CGAL::Tubular_meshing::internal
 

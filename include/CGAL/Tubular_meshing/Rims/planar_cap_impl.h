@@ -69,22 +69,22 @@ triangulate_polygon(const std::vector<Kernel::Point_2>& polygon) {
   return triangulate_inside(polygon, sides);
 }
 
-CGAL_TUBULAR_MESHING_INLINE void remove_faces(const std::vector<Surface::Face_index>& faces, Surface& mesh) {
+CGAL_TUBULAR_MESHING_INLINE void remove_faces(const std::vector<Face>& faces, Surface& mesh) {
   for (auto f : faces)
     CGAL::Euler::remove_face(mesh.halfedge(f), mesh);
 }
 
-CGAL_TUBULAR_MESHING_INLINE std::vector<Surface::Face_index> fill_loop(const std::vector<Surface::Halfedge_index>& rim,
-                                                                       const Rim_plane& plane, Surface& mesh) {
+CGAL_TUBULAR_MESHING_INLINE std::vector<Face> fill_loop(const std::vector<Halfedge>& rim, const Rim_plane& plane,
+                                                        Surface& mesh) {
   std::vector<Kernel::Point_2> polygon;
   for (auto h : rim) {
     const auto p = plane.in_plane(mesh.point(mesh.target(h)));
     polygon.emplace_back(p[0], p[1]);
   }
-  std::vector<Surface::Vertex_index> vertices;
+  std::vector<Vertex> vertices;
   for (auto h : rim)
     vertices.push_back(mesh.target(h));
-  std::vector<Surface::Face_index> faces;
+  std::vector<Face> faces;
   for (const Index_triangle& t : triangulate_polygon(polygon)) {
     const auto f = mesh.add_face(vertices[t[0]], vertices[t[1]], vertices[t[2]]);
     if (f == Surface::null_face()) {
@@ -96,9 +96,7 @@ CGAL_TUBULAR_MESHING_INLINE std::vector<Surface::Face_index> fill_loop(const std
   return faces;
 }
 
-CGAL_TUBULAR_MESHING_INLINE std::vector<Surface::Halfedge_index> peel_ears(std::vector<Surface::Halfedge_index> rim,
-                                                                           Surface& mesh) {
-  typedef Surface::Halfedge_index Halfedge;
+CGAL_TUBULAR_MESHING_INLINE std::vector<Halfedge> peel_ears(std::vector<Halfedge> rim, Surface& mesh) {
   auto face_behind = [&](Halfedge h) { return mesh.face(mesh.opposite(h)); };
   std::size_t size = rim.size(), steps_without_ear = 0;
   Halfedge h = rim[0];

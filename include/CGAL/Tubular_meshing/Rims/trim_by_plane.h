@@ -45,15 +45,13 @@ namespace CGAL::Tubular_meshing::internal {
  *
  * Complexity: linear in the number of faces removed and split (expected, as it hashes).
  */
-Surface::Halfedge_index trim_by_plane(Surface& mesh, const Point_3& origin, const Vector_3& normal,
-                                      const std::vector<Surface::Vertex_index>& seeds,
-                                      double reach = (std::numeric_limits<double>::infinity)());
+Halfedge trim_by_plane(Surface& mesh, const Point_3& origin, const Vector_3& normal, const std::vector<Vertex>& seeds,
+                       double reach = (std::numeric_limits<double>::infinity)());
 
 /* As above; the seeds are the vertices of the border that `seed` is on, or its target if it is not a border halfedge.
  */
-Surface::Halfedge_index trim_by_plane(Surface& mesh, const Point_3& origin, const Vector_3& normal,
-                                      Surface::Halfedge_index seed,
-                                      double reach = (std::numeric_limits<double>::infinity)());
+Halfedge trim_by_plane(Surface& mesh, const Point_3& origin, const Vector_3& normal, Halfedge seed,
+                       double reach = (std::numeric_limits<double>::infinity)());
 
 } // namespace CGAL::Tubular_meshing::internal
 

@@ -4,7 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_RIMS_TRIM_BY_PLANE_IMPL_H
 #define CGAL_TUBULAR_MESHING_RIMS_TRIM_BY_PLANE_IMPL_H
 
-#include <CGAL/Tubular_meshing/Rims/internal/Trim_applier.h>
+#include <CGAL/Tubular_meshing/Rims/internal/Trim_plan.h>
 #include <CGAL/Tubular_meshing/Rims/internal/Trim_planner.h>
 #include <CGAL/Tubular_meshing/Rims/trim_by_plane.h>
 
@@ -15,20 +15,17 @@
 
 namespace CGAL::Tubular_meshing::internal {
 
-CGAL_TUBULAR_MESHING_INLINE Surface::Halfedge_index trim_by_plane(Surface& mesh, const Point_3& origin,
-                                                                  const Vector_3& normal,
-                                                                  const std::vector<Surface::Vertex_index>& seeds,
-                                                                  double reach) {
+CGAL_TUBULAR_MESHING_INLINE Halfedge trim_by_plane(Surface& mesh, const Point_3& origin, const Vector_3& normal,
+                                                   const std::vector<Vertex>& seeds, double reach) {
   Trim_planner planner(mesh, Oriented_plane(origin, normal / std::sqrt(normal.squared_length())));
   if (seeds.empty() || !planner.plan(seeds, reach))
     return Surface::null_halfedge();
   return Trim_applier(mesh, planner.result()).apply();
 }
 
-CGAL_TUBULAR_MESHING_INLINE Surface::Halfedge_index trim_by_plane(Surface& mesh, const Point_3& origin,
-                                                                  const Vector_3& normal, Surface::Halfedge_index seed,
-                                                                  double reach) {
-  std::vector<Surface::Vertex_index> seeds;
+CGAL_TUBULAR_MESHING_INLINE Halfedge trim_by_plane(Surface& mesh, const Point_3& origin, const Vector_3& normal,
+                                                   Halfedge seed, double reach) {
+  std::vector<Vertex> seeds;
   if (!mesh.is_border(seed))
     seeds.push_back(mesh.target(seed));
   else

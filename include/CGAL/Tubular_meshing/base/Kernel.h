@@ -7,6 +7,8 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <cstddef>
+
 namespace CGAL::Tubular_meshing {
 
 /*! \ingroup PkgTubularMeshingBase
@@ -28,6 +30,15 @@ typedef CGAL::Surface_mesh<Point_3> Surface;
 /// The label of each face of a Surface: its property map `f:patch`.
 typedef Surface::Property_map<Surface::Face_index, int> Face_patch_map;
 
+namespace internal {
+
+typedef std::size_t size_type;
+typedef Surface::Vertex_index Vertex;
+typedef Surface::Halfedge_index Halfedge;
+typedef Surface::Edge_index Edge;
+typedef Surface::Face_index Face;
+
+} // namespace internal
 } // namespace CGAL::Tubular_meshing
 
 #endif // CGAL_TUBULAR_MESHING_BASE_KERNEL_H

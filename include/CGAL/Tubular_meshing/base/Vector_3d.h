@@ -42,6 +42,10 @@ inline Vector_3d operator-(const Vector_3d& a, const Vector_3d& b) {
 inline Vector_3d operator*(double s, const Vector_3d& v) {
   return {s * v.x, s * v.y, s * v.z};
 }
+// As a point or a vector of a kernel.
+template <class P> P as(const Vector_3d& v) {
+  return P(v.x, v.y, v.z);
+}
 inline double dot(const Vector_3d& a, const Vector_3d& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }

@@ -68,7 +68,7 @@ inline double quad_eta(const std::array<Vector_3d, 4>& p) {
 // eq. (15), over the angles of the six faces
 inline double hexahedron_zeta(const std::array<Vector_3d, 8>& p) {
   double smallest = pi, largest = 0;
-  for (const Quad_corners& f : Cell_topology<8>::quads()) {
+  for (const auto& f : Cell_topology<8>::quads()) {
     const auto range = angle_range({p[f[0]], p[f[1]], p[f[2]], p[f[3]]});
     smallest = (std::min)(smallest, range[0]);
     largest = (std::max)(largest, range[1]);
@@ -76,7 +76,7 @@ inline double hexahedron_zeta(const std::array<Vector_3d, 8>& p) {
   return 1 - (std::max)(largest - pi / 2, pi / 2 - smallest) / (pi / 2);
 }
 
-// The smallest scaled Jacobian at the corners of a prism, or of the base of a pyramid.
+// The smallest scaled Jacobian at the corners of a cell that have one.
 template <std::size_t N> double scaled_jacobian(const std::array<Vector_3d, N>& p) {
   double smallest = 1;
   for (const Corner& c : Cell_topology<N>::corners()) {
@@ -85,6 +85,16 @@ template <std::size_t N> double scaled_jacobian(const std::array<Vector_3d, N>& 
     smallest = (std::min)(smallest, lengths > 0 ? dot(cross(u, v), w) / lengths : 0);
   }
   return smallest;
+}
+
+// At the corners of the base.
+inline double pyramid_jacobian(const std::array<Vector_3d, 5>& p) {
+  return scaled_jacobian(p);
+}
+
+// At the six corners.
+inline double prism_jacobian(const std::array<Vector_3d, 6>& p) {
+  return scaled_jacobian(p);
 }
 
 } // namespace CGAL::Tubular_meshing::internal

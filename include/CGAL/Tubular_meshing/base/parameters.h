@@ -10,8 +10,6 @@
 
 #include <CGAL/Named_function_parameters.h>
 
-#include <type_traits>
-
 namespace CGAL::Tubular_meshing {
 
 namespace internal_np {

@@ -14,7 +14,6 @@
 #include <CGAL/boost/graph/iterator.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -27,10 +26,6 @@ namespace CGAL::Tubular_meshing::internal {
  * ends and stay there. A pass is linear in the number of triangles, and costs about three evaluations a vertex. */
 class Tubular_remesher {
 public:
-  typedef Surface::Vertex_index Vertex;
-  typedef Surface::Halfedge_index Halfedge;
-  typedef Surface::Edge_index Edge;
-  typedef Surface::Face_index Face;
   typedef Tubular_skeleton::End End;
 
   Tubular_remesher(const Tubular_distance_function& function, const std::vector<End>& ends,
@@ -93,7 +88,7 @@ private:
   }
 
   void put(Vertex v, const Place& place) {
-    mesh_.point(v) = Point_3(place.point.x, place.point.y, place.point.z);
+    mesh_.point(v) = as<Point_3>(place.point);
     normal_[v] = place.normal;
     size_[v] = edge_over_radius_ * place.radius;
   }

@@ -39,7 +39,6 @@ public:
 private:
   typedef Tubular_octree::Cell Cell;
   typedef Tubular_octree::Lattice_point Lattice_point;
-  typedef Surface::Vertex_index Vertex;
   typedef std::array<std::size_t, 4> Tetrahedron; // of lattice points
 
   void march(const Cell& c) {
@@ -171,8 +170,7 @@ private:
     const auto inserted = crossings_.emplace((std::uint64_t(i) << 32) | std::uint64_t(j), Vertex());
     if (inserted.second) {
       const double t = (std::min)((std::max)(values_[i] / (values_[i] - values_[j]), 0.1), 0.9);
-      const Vector_3d p = positions_[i] + t * (positions_[j] - positions_[i]);
-      inserted.first->second = mesh_.add_vertex(Point_3(p.x, p.y, p.z));
+      inserted.first->second = mesh_.add_vertex(as<Point_3>(positions_[i] + t * (positions_[j] - positions_[i])));
     }
     return inserted.first->second;
   }
@@ -195,10 +193,6 @@ private:
   std::vector<double> values_;
   std::unordered_map<std::uint64_t, Vertex> crossings_;
 };
-
-inline void march_tetrahedra(const Tubular_distance_function& function, const Tubular_octree& octree, Surface& mesh) {
-  Tetrahedra_marcher(function, octree, mesh);
-}
 
 } // namespace CGAL::Tubular_meshing::internal
 

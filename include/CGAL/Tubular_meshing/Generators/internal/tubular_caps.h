@@ -6,6 +6,7 @@
 
 #include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Generators/Tubular_skeleton.h>
+#include <CGAL/Tubular_meshing/base/Plane_frame.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
 #include <CGAL/number_type_config.h>
@@ -18,34 +19,22 @@
 
 namespace CGAL::Tubular_meshing::internal {
 
-// A right-handed frame (u, v, n) of the plane of an end, and angles in it.
-struct End_frame {
-  typedef Tubular_skeleton::End End;
+// The plane of an end, with angles in it.
+struct End_frame : Plane_frame {
+  explicit End_frame(const Tubular_skeleton::End& end)
+      : Plane_frame(Vector_3d(end.center), Vector_3d(end.normal))
+      , radius(end.radius) {}
 
-  explicit End_frame(const End& end)
-      : center(end.center)
-      , n(end.normal)
-      , radius(end.radius) {
-    const Vector_3d a = std::abs(n.x) < 0.6 ? Vector_3d(1, 0, 0) : Vector_3d(0, 1, 0);
-    u = normalized(cross(n, a));
-    v = cross(n, u);
-  }
+  double angle(const Vector_3d& p) const { return std::atan2(dot(p - origin, v), dot(p - origin, u)); }
+  double distance_from_axis(const Vector_3d& p) const { return norm(p - origin - height(p) * normal); }
+  Vector_3d on_disk(double angle, double r) const { return origin + r * std::cos(angle) * u + r * std::sin(angle) * v; }
 
-  double angle(const Vector_3d& p) const { return std::atan2(dot(p - center, v), dot(p - center, u)); }
-  double height(const Vector_3d& p) const { return dot(p - center, n); }
-  double distance_from_axis(const Vector_3d& p) const { return norm(p - center - height(p) * n); }
-  Vector_3d on_disk(double angle, double r) const { return center + r * std::cos(angle) * u + r * std::sin(angle) * v; }
-
-  Vector_3d center, n, u, v;
   double radius;
 };
 
 // Fills the rim of an end with rings of triangles around its centre, about as large as the rim's edges.
 class Cap_filler {
 public:
-  typedef Surface::Vertex_index Vertex;
-  typedef Surface::Halfedge_index Halfedge;
-
   Cap_filler(const Tubular_skeleton::End& end, Surface& mesh)
       : frame_(end)
       , mesh_(mesh) {}
@@ -82,8 +71,7 @@ private:
     Ring ring;
     for (int i = 0; i < size; ++i) {
       const double angle = first_angle + 2 * CGAL_PI * i / size;
-      const Vector_3d p = frame_.on_disk(angle, fraction * frame_.radius);
-      ring.push_back({angle, mesh_.add_vertex(Point_3(p.x, p.y, p.z))});
+      ring.push_back({angle, mesh_.add_vertex(as<Point_3>(frame_.on_disk(angle, fraction * frame_.radius)))});
     }
     return ring;
   }

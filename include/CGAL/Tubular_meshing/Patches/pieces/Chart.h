@@ -8,6 +8,7 @@
 #include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Plane/Metric_tensor_2.h>
 #include <CGAL/Tubular_meshing/Plane/Plane_triangulation.h>
+#include <CGAL/Tubular_meshing/Plane/triangulate_in_metric.h>
 #include <CGAL/Tubular_meshing/Patches/Patch_parameterization.h>
 #include <CGAL/Tubular_meshing/Patches/pieces/Peak_finder.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
@@ -15,6 +16,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace CGAL::Tubular_meshing::internal {
@@ -29,6 +32,18 @@ public:
   virtual Point_3 point(const Point_2& uv) const = 0; // of the surface
   // Places that the plane's edges may step over, though the metric asks for several triangles there.
   virtual std::vector<Point_2> hidden_places() const { return {}; }
+
+  /* Triangles between polygons, which are judged in space, or in the metric, whose squares of lengths are multiplied by
+   * `scale`. None if the polygons do not bound a domain, as they touch each other. */
+  std::optional<Plane_triangulation<Point_2>> mesh(const Plane_polygons& polygons, bool judged_in_space,
+                                                   double scale = 1) const {
+    const auto scaled_metric = [&](const Point_2& uv) { return scale * metric(uv); };
+    const auto image = [&](const Point_2& uv) { return point(uv); };
+    const Plane_embedding embedding(image);
+    std::string problem;
+    return mesh_plane(polygons, scaled_metric, judged_in_space ? &embedding : nullptr, hidden_places(),
+                      Triangulate_in_metric_options(), problem);
+  }
 };
 
 /* A patch: the metric (11), which `metric(location)` gives. Not for several threads: it remembers the place last asked
@@ -103,10 +118,7 @@ public:
     const Vector_3d d = Vector_3d(p) - origin_;
     return Point_2(dot(d, first_), dot(d, second_));
   }
-  Point_3 point(const Point_2& uv) const override {
-    const Vector_3d p = origin_ + uv.x() * first_ + uv.y() * second_;
-    return Point_3(p.x, p.y, p.z);
-  }
+  Point_3 point(const Point_2& uv) const override { return as<Point_3>(origin_ + uv.x() * first_ + uv.y() * second_); }
   Metric_tensor_2 metric(const Point_2& uv) const override { return metric_(point(uv), first_, second_); }
 
 private:

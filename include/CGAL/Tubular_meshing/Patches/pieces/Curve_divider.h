@@ -8,6 +8,8 @@
 #include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
 #include <CGAL/Tubular_meshing/Rims/rim_corners.h>
+#include <CGAL/Tubular_meshing/Patches/Patch_parameterization.h>
+#include <CGAL/Tubular_meshing/Patches/Surface_patch.h>
 
 #include <algorithm>
 #include <cmath>
@@ -22,6 +24,18 @@ struct Curve_position {
   double t;
   Point_3 point;
 };
+
+/* The points of a curve on a loop of a patch, in the order of the loop. */
+inline std::vector<Patch_location> on_loop(const Patch_parameterization& map, std::size_t l, const Patch_loop& loop,
+                                           std::size_t edges, const std::vector<Curve_position>& points) {
+  std::vector<Patch_location> result;
+  for (const auto& p : points)
+    result.push_back(loop.forward ? map.on_loop_edge(l, p.edge, p.t)
+                                  : map.on_loop_edge(l, edges - 1 - p.edge, 1 - p.t));
+  if (!loop.forward)
+    std::reverse(result.begin(), result.end());
+  return result;
+}
 
 /* Divides a closed polyline into edges as long as a size field asks for, all of the same length in it. */
 class Curve_divider {
@@ -84,10 +98,7 @@ private:
     return a + t * (b - a);
   }
   static Curve_position at(const std::vector<Point_3>& polyline, std::size_t edge, double t) {
-    if (t == 0)
-      return {edge, t, polyline[edge]};
-    const Vector_3d p = on_edge(polyline, edge, t);
-    return {edge, t, Point_3(p.x, p.y, p.z)};
+    return {edge, t, t == 0 ? polyline[edge] : as<Point_3>(on_edge(polyline, edge, t))};
   }
 
   // Stations at the vertices, and between them where the size is small compared to an edge.

@@ -4,6 +4,8 @@
 #ifndef CGAL_TUBULAR_MESHING_PATCHES_PIECES_PEAK_FINDER_H
 #define CGAL_TUBULAR_MESHING_PATCHES_PIECES_PEAK_FINDER_H
 
+#include <boost/pending/disjoint_sets.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -23,10 +25,9 @@ public:
   Peak_finder(const std::vector<double>& height, const std::vector<std::array<int, 3>>& triangles,
               const std::vector<std::vector<int>>& border)
       : height_(height)
-      , parent_(height.size())
+      , components_(height.size())
       , peak_(height.size())
       , is_known_(height.size(), 0) {
-    std::iota(parent_.begin(), parent_.end(), 0);
     std::iota(peak_.begin(), peak_.end(), 0);
     for (const auto& loop : border)
       for (int v : loop)
@@ -40,15 +41,15 @@ public:
 
   std::vector<int> find(double prominence) {
     std::vector<int> found;
-    const auto look_at = [&](int component, double pass) {
-      const std::size_t c = std::size_t(component);
+    const auto look_at = [&](std::size_t c, double pass) {
       if (is_known_[c] || height_[std::size_t(peak_[c])] < prominence * pass)
         return;
       found.push_back(peak_[c]);
       is_known_[c] = 1;
     };
     for (const Pass& p : passes_) {
-      const int a = root(p.first), b = root(p.second);
+      const std::size_t a = components_.find_set(std::size_t(p.first));
+      const std::size_t b = components_.find_set(std::size_t(p.second));
       if (a == b)
         continue;
       look_at(a, level(p));
@@ -64,24 +65,19 @@ private:
   double level(const Pass& p) const {
     return (std::min)(height_[std::size_t(p.first)], height_[std::size_t(p.second)]);
   }
-  int root(int v) {
-    while (parent_[std::size_t(v)] != v) {
-      int& parent = parent_[std::size_t(v)];
-      parent = parent_[std::size_t(parent)];
-      v = parent;
-    }
-    return v;
-  }
   // The higher peak stands for both.
-  void join(int a, int b) {
-    if (height_[std::size_t(peak_[std::size_t(a)])] < height_[std::size_t(peak_[std::size_t(b)])])
-      std::swap(a, b);
-    parent_[std::size_t(b)] = a;
-    is_known_[std::size_t(a)] = char(is_known_[std::size_t(a)] | is_known_[std::size_t(b)]);
+  void join(std::size_t a, std::size_t b) {
+    const int peak = height_[std::size_t(peak_[a])] < height_[std::size_t(peak_[b])] ? peak_[b] : peak_[a];
+    const char is_known = char(is_known_[a] | is_known_[b]);
+    components_.link(a, b);
+    const std::size_t both = components_.find_set(a);
+    peak_[both] = peak;
+    is_known_[both] = is_known;
   }
 
   const std::vector<double>& height_;
-  std::vector<int> parent_, peak_;
+  boost::disjoint_sets_with_storage<> components_;
+  std::vector<int> peak_;      // of each component
   std::vector<char> is_known_; // of components: they reach the border, or have a peak that was found
   std::vector<Pass> passes_;
 };

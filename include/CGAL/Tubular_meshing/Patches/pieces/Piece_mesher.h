@@ -6,11 +6,13 @@
 
 #include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Patches/Patch_parameterization.h>
+#include <CGAL/Tubular_meshing/Patches/Patch_report.h>
 #include <CGAL/Tubular_meshing/Patches/Remeshed_surface.h>
 #include <CGAL/Tubular_meshing/Patches/Surface_patch.h>
 #include <CGAL/Tubular_meshing/Patches/pieces/Chart.h>
 #include <CGAL/Tubular_meshing/Patches/pieces/Curve_divider.h>
-#include <CGAL/Tubular_meshing/Plane/triangulate_in_metric.h>
+#include <CGAL/Tubular_meshing/Plane/Plane_triangulation.h>
+#include <CGAL/Tubular_meshing/base/Nearest_tree.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 #include <CGAL/Tubular_meshing/base/parallel.h>
 
@@ -45,7 +47,6 @@ public:
   typedef Patch_parameterization Map;
   typedef Remeshed_piece Piece;
   typedef std::vector<Curve_position> Curve_points;
-  typedef std::size_t size_type;
 
   /* Throws Input_error if there is not one parameterization a patch. */
   Piece_mesher(const Surface& surface, const Surface_cut& cut, const std::vector<Map>& maps, int threads)
@@ -96,8 +97,11 @@ public:
   bool is_cap(size_type piece) const { return piece >= maps_.size(); }
   // The label of the opening that a piece is the cap of; 0 for a patch.
   int opening(size_type piece) const { return is_cap(piece) ? cut_.curves[rim_of_cap(piece)].opening : 0; }
-  size_type number_of_refined_pieces() const {
-    return size_type(std::count_if(fineness_.begin(), fineness_.end(), [](double f) { return f < 1; }));
+  Patch_report report() const {
+    Patch_report report = patch_report(cut_, maps_);
+    report.refined_patches =
+        size_type(std::count_if(fineness_.begin(), fineness_.end(), [](double f) { return f < 1; }));
+    return report;
   }
   std::string name_of(size_type piece) const {
     return is_cap(piece) ? "the cap of opening " + std::to_string(opening(piece)) : "patch " + std::to_string(piece);
@@ -128,14 +132,10 @@ protected:
     Plane_polygons polygons;
     const auto add_loop = [&](size_type l) {
       const Patch_loop& loop = cut_.patches[patch].loops[l];
-      const size_type edges = polylines_[loop.curve].size();
       piece.sides.push_back({loop.curve, loop.forward});
       polygons.emplace_back();
-      for (const Curve_position& p : curve_points_[loop.curve])
-        polygons.back().push_back(
-            map.uv(loop.forward ? map.on_loop_edge(l, p.edge, p.t) : map.on_loop_edge(l, edges - 1 - p.edge, 1 - p.t)));
-      if (!loop.forward)
-        std::reverse(polygons.back().begin(), polygons.back().end());
+      for (const Patch_location& at : on_loop(map, l, loop, polylines_[loop.curve].size(), curve_points_[loop.curve]))
+        polygons.back().push_back(map.uv(at));
     };
     add_loop(map.outer_loop());
     for (size_type l = 0; l < map.number_of_loops(); ++l)
@@ -159,12 +159,7 @@ protected:
    * False if the polygons do not bound a domain, as they touch each other. */
   static bool triangulate(const Chart& chart, bool judged_in_space, const Plane_polygons& polygons, bool turn,
                           Piece& piece) {
-    const auto metric = [&](const Plane_point& uv) { return chart.metric(uv); };
-    const auto image = [&](const Plane_point& uv) { return chart.point(uv); };
-    const Plane_embedding embedding(image);
-    std::string problem;
-    auto plane = mesh_plane(polygons, metric, judged_in_space ? &embedding : nullptr, chart.hidden_places(),
-                            Triangulate_in_metric_options(), problem);
+    auto plane = chart.mesh(polygons, judged_in_space);
     if (!plane)
       return false;
     std::size_t on_boundary = 0;
@@ -202,6 +197,47 @@ private:
   }
 };
 
+/* The steps of remesh_patches(), and those of quadrangulate_patches(): meshes the pieces of a cut surface and joins
+ * them. Where the outcome is no surface, as pieces touch themselves or each other in meshes that are too coarse for
+ * them, the pieces concerned are meshed again, finer.
+ *
+ * Throws Meshing_error if they meet each other even where they are eight times finer. */
+Remeshed_surface mesh_by_pieces(Piece_mesher& mesher);
+
+// Their numbers.
+inline std::vector<std::size_t> marked(const std::vector<char>& marks) {
+  std::vector<std::size_t> result;
+  for (std::size_t k = 0; k < marks.size(); ++k)
+    if (marks[k])
+      result.push_back(k);
+  return result;
+}
+
+/* The triangles of the marked patches of a cut surface, and of their neighbours, to move vertices on. */
+inline Nearest_tree<Double_kernel::Triangle_3> old_triangles(const Surface& surface, const Surface_cut& cut,
+                                                             const std::vector<char>& is_marked) {
+  std::vector<char> is_near = is_marked;
+  for (std::size_t k = 0; k < cut.patches.size(); ++k)
+    if (is_marked[k])
+      for (const Patch_loop& loop : cut.patches[k].loops)
+        if (loop.neighbour != Cut_curve::none)
+          is_near[loop.neighbour] = 1;
+  std::vector<Double_kernel::Triangle_3> triangles;
+  for (std::size_t k = 0; k < cut.patches.size(); ++k)
+    if (is_near[k])
+      for (auto f : cut.patches[k].faces) {
+        const auto h = surface.halfedge(f);
+        triangles.emplace_back(to_double_point(surface.point(surface.source(h))),
+                               to_double_point(surface.point(surface.target(h))),
+                               to_double_point(surface.point(surface.target(surface.next(h)))));
+      }
+  return Nearest_tree<Double_kernel::Triangle_3>(std::move(triangles));
+}
+
 } // namespace CGAL::Tubular_meshing::internal
+
+#ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
+#include <CGAL/Tubular_meshing/Patches/pieces/Piece_mesher_impl.h>
+#endif
 
 #endif // CGAL_TUBULAR_MESHING_PATCHES_PIECES_PIECE_MESHER_H

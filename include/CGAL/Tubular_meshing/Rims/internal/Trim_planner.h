@@ -24,11 +24,6 @@ namespace CGAL::Tubular_meshing::internal {
 
 /* Decides everything about a trim on the untouched mesh: its application then cannot fail. */
 class Trim_planner {
-  typedef Surface::Vertex_index Vertex;
-  typedef Surface::Halfedge_index Halfedge;
-  typedef Surface::Edge_index Edge;
-  typedef Surface::Face_index Face;
-
 public:
   Trim_planner(const Surface& mesh, const Oriented_plane& plane)
       : mesh_(mesh) {

@@ -11,7 +11,6 @@
 #include <CGAL/Tubular_meshing/base/parallel.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -22,19 +21,13 @@ namespace CGAL::Tubular_meshing::internal {
  * O(n log n) in the surface and the graph, and O(graph) for each such part. */
 class Blind_vessel_finder {
 public:
-  typedef Cut_surface Surface;
-  typedef Surface::Mesh Mesh;
-  typedef Mesh::Face_index Face;
-  typedef Mesh::Halfedge_index Halfedge;
-  typedef Mesh::Vertex_index Vertex;
-
   struct Blind_vessel {
     Vertex tip;
     Face face;
     std::size_t branch; // that it leaves
   };
 
-  Blind_vessel_finder(const Surface& surface, const Centerline_graph& graph)
+  Blind_vessel_finder(const Cut_surface& surface, const Centerline_graph& graph)
       : surface_(surface)
       , mesh_(surface.mesh())
       , graph_(graph)
@@ -64,7 +57,7 @@ private:
     is_far_.assign(mesh_.number_of_vertices(), 0);
     for_each_range(distance_.size(), 0, [&](std::size_t first, std::size_t last) {
       for (std::size_t i = first; i < last; ++i) {
-        const Vertex v{Mesh::size_type(i)};
+        const Vertex v{Surface::size_type(i)};
         const auto d = field_.descriptors(mesh_.point(v));
         distance_[i] = d.distance;
         is_far_[i] = d.distance > far_radii * d.radius;
@@ -129,17 +122,15 @@ private:
     const Vector_3d top = surface_.point(end);
     double area = 0, length = 0;
     for (Face f : part) {
-      const Halfedge h = mesh_.halfedge(f);
-      const Vector_3d a = surface_.point(mesh_.source(h)), b = surface_.point(mesh_.target(h)),
-                      c = surface_.point(mesh_.target(mesh_.next(h)));
+      const auto [a, b, c] = surface_.corners(f);
       area += norm(cross(b - a, c - a)) / 2;
       length = (std::max)({length, norm(a - top), norm(b - top), norm(c - top)});
     }
     return CGAL_PI * length * length > slenderness * area;
   }
 
-  const Surface& surface_;
-  const Mesh& mesh_;
+  const Cut_surface& surface_;
+  const Surface& mesh_;
   const Centerline_graph& graph_;
   Centerline_field field_;
   std::vector<double> distance_; // of each vertex from the centerlines

@@ -8,7 +8,6 @@
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -18,9 +17,7 @@ namespace CGAL::Tubular_meshing::internal {
 /* A branch as a curve: position, direction and radius by abscissa. */
 class Branch_axis {
 public:
-  typedef Centerline_graph Graph;
-
-  Branch_axis(const Graph& graph, std::size_t branch)
+  Branch_axis(const Centerline_graph& graph, std::size_t branch)
       : graph_(graph)
       , branch_(graph.branches()[branch]) {}
 
@@ -104,8 +101,8 @@ private:
   Vector_3d at(std::size_t i) const { return Vector_3d(graph_.points()[branch_.points[i]]); }
   double radius_at(std::size_t i) const { return graph_.radii()[branch_.points[i]]; }
 
-  const Graph& graph_;
-  const Graph::Branch& branch_;
+  const Centerline_graph& graph_;
+  const Centerline_graph::Branch& branch_;
 };
 
 } // namespace CGAL::Tubular_meshing::internal

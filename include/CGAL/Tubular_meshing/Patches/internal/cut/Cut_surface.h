@@ -8,38 +8,31 @@
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
 #include <CGAL/Tubular_meshing/base/labels.h>
 
-#include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <cstddef>
 #include <unordered_map>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Tubular_meshing::internal {
 
 /* A point of a curve that is going to be cut: a vertex, or a point on an edge; and the face that the curve enters. */
 struct Curve_point {
-  Surface::Vertex_index vertex;     // null for a point on an edge
-  Surface::Halfedge_index halfedge; // the edge it is on
-  double t;                         // along the halfedge
-  Surface::Face_index next_face;
+  Vertex vertex;     // null for a point on an edge
+  Halfedge halfedge; // the edge it is on
+  double t;          // along the halfedge
+  Face next_face;
 };
 
 /* A closed labelled surface while it is being cut: knows its rims and the curves cut so far, and which faces have come
  * from one of the original ones. */
 class Cut_surface {
 public:
-  typedef Surface Mesh;
-  typedef Mesh::Vertex_index Vertex;
-  typedef Mesh::Halfedge_index Halfedge;
-  typedef Mesh::Edge_index Edge;
-  typedef Mesh::Face_index Face;
   typedef std::vector<Curve_point> Curve;
 
-  Cut_surface(Mesh& mesh, Face_patch_map patch)
+  Cut_surface(Surface& mesh, Face_patch_map patch)
       : mesh_(mesh)
       , patch_(patch)
       , number_of_original_faces_(mesh.number_of_faces())
@@ -56,8 +49,12 @@ public:
   Cut_surface(const Cut_surface&) = delete;
   Cut_surface& operator=(const Cut_surface&) = delete;
 
-  Mesh& mesh() const { return mesh_; }
+  Surface& mesh() const { return mesh_; }
   Vector_3d point(Vertex v) const { return Vector_3d(mesh_.point(v)); }
+  std::array<Vector_3d, 3> corners(Face f) const {
+    const Halfedge h = mesh_.halfedge(f);
+    return {point(mesh_.source(h)), point(mesh_.target(h)), point(mesh_.target(mesh_.next(h)))};
+  }
   int label(Face f) const { return patch_[f]; }
   bool is_wall(Face f) const { return label(f) == labels::wall; }
   /// Whether the edge is part of a rim or of a curve cut before.
@@ -68,7 +65,7 @@ public:
   // The faces that an original face, by number, consists of now.
   std::vector<Face> parts(std::size_t original) const {
     const auto found = parts_.find(original);
-    return found == parts_.end() ? std::vector<Face>(1, Face(Mesh::size_type(original))) : found->second;
+    return found == parts_.end() ? std::vector<Face>(1, Face(Surface::size_type(original))) : found->second;
   }
 
   /* Splits the faces along a closed curve that enters each of them once, and keeps from passing near the curves there
@@ -76,7 +73,7 @@ public:
   std::vector<Halfedge> cut(const Curve& curve) {
     std::vector<Vertex> vertices;
     for (const Curve_point& p : curve)
-      vertices.push_back(p.vertex == Mesh::null_vertex() ? split_edge(p.halfedge, p.t) : p.vertex);
+      vertices.push_back(p.vertex == Surface::null_vertex() ? split_edge(p.halfedge, p.t) : p.vertex);
     for (std::size_t i = 0; i < curve.size(); ++i)
       connect(vertices[i], vertices[(i + 1) % vertices.size()], curve[i].next_face);
     std::vector<Halfedge> halfedges;
@@ -103,7 +100,7 @@ private:
 
   // Puts an edge between two vertices of the face, and makes triangles of what it divides the face into.
   void connect(Vertex u, Vertex v, Face f) {
-    if (mesh_.halfedge(u, v) != Mesh::null_halfedge())
+    if (mesh_.halfedge(u, v) != Surface::null_halfedge())
       return;
     const Halfedge diagonal = split_face(corner(f, u), corner(f, v));
     triangulate(mesh_.face(diagonal));
@@ -160,11 +157,11 @@ private:
     return longest > 0 ? norm(cross(b - a, c - a)) / longest : 0;
   }
 
-  Mesh& mesh_;
+  Surface& mesh_;
   Face_patch_map patch_;
   const std::size_t number_of_original_faces_;
-  Mesh::Property_map<Edge, bool> on_curve_;
-  Mesh::Property_map<Vertex, bool> taken_;
+  Surface::Property_map<Edge, bool> on_curve_;
+  Surface::Property_map<Vertex, bool> taken_;
   std::unordered_map<std::size_t, std::vector<Face>> parts_;
   std::vector<std::size_t> origin_; // of the new faces
 };

@@ -34,27 +34,23 @@ struct Disk {
 struct Branch_cut {
   std::size_t branch;
   double abscissa;
-  std::vector<Surface::Halfedge_index> halfedges; // with the side of the branch's source on their left
+  std::vector<Halfedge> halfedges; // with the side of the branch's source on their left
 };
 
 /* Tries disks across the branches, cuts the surface along them, and keeps account of the cuts. */
 class Disk_cutter {
 public:
-  typedef Centerline_graph Graph;
-  typedef Branch_axis Axis;
-  typedef std::size_t size_type;
-
   static constexpr int number_of_tilts = 17;
 
-  Disk_cutter(Cut_surface& surface, const Graph& graph)
+  Disk_cutter(Cut_surface& surface, const Centerline_graph& graph)
       : surface_(surface)
       , graph_(graph)
       , finder_(surface, graph)
       , snapper_(surface)
       , cuts_of_branch_(graph.branches().size()) {}
 
-  const Graph& graph() const { return graph_; }
-  Axis axis(size_type branch) const { return Axis(graph_, branch); }
+  const Centerline_graph& graph() const { return graph_; }
+  Branch_axis axis(size_type branch) const { return Branch_axis(graph_, branch); }
   const std::vector<Branch_cut>& cuts() const { return cuts_; }
 
   // The numbers of a branch's cuts, by abscissa.
@@ -99,14 +95,14 @@ private:
   static constexpr double reach = 8; // radii
 
   bool find_curve(size_type branch, const Disk& disk) {
-    const Axis a = axis(branch);
+    const Branch_axis a = axis(branch);
     const Section_plane plane(a.point(disk.abscissa), normal(a, disk));
     return finder_.find(plane, reach * a.radius(disk.abscissa), section_) && snapper_.snap(section_, curve_);
   }
 
   /* The tangent, or a direction tilted off it by 20 or 40 degrees to one of eight sides; which sides, the direction
    * towards the root tells, as coordinate axes would make the result depend on the surface's position. */
-  Vector_3d normal(const Axis& a, const Disk& disk) const {
+  Vector_3d normal(const Branch_axis& a, const Disk& disk) const {
     const Vector_3d t = a.tangent(disk.abscissa);
     if (disk.tilt == 0)
       return t;
@@ -119,7 +115,7 @@ private:
   }
 
   Cut_surface& surface_;
-  const Graph& graph_;
+  const Centerline_graph& graph_;
   Section_finder finder_;
   Section_snapper snapper_;
   std::vector<Branch_cut> cuts_;

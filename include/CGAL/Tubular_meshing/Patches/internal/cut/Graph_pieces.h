@@ -41,8 +41,6 @@ struct Graph_piece {
  * O(piece) for trees, and O(ends²) of the piece. */
 class Piece_finder {
 public:
-  typedef std::size_t size_type;
-
   explicit Piece_finder(const Disk_cutter& cutter)
       : cutter_(cutter)
       , graph_(cutter.graph()) {}
@@ -189,8 +187,6 @@ private:
 /* The pieces into which cuts part the whole graph, numbered along it from its root. */
 class Graph_partition {
 public:
-  typedef std::size_t size_type;
-
   // O(graph)
   explicit Graph_partition(const Disk_cutter& cutter)
       : cutter_(cutter)

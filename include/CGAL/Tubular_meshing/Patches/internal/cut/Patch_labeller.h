@@ -24,15 +24,7 @@ namespace CGAL::Tubular_meshing::internal {
  * surface, O(n log n) in the number of patches. */
 class Patch_labeller {
 public:
-  typedef Cut_surface Surface;
-  typedef Disk_cutter Cutter;
-  typedef Surface::Mesh Mesh;
-  typedef Mesh::Face_index Face;
-  typedef Mesh::Halfedge_index Halfedge;
-  typedef Mesh::Vertex_index Vertex;
-  typedef std::size_t size_type;
-
-  Patch_labeller(const Surface& surface, const Cutter& cutter, Surface_cut& result)
+  Patch_labeller(const Cut_surface& surface, const Disk_cutter& cutter, Surface_cut& result)
       : surface_(surface)
       , mesh_(surface.mesh())
       , cutter_(cutter)
@@ -58,8 +50,7 @@ public:
   }
 
 private:
-  typedef Cut_curve Curve;
-  static constexpr size_type none = Curve::none;
+  static constexpr size_type none = Cut_curve::none;
 
   // Labels connected faces alike, curves being the borders.
   void fill() {
@@ -89,7 +80,7 @@ private:
     for (size_type i : partition_.branches_from_root())
       for (size_type c : cutter_.cuts_of(i)) {
         const Branch_cut& cut = cutter_.cuts()[c];
-        Curve curve;
+        Cut_curve curve;
         curve.branch = i;
         curve.abscissa = cut.abscissa;
         add_curve(std::move(curve), cut.halfedges);
@@ -110,7 +101,7 @@ private:
     }
     std::stable_sort(rims.begin(), rims.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     for (auto& rim : rims) {
-      Curve curve;
+      Cut_curve curve;
       curve.opening = rim.first;
       add_curve(std::move(curve), std::move(rim.second));
     }
@@ -128,7 +119,7 @@ private:
     return h;
   }
 
-  void add_curve(Curve curve, std::vector<Halfedge> halfedges) {
+  void add_curve(Cut_curve curve, std::vector<Halfedge> halfedges) {
     curve.halfedges = std::move(halfedges);
     for (Halfedge h : curve.halfedges)
       curve.vertices.push_back(mesh_.source(h));
@@ -149,7 +140,7 @@ private:
       piece[patch] = (std::min)(piece[patch], p);
     };
     std::vector<size_type> next_part(cutter_.graph().branches().size(), 0);
-    for (const Curve& c : result_.curves)
+    for (const Cut_curve& c : result_.curves)
       if (!c.is_rim()) {
         const size_type part = next_part[c.branch]++;
         claim(c.left_patch, partition_.piece_of(c.branch, part));
@@ -171,7 +162,7 @@ private:
     for (Face f : mesh_.faces())
       if (result_.patch_of_face[f] >= 0)
         result_.patch_of_face[f] = int(number[size_type(result_.patch_of_face[f])]);
-    for (Curve& c : result_.curves) {
+    for (Cut_curve& c : result_.curves) {
       c.left_patch = number[c.left_patch];
       c.right_patch = c.is_rim() ? none : number[c.right_patch];
     }
@@ -180,14 +171,14 @@ private:
   void describe() {
     count_elements();
     for (size_type i = 0; i < result_.curves.size(); ++i) {
-      const Curve& c = result_.curves[i];
+      const Cut_curve& c = result_.curves[i];
       result_.patches[c.left_patch].loops.push_back(Patch_loop{i, true, c.right_patch});
       if (!c.is_rim())
         result_.patches[c.right_patch].loops.push_back(Patch_loop{i, false, c.left_patch});
     }
     for (size_type p = 0; p < result_.patches.size(); ++p)
       describe(result_.patches[p], piece_of_patch_[p]);
-    for (Curve& c : result_.curves)
+    for (Cut_curve& c : result_.curves)
       if (c.is_rim())
         find_branch(c);
   }
@@ -228,7 +219,7 @@ private:
   }
 
   // The end of a branch in the rim's patch that is nearest to the rim's centre.
-  void find_branch(Curve& rim) const {
+  void find_branch(Cut_curve& rim) const {
     const size_type piece = piece_of_patch_[rim.left_patch];
     if (piece == none)
       return;
@@ -251,9 +242,9 @@ private:
     }
   }
 
-  const Surface& surface_;
-  Mesh& mesh_;
-  const Cutter& cutter_;
+  const Cut_surface& surface_;
+  Surface& mesh_;
+  const Disk_cutter& cutter_;
   const Graph_partition partition_;
   Surface_cut& result_;
   std::vector<size_type> piece_of_patch_, patch_of_piece_;

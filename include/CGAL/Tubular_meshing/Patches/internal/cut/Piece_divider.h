@@ -8,6 +8,8 @@
 #include <CGAL/Tubular_meshing/Patches/internal/cut/Graph_pieces.h>
 #include <CGAL/Tubular_meshing/Patches/internal/cut/Tube_divider.h>
 
+#include <boost/pending/disjoint_sets.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -22,9 +24,6 @@ namespace CGAL::Tubular_meshing::internal {
  * pieces around bifurcations that are too long are divided. */
 class Piece_divider {
 public:
-  typedef std::size_t size_type;
-  typedef Disk_cutter::Axis Axis;
-
   Piece_divider(Disk_cutter& cutter, Tube_divider& tubes, double aspect_ratio)
       : cutter_(cutter)
       , graph_(cutter.graph())
@@ -42,12 +41,15 @@ public:
       return std::make_pair(cutter_.cuts_of(a).size(), graph_.branches()[a].length) <
              std::make_pair(cutter_.cuts_of(b).size(), graph_.branches()[b].length);
     });
-    Union_find pieces(graph_.nodes().size());
+    boost::disjoint_sets_with_storage<> pieces(graph_.nodes().size());
     for (size_type b : branches) {
       const auto& branch = graph_.branches()[b];
       if (cutter_.cuts_of(b).size() >= 2)
         break;
-      if (!pieces.unite(branch.source, branch.target, cutter_.cuts_of(b).empty())) {
+      const size_type source = pieces.find_set(branch.source), target = pieces.find_set(branch.target);
+      if (source != target && cutter_.cuts_of(b).empty()) {
+        pieces.link(source, target);
+      } else if (source == target) {
         while (cutter_.cuts_of(b).size() < 2 && cut_somewhere(b)) {
         }
         tubes_.divide(b);
@@ -84,30 +86,6 @@ private:
   static constexpr double round = 2.5; // a section's perimeter over its inscribed circle's, at most
   static constexpr double step = 0.25; // radii
 
-  class Union_find {
-  public:
-    explicit Union_find(size_type n)
-        : parent_(n) {
-      std::iota(parent_.begin(), parent_.end(), 0);
-    }
-    // False if they are united already. Unites them only if told to.
-    bool unite(size_type a, size_type b, bool really) {
-      a = root(a);
-      b = root(b);
-      if (a != b && really)
-        parent_[b] = a;
-      return a != b;
-    }
-
-  private:
-    size_type root(size_type a) {
-      while (parent_[a] != a)
-        a = parent_[a] = parent_[parent_[a]];
-      return a;
-    }
-    std::vector<size_type> parent_;
-  };
-
   struct Place {
     size_type branch;
     double abscissa, order;
@@ -130,7 +108,7 @@ private:
   // Every so often between two abscissae, half a radius away from them.
   template <class Order>
   void add_places(size_type branch, double from, double to, const Order& order, std::vector<Place>& places) const {
-    const Axis axis = cutter_.axis(branch);
+    const Branch_axis axis = cutter_.axis(branch);
     const double first = from + 0.5 * axis.radius(from), last = to - 0.5 * axis.radius(to);
     for (double s = first; s <= last; s += (std::max)(step * axis.radius(s), 1e-3 * axis.length()))
       places.push_back(Place{branch, s, order(s)});

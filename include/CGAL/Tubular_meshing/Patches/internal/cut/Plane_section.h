@@ -10,7 +10,6 @@
 #include <CGAL/Bbox_3.h>
 #include <CGAL/number_type_config.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -47,8 +46,8 @@ private:
 class Plane_section {
 public:
   struct Crossing {
-    Surface::Halfedge_index halfedge; // of the face that the curve leaves there; from above the plane to below
-    double t;                         // along the halfedge
+    Halfedge halfedge; // of the face that the curve leaves there; from above the plane to below
+    double t;          // along the halfedge
     double source_height, target_height;
   };
 

@@ -13,7 +13,6 @@
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
 #include <algorithm>
-#include <cstddef>
 #include <limits>
 #include <vector>
 
@@ -28,24 +27,17 @@ namespace CGAL::Tubular_meshing::internal {
  * the part behind it, and nothing else. */
 class Section_finder {
 public:
-  typedef Cut_surface Surface;
-  typedef Surface::Mesh Mesh;
-  typedef Mesh::Face_index Face;
-  typedef Mesh::Halfedge_index Halfedge;
-  typedef Mesh::Vertex_index Vertex;
-  typedef Plane_section Section;
-
-  Section_finder(const Surface& surface, const Centerline_graph& graph)
+  Section_finder(const Cut_surface& surface, const Centerline_graph& graph)
       : surface_(surface)
       , first_hit_(triangles(surface))
       , centerlines_(Graph_segments(graph).segments) {}
 
   /* The section around the plane's origin, no point of it further than `reach`. False if there is none to accept. */
-  bool find(const Section_plane& plane, double reach, Section& section) const {
+  bool find(const Section_plane& plane, double reach, Plane_section& section) const {
     const int directions = 5; // where the lumen's section has holes, a ray may meet the rim of one
     for (int i = 0; i < directions; ++i) {
       const Face start = face_in_direction(plane, 2 * CGAL_PI * i / directions);
-      if (start != Mesh::null_face() && surface_.is_wall(start) && walk(start, plane, reach, section) &&
+      if (start != Surface::null_face() && surface_.is_wall(start) && walk(start, plane, reach, section) &&
           section.winding_number({0, 0}) == -1)
         return centerlines_through(plane, section) == 1;
     }
@@ -53,8 +45,8 @@ public:
   }
 
 private:
-  static std::vector<First_hit::Triangle> triangles(const Surface& surface) {
-    const Mesh& mesh = surface.mesh();
+  static std::vector<First_hit::Triangle> triangles(const Cut_surface& surface) {
+    const Surface& mesh = surface.mesh();
     std::vector<First_hit::Triangle> triangles;
     triangles.reserve(mesh.number_of_faces());
     for (Face f : mesh.faces()) {
@@ -72,12 +64,12 @@ private:
     const First_hit::Ray ray{plane.origin(), plane.direction(angle)};
     const First_hit::Hit hit = first_hit_(ray);
     if (hit.triangle == First_hit::none)
-      return Mesh::null_face();
+      return Surface::null_face();
     const Vector_3d p = ray.origin + hit.distance * ray.direction;
-    Face best = Mesh::null_face();
+    Face best = Surface::null_face();
     double best_depth = -(std::numeric_limits<double>::infinity)();
     for (Face f : surface_.parts(hit.triangle))
-      if (exit_of(f, plane) != Mesh::null_halfedge() && depth(p, f) > best_depth) {
+      if (exit_of(f, plane) != Surface::null_halfedge() && depth(p, f) > best_depth) {
         best = f;
         best_depth = depth(p, f);
       }
@@ -86,10 +78,7 @@ private:
 
   // The least barycentric coordinate of a point in a face.
   double depth(const Vector_3d& p, Face f) const {
-    const Mesh& mesh = surface_.mesh();
-    const Halfedge h = mesh.halfedge(f);
-    const Vector_3d a = surface_.point(mesh.source(h)), b = surface_.point(mesh.target(h)),
-                    c = surface_.point(mesh.target(mesh.next(h)));
+    const auto [a, b, c] = surface_.corners(f);
     const Vector_3d n = cross(b - a, c - a);
     return (std::min)({dot(cross(b - a, p - a), n), dot(cross(c - b, p - b), n), dot(cross(a - c, p - c), n)}) /
            squared_norm(n);
@@ -97,17 +86,17 @@ private:
 
   // The halfedge of the face that goes from above the plane to below.
   Halfedge exit_of(Face f, const Section_plane& plane) const {
-    const Mesh& mesh = surface_.mesh();
+    const Surface& mesh = surface_.mesh();
     Halfedge h = mesh.halfedge(f);
     for (int i = 0; i < 3; ++i, h = mesh.next(h))
       if (is_above(mesh.source(h), plane) && !is_above(mesh.target(h), plane))
         return h;
-    return Mesh::null_halfedge();
+    return Surface::null_halfedge();
   }
 
   // With what is below the plane on the left.
-  bool walk(Face start, const Section_plane& plane, double reach, Section& section) const {
-    const Mesh& mesh = surface_.mesh();
+  bool walk(Face start, const Section_plane& plane, double reach, Plane_section& section) const {
+    const Surface& mesh = surface_.mesh();
     section.clear();
     const Halfedge first = exit_of(start, plane);
     Halfedge h = first;
@@ -119,7 +108,7 @@ private:
       const Vector_3d x = above + t * (below - above);
       if (squared_norm(x - plane.origin()) > reach * reach)
         return false;
-      section.add(Section::Crossing{h, t, p, q}, x, plane);
+      section.add(Plane_section::Crossing{h, t, p, q}, x, plane);
       h = mesh.opposite(h);
       const Vector_3d third = surface_.point(mesh.target(mesh.next(h)));
       if (plane.height(third) >= 0) {
@@ -135,7 +124,7 @@ private:
   }
 
   // How often the centerlines go through the disk.
-  int centerlines_through(const Section_plane& plane, const Section& section) const {
+  int centerlines_through(const Section_plane& plane, const Plane_section& section) const {
     int count = 0;
     centerlines_.for_each(section.bbox(), [&](const Segments_in_box::Segment& s) {
       const Vector_3d a(s.source()), b(s.target());
@@ -146,7 +135,7 @@ private:
     return count;
   }
 
-  const Surface& surface_;
+  const Cut_surface& surface_;
   First_hit first_hit_;
   Segments_in_box centerlines_;
 };

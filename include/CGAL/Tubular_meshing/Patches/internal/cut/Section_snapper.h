@@ -26,19 +26,12 @@ namespace CGAL::Tubular_meshing::internal {
  * before to the vertex, and on. It stays a closed curve through the same faces. */
 class Section_snapper {
 public:
-  typedef Cut_surface Surface;
-  typedef Surface::Mesh Mesh;
-  typedef Mesh::Vertex_index Vertex;
-  typedef Mesh::Halfedge_index Halfedge;
-  typedef Surface::Curve Curve;
-  typedef Plane_section Section;
-
-  explicit Section_snapper(const Surface& surface)
+  explicit Section_snapper(const Cut_surface& surface)
       : surface_(surface)
       , mesh_(surface.mesh()) {}
 
   /* False if the section comes so near to a rim, to a curve cut before or to itself that the curve would touch it. */
-  bool snap(const Section& section, Curve& curve) {
+  bool snap(const Plane_section& section, Cut_surface::Curve& curve) {
     crossings_ = &section.crossings();
     const std::size_t n = crossings_->size();
     count_crossings_about_vertices();
@@ -46,11 +39,11 @@ public:
     if (!find_runs(near_share * section.mean_radius(), runs))
       return false;
     std::sort(runs.begin(), runs.end());
-    std::vector<Vertex> snapped(n, Mesh::null_vertex());
+    std::vector<Vertex> snapped(n, Surface::null_vertex());
     for (const Run& run : runs)
       for (std::size_t i = 0; i < run.length; ++i) {
         Vertex& v = snapped[(run.begin + i) % n];
-        v = v == Mesh::null_vertex() ? run.vertex : v;
+        v = v == Surface::null_vertex() ? run.vertex : v;
       }
     make_curve(snapped, curve);
     return curve.size() >= 3;
@@ -119,20 +112,20 @@ private:
     return run;
   }
 
-  void make_curve(const std::vector<Vertex>& snapped, Curve& curve) const {
+  void make_curve(const std::vector<Vertex>& snapped, Cut_surface::Curve& curve) const {
     const std::size_t n = snapped.size();
     curve.clear();
     for (std::size_t i = 0; i < n; ++i) {
       const auto& c = (*crossings_)[i];
-      if (snapped[i] != Mesh::null_vertex() && snapped[i] == snapped[(i + 1) % n])
+      if (snapped[i] != Surface::null_vertex() && snapped[i] == snapped[(i + 1) % n])
         continue; // the last crossing about a vertex tells the face that the curve enters
       curve.push_back(Curve_point{snapped[i], c.halfedge, c.t, mesh_.face(mesh_.opposite(c.halfedge))});
     }
   }
 
-  const Surface& surface_;
-  const Mesh& mesh_;
-  const std::vector<Section::Crossing>* crossings_ = nullptr;
+  const Cut_surface& surface_;
+  const Surface& mesh_;
+  const std::vector<Plane_section::Crossing>* crossings_ = nullptr;
   std::unordered_map<Vertex, std::size_t> about_;
 };
 

@@ -93,8 +93,7 @@ private:
   int add_middle(int h) {
     const Vector_3d a(patch_.points[std::size_t(source_of(patch_.triangles, h))]);
     const Vector_3d b(patch_.points[std::size_t(target_of(patch_.triangles, h))]);
-    const Vector_3d m = 0.5 * (a + b);
-    patch_.points.push_back(Point_3(m.x, m.y, m.z));
+    patch_.points.push_back(as<Point_3>(0.5 * (a + b)));
     return int(patch_.points.size()) - 1;
   }
 

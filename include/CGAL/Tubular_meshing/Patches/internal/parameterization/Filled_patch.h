@@ -103,6 +103,14 @@ struct Filled_patch {
     return around;
   }
 
+  // −1 if there is none.
+  int halfedge_between(int a, int b) const {
+    for (const int* h = outgoing.begin(a); h != outgoing.end(a); ++h)
+      if (target_of(triangles, *h) == b)
+        return *h;
+    return -1;
+  }
+
 private:
   // Also the pole of a patch with holes: the center that is added for the second longest loop.
   void choose_outer() {
@@ -153,10 +161,8 @@ private:
   }
 
   bool is_border(int a, int b) const {
-    for (const int* h = outgoing.begin(a); h != outgoing.end(a); ++h)
-      if (opposite[std::size_t(*h)] < 0 && target_of(triangles, *h) == b)
-        return true;
-    return false;
+    const int h = halfedge_between(a, b);
+    return h >= 0 && opposite[std::size_t(h)] < 0;
   }
 
   void choose_pole() {

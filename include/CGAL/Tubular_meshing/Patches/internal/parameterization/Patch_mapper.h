@@ -4,7 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_PATCHES_INTERNAL_PARAMETERIZATION_PATCH_MAPPER_H
 #define CGAL_TUBULAR_MESHING_PATCHES_INTERNAL_PARAMETERIZATION_PATCH_MAPPER_H
 
-#include <CGAL/Tubular_meshing/Patches/Parameterization_method.h>
+#include <CGAL/Tubular_meshing/Patches/Patch_parameterization.h>
 #include <CGAL/Tubular_meshing/Patches/internal/parameterization/Filled_patch.h>
 #include <CGAL/Tubular_meshing/Patches/internal/parameterization/Laplace_system.h>
 #include <CGAL/Tubular_meshing/Patches/internal/parameterization/Ring_map.h>

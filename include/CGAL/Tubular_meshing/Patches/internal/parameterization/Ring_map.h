@@ -101,21 +101,14 @@ private:
     return std::vector<int>(seam.rbegin(), seam.rend());
   }
 
-  int halfedge_between(int a, int b) const {
-    for (const int* h = patch_.outgoing.begin(a); h != patch_.outgoing.end(a); ++h)
-      if (target_of(patch_.triangles, *h) == b)
-        return *h;
-    return -1;
-  }
-
   // turns_ of the corners on the left of the seam.
   void mark_seam(const std::vector<int>& seam) {
-    for (int h = halfedge_between(seam[0], seam[1]); !is_outside(h);
+    for (int h = patch_.halfedge_between(seam[0], seam[1]); !is_outside(h);
          h = patch_.opposite[std::size_t(previous_halfedge(h))])
       turns_[std::size_t(h)] = -1;
     for (std::size_t i = 1; i < seam.size(); ++i) {
       const int after = i + 1 < seam.size() ? seam[i + 1] : -1;
-      for (int h = halfedge_between(seam[i - 1], seam[i]); !is_outside(h);) {
+      for (int h = patch_.halfedge_between(seam[i - 1], seam[i]); !is_outside(h);) {
         const int out = next_halfedge(h);
         turns_[std::size_t(out)] = -1;
         h = target_of(patch_.triangles, out) == after ? -1 : patch_.opposite[std::size_t(out)];

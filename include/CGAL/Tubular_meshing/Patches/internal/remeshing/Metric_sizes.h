@@ -25,11 +25,9 @@ namespace CGAL::Tubular_meshing::internal {
  * for at each place again, only the tangent planes are those of the old triangles: it may vary within them. */
 class Metric_sizes final : public Surface_sizes {
 public:
-  typedef Patch_parameterization Map;
-  typedef std::size_t size_type;
-
   // O(n) in the old triangles.
-  Metric_sizes(const Surface& surface, const Surface_cut& cut, const std::vector<Map>& maps, Metric_function metric)
+  Metric_sizes(const Surface& surface, const Surface_cut& cut, const std::vector<Patch_parameterization>& maps,
+               Metric_function metric)
       : maps_(maps)
       , metric_(metric)
       , shape_(metric)
@@ -52,7 +50,7 @@ public:
 
   /* (11) with the derivative R U, of which Tangent_planes has the rotation, and the metric of space in that plane. */
   Metric_tensor_2 on_patch(size_type patch, const Patch_location& at, double fineness) const override {
-    const Map& map = maps_[patch];
+    const Patch_parameterization& map = maps_[patch];
     const Plane_axes axes = axes_[patch].at(at);
     const Metric_tensor_2 m = metric_shadow(checked_metric(map.point(at)), axes.first, axes.second);
     const Metric_tensor_2 u = map.induced_metric(at, fineness).with_eigenvalues([](double& larger, double& smaller) {
@@ -90,7 +88,7 @@ private:
   }
 
   // At the source of a halfedge: the mean of the faces around, by area, but for those of caps.
-  static Vector_3d wall_normal(const Surface& surface, const Surface_cut& cut, Surface::Halfedge_index out) {
+  static Vector_3d wall_normal(const Surface& surface, const Surface_cut& cut, Halfedge out) {
     Vector_3d sum;
     for (auto h : surface.halfedges_around_target(surface.opposite(out)))
       if (!surface.is_border(h) && cut.patch_of_face[surface.face(h)] >= 0) {
@@ -110,7 +108,7 @@ private:
     return m;
   }
 
-  const std::vector<Map>& maps_;
+  const std::vector<Patch_parameterization>& maps_;
   const Metric_function metric_;
   const Shape_in_metric shape_;
   const std::vector<Tangent_planes> axes_; // of the patches

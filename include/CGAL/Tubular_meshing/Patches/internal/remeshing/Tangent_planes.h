@@ -44,10 +44,8 @@ inline bool nearest_axes(const Vector_3d& a, const Vector_3d& b, Plane_axes& axe
  * between the mean of their triangle's vertices, each time the nearest rotation to the mean of matrices. */
 class Tangent_planes {
 public:
-  typedef Patch_parameterization Map;
-
   // O(n) in the triangles.
-  explicit Tangent_planes(const Map& map)
+  explicit Tangent_planes(const Patch_parameterization& map)
       : map_(map)
       , axes_(map.number_of_vertices()) {
     std::vector<Plane_axes> sum(axes_.size(), Plane_axes{Vector_3d(), Vector_3d()});
@@ -90,7 +88,7 @@ private:
     return nearest_axes({x(0, 0), x(1, 0), x(2, 0)}, {x(0, 1), x(1, 1), x(2, 1)}, axes);
   }
 
-  const Map& map_;
+  const Patch_parameterization& map_;
   std::vector<Plane_axes> axes_; // of the vertices
 };
 

@@ -14,8 +14,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstddef>
 #include <vector>
 
 namespace CGAL::Tubular_meshing::internal {
@@ -25,9 +23,6 @@ namespace CGAL::Tubular_meshing::internal {
  * inside of patches are flipped; each step raises the worst quality of the triangles that it changes. */
 class Triangle_improver {
 public:
-  typedef Surface::Vertex_index Vertex;
-  typedef Surface::Halfedge_index Halfedge;
-  typedef Surface::Face_index Face;
   typedef Nearest_tree<Double_kernel::Triangle_3> Tree;
 
   static constexpr double good_quality = 0.6; // gamma_T
@@ -124,8 +119,7 @@ private:
     Vector_3d best_place;
     for (const Vector_3d& target : targets(p))
       for (double s : {1., 0.5, 0.25, 0.1}) {
-        const Vector_3d q = p + s * (target - p);
-        const Vector_3d x(old_surface.nearest({q.x, q.y, q.z}).point);
+        const Vector_3d x(old_surface.nearest(as<Double_kernel::Point_3>(p + s * (target - p))).point);
         const double after = worst(x);
         if (after > best) {
           best = after;
@@ -134,7 +128,7 @@ private:
       }
     if (best == before + least_gain)
       return false;
-    surface_.point(v) = Point_3(best_place.x, best_place.y, best_place.z);
+    surface_.point(v) = as<Point_3>(best_place);
     return true;
   }
 

@@ -10,11 +10,9 @@
 #include <CGAL/Tubular_meshing/Patches/pieces/Curve_divider.h>
 #include <CGAL/Tubular_meshing/Patches/pieces/Curve_gaps.h>
 #include <CGAL/Tubular_meshing/Patches/pieces/Piece_mesher.h>
-#include <CGAL/Tubular_meshing/Patches/pieces/old_triangles.h>
 #include <CGAL/Tubular_meshing/base/parallel.h>
 
 #include <algorithm>
-#include <cstddef>
 #include <vector>
 
 namespace CGAL::Tubular_meshing::internal {
@@ -30,11 +28,9 @@ public:
       , gaps_(cut, polylines_) {}
 
   std::vector<size_type> improve(Remeshed_surface& result, const std::vector<size_type>& piece_of_face) const override {
-    typedef Surface::Vertex_index Vertex;
     Surface& surface = result.surface;
-    const Triangle_shape& shape = sizes_.shape();
-    Triangle_improver improver(surface, shape);
-    const std::vector<Surface::Face_index> bad = improver.bad_triangles();
+    Triangle_improver improver(surface, sizes_.shape());
+    const std::vector<Face> bad = improver.bad_triangles();
     if (bad.empty())
       return {};
     std::vector<char> is_fixed(surface.number_of_vertices(), 0);
@@ -44,13 +40,13 @@ public:
     const auto may_move = [&](Vertex v) {
       return !is_fixed[size_type(v)] && result.patch_of_face[surface.face(surface.halfedge(v))] >= 0;
     };
-    const auto may_flip = [&](Surface::Halfedge_index h) {
-      if (!shape.is_for_caps() && result.patch_of_face[surface.face(h)] < 0)
+    const auto may_flip = [&](Halfedge h) {
+      if (!sizes_.are_isotropic() && result.patch_of_face[surface.face(h)] < 0)
         return false;
       return piece_of_face[size_type(surface.face(h))] == piece_of_face[size_type(surface.face(surface.opposite(h)))];
     };
     std::vector<char> has_bad(cut_.patches.size(), 0);
-    for (Surface::Face_index f : bad)
+    for (Face f : bad)
       if (result.patch_of_face[f] >= 0)
         has_bad[size_type(result.patch_of_face[f])] = 1;
     improver.improve(bad, old_triangles(surface_, cut_, has_bad), may_move, may_flip);

@@ -23,7 +23,6 @@ public:
   virtual ~Triangle_shape() = default;
   virtual double quality(const Vector_3d& p, const Vector_3d& q, const Vector_3d& r) const = 0;
   virtual Vector_3d apex(const Vector_3d& a, const Vector_3d& b, const Vector_3d& normal) const = 0;
-  virtual bool is_for_caps() const = 0; // if not, they are to be left as they are
 };
 
 /* As it looks in space. */
@@ -38,8 +37,6 @@ public:
     const Vector_3d inward = cross(normal, b - a);
     return middle + root_of_3 / 2 * inward;
   }
-
-  bool is_for_caps() const override { return true; }
 };
 
 /* In the shadow of a metric: (12) in the mean of the corners' shapes. Caps want the metric's section. */
@@ -67,11 +64,9 @@ public:
     return middle + root_of_3 / 2 * (inward[0] * first + inward[1] * second);
   }
 
-  bool is_for_caps() const override { return false; }
-
 private:
   Metric_tensor_2 shadow(const Vector_3d& p, const Vector_3d& first, const Vector_3d& second) const {
-    return metric_shadow(metric_(Point_3(p.x, p.y, p.z)), first, second);
+    return metric_shadow(metric_(as<Point_3>(p)), first, second);
   }
 
   const Metric_function metric_;

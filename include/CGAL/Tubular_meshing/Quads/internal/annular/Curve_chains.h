@@ -21,18 +21,6 @@
 
 namespace CGAL::Tubular_meshing::internal {
 
-/* The points of a curve on a loop of a patch, in the order of the loop. */
-inline std::vector<Patch_location> on_loop(const Patch_parameterization& map, std::size_t l, const Patch_loop& loop,
-                                           std::size_t edges, const std::vector<Curve_position>& points) {
-  std::vector<Patch_location> result;
-  for (const auto& p : points)
-    result.push_back(loop.forward ? map.on_loop_edge(l, p.edge, p.t)
-                                  : map.on_loop_edge(l, edges - 1 - p.edge, 1 - p.t));
-  if (!loop.forward)
-    std::reverse(result.begin(), result.end());
-  return result;
-}
-
 /* Divides the curves of a cut surface for grids: those that annular patches join, one after another, form a chain and
  * get the same even number of points, at equal distances unless another curve is close, and turned so that the grids
  * between them do not twist. */
@@ -40,7 +28,6 @@ class Curve_chains {
 public:
   typedef Patch_parameterization Map;
   typedef std::vector<Curve_position> Points;
-  typedef std::size_t size_type;
 
   Curve_chains(const Surface& surface, const Surface_cut& cut, const std::vector<Map>& maps, Length_function size)
       : cut_(cut)
@@ -71,6 +58,12 @@ public:
     return loops.size() == 2 && loops[0].curve != loops[1].curve && maps_[k].number_of_loops() == 2;
   }
 
+  /* The points of a tube's curves on its two loops, each in the order of its loop. */
+  std::array<std::vector<Patch_location>, 2> on_loops(size_type k, const std::vector<Points>& points) const {
+    const auto& loops = cut_.patches[k].loops;
+    return {on_loop(k, 0, points[loops[0].curve]), on_loop(k, 1, points[loops[1].curve])};
+  }
+
 private:
   static constexpr size_type none = static_cast<size_type>(-1);
   struct Link {
@@ -87,7 +80,7 @@ private:
     for (size_type i = 0; i < polyline.size(); ++i) {
       const Vector_3d a(polyline[i]), b(polyline[(i + 1) % polyline.size()]), middle = 0.5 * (a + b);
       length += norm(b - a);
-      in_sizes += norm(b - a) / size(Point_3(middle.x, middle.y, middle.z));
+      in_sizes += norm(b - a) / size(as<Point_3>(middle));
     }
     in_sizes_.push_back(in_sizes);
     lengths_.push_back(length);
@@ -131,15 +124,9 @@ private:
     }
     const size_type n = (std::max)(fewest, 2 * size_type(std::lround(sum / double(chain.size()) / finest / 2)));
     for (const Link& link : chain) {
-      const double start = link.before == none ? 0 : start_after(link, n, points[link.before]);
+      const double start = link.before == none ? 0 : best_start(link, n, points[link.before]);
       points[link.curve] = points_from(link.curve, n, start);
     }
-  }
-
-  // Anywhere, if the patch between cannot be unrolled: it gets no grid.
-  double start_after(const Link& link, size_type n, const Points& before) const {
-    const Annular_chart chart(maps_[link.patch]);
-    return chart.is_unrolled() ? best_start(chart, link, n, before) : 0;
   }
 
   // The first of n points at a part of their distance.
@@ -147,19 +134,26 @@ private:
     return dividers_[c].divide_equally(polylines_[c], n, start);
   }
 
+  std::vector<Patch_location> on_loop(size_type k, size_type l, const Points& points) const {
+    const Patch_loop& loop = cut_.patches[k].loops[l];
+    return internal::on_loop(maps_[k], l, loop, polylines_[loop.curve].size(), points);
+  }
+
   // The mean place around the patch of points of one of its loops.
   double mean_angle(const Annular_chart& chart, size_type k, size_type c, const Points& points) const {
-    const auto& loops = cut_.patches[k].loops;
-    const size_type l = loops[0].curve == c ? 0 : 1;
     double sum = 0;
-    for (const auto& w : chart.row(on_loop(maps_[k], l, loops[l], polylines_[c].size(), points)))
+    for (const auto& w : chart.row(on_loop(k, cut_.patches[k].loops[0].curve == c ? 0 : 1, points)))
       sum += w.x();
     return sum / double(points.size());
   }
 
   /* By which part of a distance the points of a curve must be moved so that they are opposite those before, on the mean
-   * around: while they move by a whole one, the mean angle grows, or falls, by 2π / n. */
-  double best_start(const Annular_chart& chart, const Link& link, size_type n, const Points& before) const {
+   * around: while they move by a whole one, the mean angle grows, or falls, by 2π / n. By any, if the patch between
+   * cannot be unrolled: it gets no grid. */
+  double best_start(const Link& link, size_type n, const Points& before) const {
+    const Annular_chart chart(maps_[link.patch]);
+    if (!chart.is_unrolled())
+      return 0;
     const int steps = 20;
     const double step = Annular_chart::period / double(n);
     const auto angle_at = [&](double start) {

@@ -26,10 +26,9 @@ namespace CGAL::Tubular_meshing::internal {
 class Elliptic_grid_maker {
 public:
   typedef Annular_chart Chart;
-  typedef Patch_parameterization Map;
   typedef std::array<std::vector<Patch_location>, 2> Loop_points;
 
-  Elliptic_grid_maker(const Map& map, const Loop_points& ends)
+  Elliptic_grid_maker(const Patch_parameterization& map, const Loop_points& ends)
       : chart_(map)
       , ends_(ends)
       , columns_(ends[0].size()) {
@@ -55,8 +54,7 @@ public:
       Vector_3d last = vector_at(between(i, 0), hint);
       for (std::size_t k = 1; k <= steps; ++k) {
         const Vector_3d p = vector_at(between(i, double(k) / double(steps)), hint);
-        const Vector_3d middle = 0.5 * (last + p);
-        heights[k] += norm(p - last) / (double(lines) * size(Point_3(middle.x, middle.y, middle.z)));
+        heights[k] += norm(p - last) / (double(lines) * size(as<Point_3>(0.5 * (last + p))));
         last = p;
       }
     }

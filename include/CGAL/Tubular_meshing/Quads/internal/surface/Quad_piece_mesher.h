@@ -140,14 +140,10 @@ private:
 
   // False if there is none, as the patch is too wound, say.
   bool make_grid(size_type k, Piece& piece) const {
-    std::array<std::vector<Patch_location>, 2> ends;
-    for (size_type l = 0; l < 2; ++l) {
-      const Patch_loop& loop = cut_.patches[k].loops[l];
-      ends[l] = on_loop(maps_[k], l, loop, polylines_[loop.curve].size(), curve_points_[loop.curve]);
-    }
     Elliptic_grid grid;
     try {
-      grid = elliptic_grid(maps_[k], ends, [&](const Point_3& p) { return size_of(k, p); });
+      grid =
+          elliptic_grid(maps_[k], chains_.on_loops(k, curve_points_), [&](const Point_3& p) { return size_of(k, p); });
     } catch (const Meshing_error&) { // its cells are folded, or it cannot be unrolled
       return false;
     } catch (const Input_error&) { // points are not in the order of their loop
@@ -177,9 +173,8 @@ private:
       if (mesh.is_fixed(int(v))) {
         number[v] = v;
       } else if (mesh.valence(int(v)) > 0) {
-        const Vector_3d& p = mesh.places[v].point;
         number[v] = mesh.on_loops + piece.inner_points.size();
-        piece.inner_points.emplace_back(p.x, p.y, p.z);
+        piece.inner_points.push_back(as<Point_3>(mesh.places[v].point));
       }
     for (int q = 0; q < int(mesh.quads.size()); ++q)
       if (mesh.is_alive(q)) {

@@ -6,11 +6,11 @@
 
 #include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Patches/Surface_patch.h>
-#include <CGAL/Tubular_meshing/Quads/internal/surface/Wall_quads.h>
+#include <CGAL/Tubular_meshing/Quads/internal/unstructured/Quad_patch.h>
 #include <CGAL/Tubular_meshing/Quads/internal/unstructured/Quad_smoother.h>
 #include <CGAL/Tubular_meshing/Quads/internal/unstructured/Sheet.h>
 #include <CGAL/Tubular_meshing/Patches/Remeshed_surface.h>
-#include <CGAL/Tubular_meshing/Patches/pieces/old_triangles.h>
+#include <CGAL/Tubular_meshing/Patches/pieces/Piece_mesher.h>
 #include <CGAL/Tubular_meshing/base/Nearest_tree.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
@@ -29,8 +29,7 @@ public:
 
   bool move(const Sheet_place& from, const Vector_3d& step, Sheet_place& to) const override {
     const double most_turn = 0.3; // cosine: not over to the other side of a gap
-    const Vector_3d p = from.point + step;
-    const auto nearest = tree_.nearest({p.x, p.y, p.z});
+    const auto nearest = tree_.nearest(as<Double_kernel::Point_3>(from.point + step));
     const Double_kernel::Triangle_3& t = tree_.shape(nearest.index);
     const Vector_3d a(t[0]), n = cross(Vector_3d(t[1]) - a, Vector_3d(t[2]) - a);
     to = from;
@@ -40,6 +39,56 @@ public:
 
 private:
   Nearest_tree<Double_kernel::Triangle_3> tree_;
+};
+
+/* The wall of a surface of quads as a whole. Its first vertices are those on rims, which stay; normals are the means of
+ * the quads' own. */
+struct Wall_quads {
+  Quad_patch mesh;
+  std::vector<Vertex> vertices;           // of the surface, for each of the mesh's
+  std::vector<std::size_t> patch_of_quad; // of the cut
+
+  explicit Wall_quads(const Remeshed_surface& result)
+      : number_(std::size_t(result.surface.number_of_vertices()), -1) {
+    const Surface& surface = result.surface;
+    for (auto f : surface.faces())
+      if (result.patch_of_face[f] < 0)
+        for (Vertex v : surface.vertices_around_face(surface.halfedge(f)))
+          number_of(v, surface);
+    mesh.on_loops = mesh.places.size();
+    for (auto f : surface.faces())
+      if (result.patch_of_face[f] >= 0) {
+        add_quad(surface, f);
+        patch_of_quad.push_back(std::size_t(result.patch_of_face[f]));
+      }
+    for (Sheet_place& p : mesh.places)
+      p.normal = normalized(p.normal);
+  }
+
+private:
+  int number_of(Vertex v, const Surface& surface) {
+    int& n = number_[std::size_t(v)];
+    if (n < 0) {
+      Sheet_place place;
+      place.point = Vector_3d(surface.point(v));
+      n = mesh.add_vertex(place);
+      vertices.push_back(v);
+    }
+    return n;
+  }
+
+  void add_quad(const Surface& surface, Face f) {
+    Quad_patch::Quad q;
+    std::size_t i = 0;
+    for (Vertex v : surface.vertices_around_face(surface.halfedge(f)))
+      q[i++] = number_of(v, surface);
+    mesh.add_quad(q);
+    const Vector_3d n = cross(mesh.point(q[2]) - mesh.point(q[0]), mesh.point(q[3]) - mesh.point(q[1]));
+    for (int v : q)
+      mesh.places[std::size_t(v)].normal += n;
+  }
+
+  std::vector<int> number_; // of the surface's vertices
 };
 
 /* Raises the worst quads of a wall. Within their patches, no better is possible, but across the curves there is:
@@ -63,21 +112,12 @@ public:
     vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
     const Triangle_sheet sheet(old_triangles(old_surface_, cut_, patches_below(good_quality)));
     Quad_smoother(wall_.mesh, sheet).raise_worst(vertices, good_quality, rounds);
-    for (int v : vertices) {
-      const Vector_3d& p = wall_.mesh.point(v);
-      result_.surface.point(wall_.vertices[std::size_t(v)]) = Point_3(p.x, p.y, p.z);
-    }
+    for (int v : vertices)
+      result_.surface.point(wall_.vertices[std::size_t(v)]) = as<Point_3>(wall_.mesh.point(v));
   }
 
   // The patches with quads that turn over.
-  std::vector<std::size_t> folded_patches() const {
-    const std::vector<char> marks = patches_below(0);
-    std::vector<std::size_t> result;
-    for (std::size_t k = 0; k < marks.size(); ++k)
-      if (marks[k])
-        result.push_back(k);
-    return result;
-  }
+  std::vector<std::size_t> folded_patches() const { return marked(patches_below(0)); }
 
 private:
   static constexpr double good_quality = 0.65; // three quads at a vertex have 2/3 at most

@@ -12,7 +12,6 @@
 
 #include <Eigen/Core>
 
-#include <array>
 #include <cmath>
 #include <complex>
 #include <cstddef>

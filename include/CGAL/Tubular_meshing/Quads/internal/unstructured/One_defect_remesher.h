@@ -208,12 +208,9 @@ private:
     return cycle.size() == border.size();
   }
 
-  // Of the vertex in the middle of a region with n sides.
-  int cost_of_middle(std::size_t n) const { return exchange_.cost_inside(int(n)); }
-
   bool remesh(const Region& region, int& trials) {
     const std::size_t n = region.sides.size();
-    if (n < 3 || n > 5 || cost_of_middle(n) >= region.cost)
+    if (n < 3 || n > 5 || exchange_.cost_inside(int(n)) >= region.cost)
       return false;
     const std::size_t first_new = mesh_.places.size();
     std::vector<Quad> added;

@@ -20,10 +20,8 @@
 #include <CGAL/Tubular_meshing/Plane/triangulate_polygons.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
-#include <CGAL/Tubular_meshing/base/parameters.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -74,15 +72,7 @@ private:
   static constexpr double triangle_side = 1.0746;
 
   std::optional<Triangles> isotropic_triangles(double factor) const {
-    const double s = 1 / (triangle_side * triangle_side * factor * factor);
-    const auto metric = [&](const Plane_point& uv) {
-      const Metric_tensor_2 m = chart_.metric(uv);
-      return Metric_tensor_2(s * m.xx, s * m.xy, s * m.yy);
-    };
-    const auto image = [&](const Plane_point& uv) { return Vector_3d(chart_.point(uv)); };
-    const Plane_embedding embedding(image);
-    std::string problem;
-    return mesh_plane(polygons_, metric, &embedding, chart_.hidden_places(), Triangulate_in_metric_options(), problem);
+    return chart_.mesh(polygons_, true, 1 / (triangle_side * triangle_side * factor * factor));
   }
 
   // None where the chart has no metric at a point that is asked for: isotropic ones ask for others.
@@ -122,7 +112,7 @@ private:
       else if (!sheet_.place(Eigen::Vector2d(plane.points[i].x(), plane.points[i].y()), hint, at))
         return false;
       hint = at.triangle;
-      points.emplace_back(at.point.x, at.point.y, at.point.z);
+      points.push_back(as<Point_3>(at.point));
       mesh.add_vertex(at);
     }
     const auto recombined = recombine_triangles(points, plane.triangles);

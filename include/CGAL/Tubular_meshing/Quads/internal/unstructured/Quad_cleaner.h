@@ -8,7 +8,6 @@
 #include <CGAL/Tubular_meshing/Quads/internal/unstructured/Quad_patch.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <vector>
 

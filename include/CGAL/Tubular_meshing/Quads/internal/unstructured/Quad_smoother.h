@@ -13,7 +13,6 @@
 #include <Eigen/LU>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -157,11 +156,10 @@ private:
     if (!(step.norm() <= 0.5 * size))
       step *= 0.5 * size / step.norm();
     for (int k = 0; k < most_halvings && step.norm() > 1e-4 * size; ++k, step /= 2)
-      if (try_step(v, step, [&] { return energy_value(v, epsilon) < before.value; }))
+      if (try_step(v, step, [&] { return energy(v, epsilon).value < before.value; }))
         return step.norm() / size;
     return 0;
   }
-  double energy_value(int v, double epsilon) const { return energy(v, epsilon).value; }
 
   // Moves a vertex along its tangents, if it stays in the patch and the test likes it there.
   template <class Test> bool try_step(int v, const Eigen::Vector2d& step, const Test& test) {

@@ -67,7 +67,7 @@ private:
       return Eigen::Vector2d(size_in_metric(field_(at), m) * Metric_root(m).from_metric(w));
     };
     const Eigen::Vector2d half = start + step(start, angle) / 2;
-    if (!is_inside(v, half))
+    if (find(v, point(half)).half_edge == Plane_store::none)
       return;
     const double turn = field_(half).angle - angle;
     const Eigen::Vector2d end = start + step(half, angle + turn - quarter * std::round(turn / quarter));
@@ -79,8 +79,6 @@ private:
     if (insertion_.has_room(place, node, room, false))
       insertion_.insert(place, node);
   }
-
-  bool is_inside(Index v, const Eigen::Vector2d& p) { return find(v, point(p)).half_edge != Plane_store::none; }
 
   // Where a point lies that can be seen from v.
   Insertion::Place find(Index v, const Plane_point& p) {

@@ -1,14 +1,13 @@
 // Copyright (c) 2026 The Tubular_meshing authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_TUBULAR_MESHING_PATCHES_PIECES_MESH_BY_PIECES_IMPL_H
-#define CGAL_TUBULAR_MESHING_PATCHES_PIECES_MESH_BY_PIECES_IMPL_H
+#ifndef CGAL_TUBULAR_MESHING_PATCHES_PIECES_PIECE_MESHER_IMPL_H
+#define CGAL_TUBULAR_MESHING_PATCHES_PIECES_PIECE_MESHER_IMPL_H
 
 #include <CGAL/Tubular_meshing/base/Kernel.h>
-#include <CGAL/Tubular_meshing/Patches/Patch_report.h>
 #include <CGAL/Tubular_meshing/Patches/Remeshed_surface.h>
 #include <CGAL/Tubular_meshing/Patches/internal/remeshing/crossing_faces.h>
-#include <CGAL/Tubular_meshing/Patches/pieces/mesh_by_pieces.h>
+#include <CGAL/Tubular_meshing/Patches/pieces/Piece_mesher.h>
 #include <CGAL/Tubular_meshing/base/config.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 #include <CGAL/Tubular_meshing/base/labels.h>
@@ -24,13 +23,8 @@ namespace CGAL::Tubular_meshing::internal {
 /* See mesh_by_pieces(). */
 class Surface_remesher {
 public:
-  typedef std::size_t size_type;
-
-  /* The mesher of the same cut and maps. */
-  Surface_remesher(const Surface_cut& cut, const std::vector<Patch_parameterization>& maps, Piece_mesher& mesher)
-      : cut_(cut)
-      , maps_(maps)
-      , mesher_(mesher) {}
+  explicit Surface_remesher(Piece_mesher& mesher)
+      : mesher_(mesher) {}
 
   Remeshed_surface run() {
     const int most_rounds = 6, rounds_for_shape = 2;
@@ -52,29 +46,17 @@ public:
                             "itself there; see repair_surface().");
       mesher_.mesh_finer(failed);
     }
-    result_.report = patch_report(cut_, maps_);
-    result_.report.refined_patches = mesher_.number_of_refined_pieces();
+    result_.report = mesher_.report();
     return std::move(result_);
   }
 
 private:
-  typedef Surface::Vertex_index Vertex;
-  typedef Surface::Face_index Face;
-
   std::vector<size_type> pieces_that_do_not_fit() const {
     std::vector<char> failed;
     for (const auto& piece : mesher_.pieces())
       failed.push_back(piece.empty());
     mark_pieces_that_share_an_edge(failed);
     return marked(failed);
-  }
-
-  static std::vector<size_type> marked(const std::vector<char>& marks) {
-    std::vector<size_type> result;
-    for (size_type k = 0; k < marks.size(); ++k)
-      if (marks[k])
-        result.push_back(k);
-    return result;
   }
 
   // A point on a curve, by the curve's number and its own on it.
@@ -175,19 +157,15 @@ private:
     return marked(failed);
   }
 
-  const Surface_cut& cut_;
-  const std::vector<Patch_parameterization>& maps_;
   Piece_mesher& mesher_;
   Remeshed_surface result_;
   std::vector<size_type> piece_of_face_;
 };
 
-CGAL_TUBULAR_MESHING_INLINE Remeshed_surface mesh_by_pieces(const Surface_cut& cut,
-                                                            const std::vector<Patch_parameterization>& maps,
-                                                            Piece_mesher& mesher) {
-  return Surface_remesher(cut, maps, mesher).run();
+CGAL_TUBULAR_MESHING_INLINE Remeshed_surface mesh_by_pieces(Piece_mesher& mesher) {
+  return Surface_remesher(mesher).run();
 }
 
 } // namespace CGAL::Tubular_meshing::internal
 
-#endif // CGAL_TUBULAR_MESHING_PATCHES_PIECES_MESH_BY_PIECES_IMPL_H
+#endif // CGAL_TUBULAR_MESHING_PATCHES_PIECES_PIECE_MESHER_IMPL_H
