@@ -8,6 +8,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <cstddef>
 #include <limits>
 #include <sstream>
 #include <string>
@@ -35,6 +36,28 @@ inline CLI::Validator is_point() {
   const auto check = [](std::string& text) {
     CGAL::Tubular_meshing::Point_3 ignored;
     return parse_point(text, ignored) ? std::string() : "\"" + text + "\" is not a point X,Y,Z of finite numbers";
+  };
+  return CLI::Validator(check, "");
+}
+
+// A comma makes it a point.
+inline CLI::Validator is_point_or_name() {
+  const auto check = [](std::string& text) {
+    CGAL::Tubular_meshing::Point_3 ignored;
+    return parse_point(text, ignored) || (!text.empty() && text.find(',') == text.npos)
+               ? std::string()
+               : "\"" + text + "\" is not a point X,Y,Z of finite numbers, nor a name";
+  };
+  return CLI::Validator(check, "");
+}
+
+// NAME=NEW; both have a letter at least.
+inline CLI::Validator is_renaming() {
+  const auto check = [](std::string& text) {
+    const std::size_t sign = text.find('=');
+    return sign != text.npos && sign > 0 && sign + 1 < text.size() && text.find('"') == text.npos
+               ? std::string()
+               : "\"" + text + "\" is not NAME=NEW";
   };
   return CLI::Validator(check, "");
 }

@@ -27,7 +27,9 @@ struct Options {
   std::string repair = "auto";
   bool smooth = false, loops = false;
   double flow_extensions = 0;
-  std::string inlet, seeds;
+  std::string inlet, seeds; // the inlet: a point, or the name of an end
+  std::string faces;        // the cell array that says which face is which end; empty: one with a known name
+  std::vector<std::string> renames;
   std::vector<std::string> outlets;
   double points_per_circumference = 20;
   double min_size = 0, max_size = (std::numeric_limits<double>::infinity)(), gradation = 1.3;

@@ -45,6 +45,19 @@ Json repairs(const tubular::Repair_report& report) {
   return list;
 }
 
+// What became of the labels of the input.
+Json labels(const tubular::Labelled_ends& ends) {
+  Json list = Json::array();
+  for (const auto& l : ends.labels)
+    list.push_back({{"label", l.label},
+                    {"name", l.name.empty() ? Json() : Json(l.name)},
+                    {"meaning", l.count > 0 ? "opening" : "wall"},
+                    {"openings", l.count},
+                    {"understood", l.is_understood()},
+                    {"reason", l.is_understood() ? Json() : Json(l.reason)}});
+  return {{"source", ends.source}, {"labels", list}};
+}
+
 Json openings(const tubular::Tubular_model& model, const tubular::Mixed_mesh& mesh) {
   std::map<int, std::size_t> triangles, quads;
   for (int label : mesh.triangles.label)
@@ -63,6 +76,9 @@ Json openings(const tubular::Tubular_model& model, const tubular::Mixed_mesh& me
                   {"triangles", triangles[o.patch]},
                   {"quads", quads[o.patch]}};
     entry["branch"] = o.branch == tubular::Opening::no_branch ? Json() : Json(o.branch);
+    const auto id = model.patch_ids.id.find(o.patch);
+    if (id != model.patch_ids.id.end())
+      entry["label"] = id->second;
     list.push_back(entry);
   }
   return list;
@@ -268,8 +284,40 @@ void print_surface_in_its_metric(const Json& q) {
                   100 * q[part]["share_of_unit_edges"].get<double>());
 }
 
+std::string list_of_labels(const Json& labels, const char* meaning) {
+  std::string list;
+  std::size_t number = 0;
+  const std::size_t most = 12;
+  for (const auto& l : labels)
+    if (l["meaning"] == meaning && ++number <= most)
+      list += (list.empty() ? "" : ", ") +
+              (l["name"].is_null() ? std::to_string(l["label"].get<int>()) : l["name"].get<std::string>());
+  return (list.empty() ? "none" : list) + (number > most ? ", …" : "");
+}
+
+void print_labels(const Json& l) {
+  std::printf("labels: %s; wall: %s; ends: %s\n", l["source"].get<std::string>().c_str(),
+              list_of_labels(l["labels"], "wall").c_str(), list_of_labels(l["labels"], "opening").c_str());
+  for (const auto& label : l["labels"])
+    if (!label["understood"])
+      std::printf(
+          "note: label %s %s; %s\n",
+          (label["name"].is_null() ? std::to_string(label["label"].get<int>()) : label["name"].get<std::string>())
+              .c_str(),
+          label["reason"].get<std::string>().c_str(),
+          label["openings"] > 0 ? "that part of it is taken for wall" : "it is taken for wall");
+  std::printf("\n");
+}
+
 void print_summary(const Json& r, bool verbose) {
   print_counts(r);
+  if (r.contains("labels"))
+    print_labels(r["labels"]);
+  if (r.contains("notes")) {
+    for (const auto& note : r["notes"])
+      std::printf("note: %s\n", note.get<std::string>().c_str());
+    std::printf("\n");
+  }
   for (const auto& repair : r["repairs"])
     std::printf("repair: %s\n", repair["sentence"].get<std::string>().c_str());
   if (!r["repairs"].empty())
@@ -339,6 +387,10 @@ struct Run_report::Content {
 Run_report::Run_report(const Run& run)
     : content_(new Content{description_of(run)}) {
   Json& report = content_->json;
+  if (!run.labels.empty())
+    report["labels"] = labels(run.labels);
+  if (!run.notes.empty())
+    report["notes"] = run.notes;
   if (run.surface.surface.number_of_faces() > 0)
     add_patches(report, run.surface);
   if (run.surface.quads.wall_quads() > 0)

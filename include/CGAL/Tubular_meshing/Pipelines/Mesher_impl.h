@@ -55,7 +55,7 @@ public:
   Mixed_mesh isotropic() {
     return made([&] {
       Mixed_mesh mesh = isotropic_in_frame(options_.surface_mesher);
-      mesh.patch_names = patch_names();
+      name_patches(mesh);
       return mesh;
     });
   }
@@ -76,7 +76,7 @@ public:
       stage("check");
       internal::check_differences(mesh, *model_);
       mesh.region_names = {{labels::lumen, "lumen"}};
-      mesh.patch_names = patch_names();
+      name_patches(mesh);
       return mesh;
     });
   }
@@ -93,6 +93,7 @@ public:
             stage("pyramids and tetrahedra");
             internal::fill_with_pyramids_and_tetrahedra(closed, patch, size(), filling, pyramids);
           });
+      name_patches(mesh);
       if (options_.wall) {
         stage("wall");
         const Centerline_field centerlines(frame_.centerlines());
@@ -101,8 +102,6 @@ public:
       }
       stage("check");
       internal::check_differences(mesh, *model_);
-      const Label_names names = patch_names();
-      mesh.patch_names.insert(names.begin(), names.end());
       return mesh;
     });
   }
@@ -269,7 +268,10 @@ private:
           "finds TetGen (libtet1.5-dev), or CGAL 6.1 or later, and choose one of these.");
   }
   void check_memory() { internal::check_memory(size().estimated_number_of_tetrahedra()); }
-  Label_names patch_names() const { return lumen_patch_names(int(model_->openings.size())); }
+  void name_patches(Mixed_mesh& mesh) const {
+    mesh.patch_names = patch_names(*model_);
+    mesh.patch_ids = model_->patch_ids;
+  }
 
   std::shared_ptr<const Tubular_model> model_;
   Mesher_options options_;
