@@ -145,22 +145,14 @@ void open_labelled_ends(Run& run, const tubular::IO::Surface_data& data, tubular
   surface.remove_property_map(label);
 }
 
-// The patches that were renamed get their new names, in the model and, at last, in the wall's patches.
-void rename(const Options& o, tubular::Label_names& names) {
+// Renames patches, but for those that are among others, which have been renamed already.
+void rename(const Options& o, tubular::Label_names& names, const tubular::Label_names& done) {
   for (auto& n : names)
     for (const std::string& r : o.renames)
-      if (r.substr(0, r.find('=')) == n.second) {
+      if (done.count(n.first) == 0 && r.substr(0, r.find('=')) == n.second) {
         n.second = r.substr(r.find('=') + 1);
         break;
       }
-}
-
-// All names that the mesh will have.
-tubular::Label_names all_names(const Run& run) {
-  tubular::Label_names names = tubular::patch_names(run.model);
-  if (run.options.has_wall())
-    tubular::add_wall_patch_names(names, run.options.second_wall.thickness > 0);
-  return names;
 }
 
 std::string list_of(const tubular::Label_names& names) {
@@ -172,14 +164,22 @@ std::string list_of(const tubular::Label_names& names) {
 
 // Before the work of meshing: each name that is to be changed is there, and no two come to be the same.
 void check_renames(const Run& run) {
-  tubular::Label_names names = all_names(run);
-  for (const std::string& r : run.options.renames) {
+  const Options& o = run.options;
+  const tubular::Label_names lumen = tubular::patch_names(run.model);
+  tubular::Label_names names = lumen;
+  rename(o, names, {});
+  if (o.has_wall())
+    tubular::add_wall_patch_names(names, o.second_wall.thickness > 0);
+  tubular::Label_names known = names;
+  for (const auto& n : lumen)
+    known[n.first] = n.second;
+  for (const std::string& r : o.renames) {
     const std::string name = r.substr(0, r.find('='));
-    if (std::none_of(names.begin(), names.end(), [&](const auto& n) { return n.second == name; }))
+    if (std::none_of(known.begin(), known.end(), [&](const auto& n) { return n.second == name; }))
       throw tubular::Parameter_error("There is no patch called \"" + name + "\" to be renamed: there are " +
-                                     list_of(names) + ".");
+                                     list_of(known) + ".");
   }
-  rename(run.options, names);
+  rename(o, names, lumen);
   std::set<std::string> different;
   for (const auto& n : names)
     if (!different.insert(n.second).second)
@@ -231,7 +231,7 @@ void prepare_model(Run& run, const tubular::Surface& surface, Stage_clock& clock
     return;
   check_renames(run);
   run.model.patch_names = tubular::patch_names(run.model);
-  rename(run.options, run.model.patch_names);
+  rename(run.options, run.model.patch_names, {});
   for (auto& opening : run.model.openings)
     opening.name = run.model.patch_names.at(opening.patch);
 }
@@ -265,5 +265,5 @@ void add_wall(Run& run, Stage_clock& clock) {
                                        .second_wall_layers(or_as_the_wall(o.second_wall.number, o.wall.number))
                                        .second_wall_growth(or_as_the_wall(o.second_wall.growth, o.wall.growth))
                                        .number_of_threads(o.threads));
-  rename(o, run.mesh.patch_names);
+  rename(o, run.mesh.patch_names, run.model.patch_names);
 }
