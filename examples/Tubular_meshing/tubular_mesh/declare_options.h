@@ -123,6 +123,25 @@ inline void declare_centerline_options(CLI::App& app, Options& o) {
     app.get_option("--flow-extensions")->excludes(app.get_option(ends));
 }
 
+inline void declare_size_options(CLI::App& app, Options& o) {
+  app.add_option("--elements", o.elements,
+                 "about how many cells (of a surface, faces) the mesh is to have, within a tenth: N is found for it")
+      ->check(in_range(10, 1e10))
+      ->excludes("--points-per-circumference");
+  app.add_option("--refine", o.refined_balls,
+                 "X,Y,Z,RADIUS,FACTOR (repeatable): in this ball mesh sizes are divided by the factor")
+      ->expected(1)
+      ->take_all()
+      ->check(command_line::is_refinement<5>("X,Y,Z,RADIUS,FACTOR"));
+  app.add_option("--refine-branch", o.refined_branches,
+                 "K,FACTOR (repeatable): the same in branch K, as -v and --report number them, from 0")
+      ->expected(1)
+      ->take_all()
+      ->check(command_line::is_refinement<2>("K,FACTOR"));
+  app.add_option("--size-array", o.size_array,
+                 "point array of the surface: the mesh size there, in place of h; where it is not above 0, h");
+}
+
 inline void declare_name_options(CLI::App& app, Options& o) {
   app.add_option("--faces", o.faces,
                  "cell array of the surface whose integers say which face is the wall and which are ends (default: "
@@ -161,6 +180,7 @@ inline void declare_options(CLI::App& app, Options& o, const std::string& versio
   app.add_option("--gradation", o.gradation, "largest ratio of the sizes of neighbours")
       ->capture_default_str()
       ->check(in_range(1, 1e4));
+  declare_size_options(app, o);
   declare_mesher_options(app, o);
   declare_layer_options(app, o);
   declare_metric_options(app, o);

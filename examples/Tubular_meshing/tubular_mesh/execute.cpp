@@ -77,7 +77,6 @@ void execute(const Options& options, const std::string& version) {
   extend_openings(run, surface, clock);
   prepare_model(run, surface, clock);
   make_mesh(run, clock);
-  add_wall(run, clock);
   clock.begin("report");
   Run_report report(run);
   clock.begin("write");

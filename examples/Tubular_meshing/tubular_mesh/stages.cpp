@@ -13,12 +13,14 @@
 #include <CGAL/Tubular_meshing/Openings/openings.h>
 #include <CGAL/Tubular_meshing/Patches/surface_to_mixed_mesh.h>
 #include <CGAL/Tubular_meshing/Openings/labelled_ends.h>
+#include <CGAL/Tubular_meshing/Pipelines/Element_target.h>
 #include <CGAL/Tubular_meshing/Repair/carry_labels.h>
 #include <CGAL/Tubular_meshing/Repair/repair_surface.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 #include <CGAL/Tubular_meshing/base/labels.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <set>
@@ -92,11 +94,13 @@ tubular::Tubular_model with_given_centerlines(const Run& run, const tubular::Sur
 }
 
 // All that meshers take: each type of mesh reads what matters to it.
-auto mesher_parameters(const Options& o, Stage_clock& clock) {
+auto mesher_parameters(const Run& run, Stage_clock& clock) {
+  const Options& o = run.options;
   return tubular::parameters::points_per_circumference(o.points_per_circumference)
       .min_size(o.min_size)
       .max_size(o.max_size)
       .gradation(o.gradation)
+      .size_requests(run.sizes)
       .surface_mesher(o.meshes_patches() ? tubular::Surface_mesher::parametric : tubular::Surface_mesher::mesh_3)
       .volume_mesher(volume_mesher(o))
       .in_child_process(true)
@@ -186,6 +190,67 @@ void check_renames(const Run& run) {
       throw tubular::Parameter_error("Two patches would be called \"" + n.second + "\": give them different names.");
 }
 
+// Sizes that are asked for by place, by branch, and by an array of the surface's file.
+tubular::Size_requests size_requests(const Options& o, const tubular::IO::Surface_data& data) {
+  tubular::Size_requests sizes;
+  for (const std::string& text : o.refined_balls) {
+    const auto x = command_line::numbers_of<5>(text);
+    sizes.balls.push_back({Point_3(x[0], x[1], x[2]), x[3], x[4]});
+  }
+  for (const std::string& text : o.refined_branches) {
+    const auto x = command_line::numbers_of<2>(text);
+    sizes.branches.push_back({std::size_t(x[0]), x[1]});
+  }
+  if (o.size_array.empty())
+    return sizes;
+  const auto array = data.point_arrays.find(o.size_array);
+  if (array == data.point_arrays.end()) {
+    std::string known;
+    for (const auto& a : data.point_arrays)
+      known += (known.empty() ? "" : ", ") + a.first;
+    throw tubular::Input_error("The surface has no point array \"" + o.size_array + "\" of one number a point" +
+                               (known.empty() ? ", nor any other." : "; it has " + known + "."));
+  }
+  tubular::request_sizes(data.points, data.triangles, array->second, sizes);
+  return sizes;
+}
+
+void make_mesh(Run& run, tubular::Mesher& mesher) {
+  if (run.options.makes_surface_only()) {
+    run.surface = mesher.surface(surface_elements(run.options));
+    run.mesh = without_cells(run.surface, run.model);
+    return;
+  }
+  run.mesh = run.options.is_anisotropic() ? mesher.anisotropic()
+             : run.options.is_mixed()     ? mesher.mixed()
+                                          : mesher.isotropic();
+  run.surface = mesher.kept_surface();
+  run.meshing = mesher.report();
+}
+
+void add_wall(Run& run, Stage_clock& clock) {
+  const Options& o = run.options;
+  if (!o.has_wall())
+    return;
+  clock.begin("wall");
+  const auto or_as_the_wall = [](auto given, auto of_the_wall) { return given > 0 ? given : of_the_wall; };
+  run.wall = tubular::extrude_wall(run.mesh, tubular::Centerline_field(run.model.centerlines),
+                                   tubular::parameters::wall_thickness(o.wall.thickness)
+                                       .wall_layers(o.wall.number)
+                                       .wall_growth(o.wall.growth)
+                                       .tetrahedral_wall(o.wall_elements == "tetrahedra")
+                                       .second_wall_thickness(o.second_wall.thickness)
+                                       .second_wall_layers(or_as_the_wall(o.second_wall.number, o.wall.number))
+                                       .second_wall_growth(or_as_the_wall(o.second_wall.growth, o.wall.growth))
+                                       .number_of_threads(o.threads));
+  rename(o, run.mesh.patch_names, run.model.patch_names);
+}
+
+std::size_t number_of_elements(const Run& run) {
+  return run.options.makes_surface_only() ? std::size_t(run.surface.surface.number_of_faces())
+                                          : run.mesh.number_of_cells();
+}
+
 } // namespace
 
 tubular::Surface read_surface(Run& run, Stage_clock& clock) {
@@ -198,6 +263,7 @@ tubular::Surface read_surface(Run& run, Stage_clock& clock) {
   run.repairs = tubular::repair_surface(data.points, data.triangles, surface,
                                         tubular::parameters::repair_mode(repair_mode(o)).smooth(o.smooth));
   open_labelled_ends(run, data, surface);
+  run.sizes = size_requests(o, data);
   return surface;
 }
 
@@ -237,33 +303,23 @@ void prepare_model(Run& run, const tubular::Surface& surface, Stage_clock& clock
 }
 
 void make_mesh(Run& run, Stage_clock& clock) {
-  tubular::Mesher mesher(run.model, mesher_parameters(run.options, clock));
-  if (run.options.makes_surface_only()) {
-    run.surface = mesher.surface(surface_elements(run.options));
-    run.mesh = without_cells(run.surface, run.model);
+  tubular::Mesher mesher(run.model, mesher_parameters(run, clock));
+  const double elements = run.options.elements;
+  if (elements == 0) {
+    make_mesh(run, mesher);
+    add_wall(run, clock);
     return;
   }
-  run.mesh = run.options.is_anisotropic() ? mesher.anisotropic()
-             : run.options.is_mixed()     ? mesher.mixed()
-                                          : mesher.isotropic();
-  run.surface = mesher.kept_surface();
-  run.meshing = mesher.report();
-}
-
-void add_wall(Run& run, Stage_clock& clock) {
-  const Options& o = run.options;
-  if (!o.has_wall())
-    return;
-  clock.begin("wall");
-  const auto or_as_the_wall = [](auto given, auto of_the_wall) { return given > 0 ? given : of_the_wall; };
-  run.wall = tubular::extrude_wall(run.mesh, tubular::Centerline_field(run.model.centerlines),
-                                   tubular::parameters::wall_thickness(o.wall.thickness)
-                                       .wall_layers(o.wall.number)
-                                       .wall_growth(o.wall.growth)
-                                       .tetrahedral_wall(o.wall_elements == "tetrahedra")
-                                       .second_wall_thickness(o.second_wall.thickness)
-                                       .second_wall_layers(or_as_the_wall(o.second_wall.number, o.wall.number))
-                                       .second_wall_growth(or_as_the_wall(o.second_wall.growth, o.wall.growth))
-                                       .number_of_threads(o.threads));
-  rename(o, run.mesh.patch_names, run.model.patch_names);
+  double& points = run.options.points_per_circumference;
+  const double estimate = mesher.estimated_number_of_tetrahedra();
+  for (tubular::Element_target target(elements, points * std::cbrt(elements / estimate),
+                                      run.options.makes_surface_only() ? 2 : 3);
+       ;) {
+    points = target.points();
+    mesher.set_points_per_circumference(points);
+    make_mesh(run, mesher);
+    add_wall(run, clock);
+    if (target.add(number_of_elements(run)))
+      return;
+  }
 }
