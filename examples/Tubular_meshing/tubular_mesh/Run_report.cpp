@@ -284,28 +284,36 @@ void print_surface_in_its_metric(const Json& q) {
                   100 * q[part]["share_of_unit_edges"].get<double>());
 }
 
-std::string list_of_labels(const Json& labels, const char* meaning) {
+std::string text_of(const Json& label) {
+  return label["name"].is_null() ? std::to_string(label["label"].get<int>()) : label["name"].get<std::string>();
+}
+
+// The first of those that are wanted.
+template <class Wanted> std::string list_of_labels(const Json& labels, const Wanted& is_wanted) {
   std::string list;
   std::size_t number = 0;
   const std::size_t most = 12;
   for (const auto& l : labels)
-    if (l["meaning"] == meaning && ++number <= most)
-      list += (list.empty() ? "" : ", ") +
-              (l["name"].is_null() ? std::to_string(l["label"].get<int>()) : l["name"].get<std::string>());
+    if (is_wanted(l) && ++number <= most)
+      list += (list.empty() ? "" : ", ") + text_of(l);
   return (list.empty() ? "none" : list) + (number > most ? ", …" : "");
 }
 
+// One line for all labels that are not understood for the same reason.
 void print_labels(const Json& l) {
-  std::printf("labels: %s; wall: %s; ends: %s\n", l["source"].get<std::string>().c_str(),
-              list_of_labels(l["labels"], "wall").c_str(), list_of_labels(l["labels"], "opening").c_str());
+  const auto meaning = [&](const char* wanted) {
+    return list_of_labels(l["labels"], [&](const Json& label) { return label["meaning"] == wanted; });
+  };
+  std::printf("labels: %s; wall: %s; ends: %s\n", l["source"].get<std::string>().c_str(), meaning("wall").c_str(),
+              meaning("opening").c_str());
+  std::map<std::string, std::size_t> reasons;
   for (const auto& label : l["labels"])
     if (!label["understood"])
-      std::printf(
-          "note: label %s %s; %s\n",
-          (label["name"].is_null() ? std::to_string(label["label"].get<int>()) : label["name"].get<std::string>())
-              .c_str(),
-          label["reason"].get<std::string>().c_str(),
-          label["openings"] > 0 ? "that part of it is taken for wall" : "it is taken for wall");
+      ++reasons[label["reason"].get<std::string>()];
+  for (const auto& reason : reasons)
+    std::printf("note: label%s %s%s %s, and is taken for wall there\n", reason.second > 1 ? "s" : "",
+                list_of_labels(l["labels"], [&](const Json& label) { return label["reason"] == reason.first; }).c_str(),
+                reason.second > 1 ? ": each" : "", reason.first.c_str());
   std::printf("\n");
 }
 

@@ -170,7 +170,8 @@ CGAL_TUBULAR_MESHING_INLINE Surface_data read_surface_data(const std::string& na
   data.points = to_points(soup.points);
   data.triangles.swap(soup.triangles);
   for (auto& a : polygons.point_arrays)
-    data.point_arrays[a.first].swap(a.second);
+    if (a.second.size() == data.points.size())
+      data.point_arrays[a.first].swap(a.second);
   const std::string note = note_of_few_corners(polygons);
   if (!note.empty())
     data.notes.push_back(note);

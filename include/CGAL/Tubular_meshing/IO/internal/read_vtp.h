@@ -6,6 +6,7 @@
 
 #include <CGAL/Tubular_meshing/IO/internal/Polygon_soup.h>
 #include <CGAL/Tubular_meshing/IO/internal/Vtk_xml_file.h>
+#include <CGAL/Tubular_meshing/base/exceptions.h>
 
 #include <string>
 #include <vector>
@@ -31,12 +32,21 @@ inline std::vector<std::int64_t> vtp_connectivity(const Vtk_xml_file& vtp, pugi:
   return c;
 }
 
+// An array beside the geometry; where it is damaged, the surface need not be refused for it.
+template <class T> std::vector<T> values_if_whole(const Vtk_xml_file& vtp, pugi::xml_node array) {
+  try {
+    return vtp.values<T>(array);
+  } catch (const Input_error&) {
+    return {};
+  }
+}
+
 // The arrays of one number at each of n points or cells.
 inline Polygon_soup::Arrays vtp_arrays(const Vtk_xml_file& vtp, pugi::xml_node data, std::size_t n) {
   Polygon_soup::Arrays arrays;
   for (const pugi::xml_node array : data.children("DataArray"))
     if (array.attribute("NumberOfComponents").as_int(1) == 1 && vtp.is_numeric(array)) {
-      std::vector<double> values = vtp.values<double>(array);
+      std::vector<double> values = values_if_whole<double>(vtp, array);
       if (values.size() == n)
         arrays[array.attribute("Name").value()] = std::move(values);
     }
@@ -48,7 +58,7 @@ inline void read_vtp_names(const Vtk_xml_file& vtp, Label_names& names) {
   for (const pugi::xml_node array : vtp.dataset().child("FieldData").children("DataArray")) {
     if (array.attribute("type").value() != std::string("Int32"))
       continue;
-    const std::vector<std::int32_t> pairs = vtp.values<std::int32_t>(array);
+    const std::vector<std::int32_t> pairs = values_if_whole<std::int32_t>(vtp, array);
     for (std::size_t i = 0; i + 1 < pairs.size(); i += 2)
       if (pairs[i + 1] == 2)
         names[pairs[i]] = array.attribute("Name").value();
