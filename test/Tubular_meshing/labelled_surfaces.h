@@ -86,7 +86,7 @@ inline Mesh::Property_map<Mesh::Face_index, int> labels_of(Labelled_mesh& labell
 
 /* Ends that are flat, half balls, longer than half balls, and dished. */
 inline std::vector<std::vector<double>> dome_heights() {
-  return {{0, 0, 0}, {0.4, 0.4, 0.4}, {1, 1, 1}, {1.4, 0.2, 0}, {-0.4, 0.8, -0.2}};
+  return {{0, 0, 0}, {0.4, 0.4, 0.4}, {1, 1, 1}, {2.5, 1.4, 0.2}, {-0.4, 0.8, -0.2}};
 }
 
 /* Turned, in metres and in micrometres, and far away. */

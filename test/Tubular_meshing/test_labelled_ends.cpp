@@ -199,6 +199,40 @@ TEST(Labelled_ends, A_disk_of_the_wall_is_an_end_only_if_it_is_called_so) {
   EXPECT_TRUE(label_in(called, 9).is_understood());
 }
 
+TEST(Labelled_ends, A_sac_or_a_blind_vessel_with_a_label_stays) {
+  Tube tube;
+  tube.sides = 24;
+  tube.rings = 40;
+  for (double width : {1., 2.2}) {
+    Labelled_mesh m = with_domes(make_tube(tube), {0.5}, 1, 2);
+    for (auto v : m.mesh.vertices()) { // the upper end is drawn out, or blown up to a ball on a neck
+      const Point p = m.mesh.point(v);
+      if (p.z() > 7)
+        m.mesh.point(v) = width == 1 ? Point(p.x(), p.y(), 7 + 8 * (p.z() - 7))
+                                     : Point(p.x() * (1 + (width - 1) * std::sin((std::min)(p.z() - 7, 1.))),
+                                             p.y() * (1 + (width - 1) * std::sin((std::min)(p.z() - 7, 1.))), p.z());
+    }
+    std::size_t i = 0;
+    for (auto f : m.mesh.faces()) {
+      bool above = true;
+      for (auto v : m.mesh.vertices_around_face(m.mesh.halfedge(f)))
+        above = above && m.mesh.point(v).z() > 6.9;
+      m.label[i] = above ? 9 : m.label[i];
+      ++i;
+    }
+    Surface surface = m.mesh;
+    Face_patch_map label = surface.add_property_map<Surface::Face_index, int>("f:l", 0).first;
+    auto l = m.label.begin();
+    for (auto f : surface.faces())
+      label[f] = *l++;
+    const Labelled_ends ends = open_labelled_ends(surface, label);
+    EXPECT_EQ(ends.ends.size(), 1u) << width;
+    const auto nine = std::find_if(ends.labels.begin(), ends.labels.end(), [](const auto& x) { return x.label == 9; });
+    ASSERT_NE(nine, ends.labels.end());
+    EXPECT_NE(nine->reason.find(width == 1 ? "blind vessel" : "sac"), std::string::npos) << nine->reason;
+  }
+}
+
 TEST(Labelled_ends, What_is_no_disk_is_wall) {
   Labelled_mesh m = with_domes(open_bifurcation(), {0.5}, 1, 2);
   std::size_t i = 0;

@@ -100,9 +100,9 @@ void name_openings(std::vector<Opening>& openings, const Labelled_ends& ends);
  * Each disk of faces of another label whose boundary is one loop on the wall, and which is smaller than the wall, is
  * an end: its faces are removed, whatever its bulge, so that find_openings() finds its rim, and close_openings() closes
  * it flat there. A label with the name of an end (inlet, outlet, inflow, outflow, cap, opening) needs no more than
- * this. Any other has to look like an end as well: the wall stands upright on its rim (60 degrees on average, 41 at
- * least), and its area is at most four times that which the rim bounds (a half ball has twice it). What is not an end
- * is wall; `Understood_label::reason` says why.
+ * this. Any other has to look like an end as well: the wall stands upright on its rim (by 41 degrees on average), it is
+ * no wider than its rim (as a sac is), and has at most eight times the area that its rim bounds (a half ball has twice
+ * it, a blind vessel more). What is not an end is wall; `Understood_label::reason` says why.
  *
  * Where the surface is open, a label with the name of an end that reaches one loop of the border names the opening
  * there; its faces stay.

@@ -102,7 +102,6 @@ private:
         }
       }
     }
-    region_area_ = area;
     return may_be && area < 0.5 * area_;
   }
 
@@ -113,7 +112,8 @@ private:
     const std::vector<Point_3> rim = rim_points(region.rim, mesh_);
     region.shape = measure_rim(rim);
     const Rim_shape& s = region.shape;
-    return s.radius > 0 && region_area_ <= max_bulge * s.area && s.sag <= max_sag * s.radius &&
+    const Bulge bulge = measure_bulge(region.cap, s, mesh_, region.rim);
+    return s.radius > 0 && !bulge.is_wide() && !bulge.is_long() && s.sag <= max_sag * s.radius &&
            4 * CGAL_PI * s.area >= min_roundness * s.perimeter * s.perimeter &&
            number_of_corners(rim, s.center, 0.08 * s.radius) >= 5 && wall_stands_behind(region);
   }
@@ -134,13 +134,13 @@ private:
     return behind >= 0.9 * total && std::abs(cosine) <= 0.5 * total;
   }
 
-  static constexpr double max_bulge = 4, max_sag = 0.2, min_roundness = 0.55;
+  static constexpr double max_sag = 0.2, min_roundness = 0.55;
 
   const Surface& mesh_;
   const double inwards_;          // the direction into the lumen along a face's normal
   std::vector<Vector_3> normals_; // by face, unit; zero for a degenerate face
   std::vector<bool> taken_, visited_;
-  double area_ = 0, region_area_ = 0, min_cosine_ = 0;
+  double area_ = 0, min_cosine_ = 0;
 };
 
 /* Those that are not among the sites already. */

@@ -163,8 +163,11 @@ private:
     const Rim_shape& shape = region.site.shape;
     if (!(shape.radius > 0))
       return "has a rim that bounds no area";
-    if (!is_called_end && region.area > max_bulge * shape.area)
-      return "bulges out of its rim to more than four times the area, as a sac does, and has no name of an end";
+    const Bulge bulge = measure_bulge(region.faces, shape, mesh_, region.site.rim);
+    if (!is_called_end && bulge.is_wide())
+      return "is wider than its rim, as a sac is, and has no name of an end";
+    if (!is_called_end && bulge.is_long())
+      return "reaches far out of its rim, as a blind vessel does, and has no name of an end";
     if (!is_called_end && !wall_stands_upright(region))
       return "lies flush in the wall, and has no name of an end";
     region.is_end = true;
@@ -207,7 +210,6 @@ private:
     return l.text();
   }
 
-  static constexpr double max_bulge = 4;     // area of an end over that of its rim; a half ball has 2
   static constexpr double max_cosine = 0.75; // of the wall's mean direction with that of the rim, as of possible ends
 
   const Surface& mesh_;
