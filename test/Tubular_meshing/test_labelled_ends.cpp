@@ -208,7 +208,7 @@ TEST(Labelled_ends, A_sac_or_a_blind_vessel_with_a_label_stays) {
     for (auto v : m.mesh.vertices()) { // the upper end is drawn out, or blown up to a ball on a neck
       const Point p = m.mesh.point(v);
       if (p.z() > 7)
-        m.mesh.point(v) = width == 1 ? Point(p.x(), p.y(), 7 + 8 * (p.z() - 7))
+        m.mesh.point(v) = width == 1 ? Point(p.x(), p.y(), 7 + 4 * (p.z() - 7))
                                      : Point(p.x() * (1 + (width - 1) * std::sin((std::min)(p.z() - 7, 1.))),
                                              p.y() * (1 + (width - 1) * std::sin((std::min)(p.z() - 7, 1.))), p.z());
     }
