@@ -3,5 +3,6 @@
 
 #include <CGAL/Tubular_meshing/Openings/close_openings_impl.h>
 #include <CGAL/Tubular_meshing/Openings/flow_extensions_impl.h>
+#include <CGAL/Tubular_meshing/Openings/labelled_ends_impl.h>
 #include <CGAL/Tubular_meshing/Openings/openings_impl.h>
 #include <CGAL/Tubular_meshing/Openings/seeds_impl.h>

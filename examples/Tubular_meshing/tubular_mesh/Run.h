@@ -6,7 +6,9 @@
 
 #include "Options.h"
 
+#include <CGAL/Tubular_meshing/Fields/Size_requests.h>
 #include <CGAL/Tubular_meshing/Layers/Layer_report.h>
+#include <CGAL/Tubular_meshing/Openings/labelled_ends.h>
 #include <CGAL/Tubular_meshing/Patches/Remeshed_surface.h>
 #include <CGAL/Tubular_meshing/Pipelines/Mesher.h>
 #include <CGAL/Tubular_meshing/Pipelines/Tubular_model.h>
@@ -28,7 +30,10 @@ struct Flow_extensions {
 struct Run {
   Options options;
   std::string version;
+  std::vector<std::string> notes; ///< on what was skipped when the surface was read
   CGAL::Tubular_meshing::Repair_report repairs;
+  CGAL::Tubular_meshing::Labelled_ends labels;
+  CGAL::Tubular_meshing::Size_requests sizes;
   Flow_extensions extensions;
   CGAL::Tubular_meshing::Tubular_model model;
   CGAL::Tubular_meshing::Remeshed_surface surface; ///< as it was meshed by patches; else empty

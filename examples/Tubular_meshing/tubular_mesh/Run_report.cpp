@@ -45,6 +45,19 @@ Json repairs(const tubular::Repair_report& report) {
   return list;
 }
 
+// What became of the labels of the input.
+Json labels(const tubular::Labelled_ends& ends) {
+  Json list = Json::array();
+  for (const auto& l : ends.labels)
+    list.push_back({{"label", l.label},
+                    {"name", l.name.empty() ? Json() : Json(l.name)},
+                    {"meaning", l.count > 0 ? "opening" : "wall"},
+                    {"openings", l.count},
+                    {"understood", l.is_understood()},
+                    {"reason", l.is_understood() ? Json() : Json(l.reason)}});
+  return {{"source", ends.source}, {"labels", list}};
+}
+
 Json openings(const tubular::Tubular_model& model, const tubular::Mixed_mesh& mesh) {
   std::map<int, std::size_t> triangles, quads;
   for (int label : mesh.triangles.label)
@@ -63,6 +76,9 @@ Json openings(const tubular::Tubular_model& model, const tubular::Mixed_mesh& me
                   {"triangles", triangles[o.patch]},
                   {"quads", quads[o.patch]}};
     entry["branch"] = o.branch == tubular::Opening::no_branch ? Json() : Json(o.branch);
+    const auto id = model.patch_ids.id.find(o.patch);
+    if (id != model.patch_ids.id.end())
+      entry["label"] = id->second;
     list.push_back(entry);
   }
   return list;
@@ -268,8 +284,48 @@ void print_surface_in_its_metric(const Json& q) {
                   100 * q[part]["share_of_unit_edges"].get<double>());
 }
 
+std::string text_of(const Json& label) {
+  return label["name"].is_null() ? std::to_string(label["label"].get<int>()) : label["name"].get<std::string>();
+}
+
+// The first of those that are wanted.
+template <class Wanted> std::string list_of_labels(const Json& labels, const Wanted& is_wanted) {
+  std::string list;
+  std::size_t number = 0;
+  const std::size_t most = 12;
+  for (const auto& l : labels)
+    if (is_wanted(l) && ++number <= most)
+      list += (list.empty() ? "" : ", ") + text_of(l);
+  return (list.empty() ? "none" : list) + (number > most ? ", …" : "");
+}
+
+// One line for all labels that are not understood for the same reason.
+void print_labels(const Json& l) {
+  const auto meaning = [&](const char* wanted) {
+    return list_of_labels(l["labels"], [&](const Json& label) { return label["meaning"] == wanted; });
+  };
+  std::printf("labels: %s; wall: %s; ends: %s\n", l["source"].get<std::string>().c_str(), meaning("wall").c_str(),
+              meaning("opening").c_str());
+  std::map<std::string, std::size_t> reasons;
+  for (const auto& label : l["labels"])
+    if (!label["understood"])
+      ++reasons[label["reason"].get<std::string>()];
+  for (const auto& reason : reasons)
+    std::printf("note: label%s %s%s %s, and is taken for wall there\n", reason.second > 1 ? "s" : "",
+                list_of_labels(l["labels"], [&](const Json& label) { return label["reason"] == reason.first; }).c_str(),
+                reason.second > 1 ? ": each" : "", reason.first.c_str());
+  std::printf("\n");
+}
+
 void print_summary(const Json& r, bool verbose) {
   print_counts(r);
+  if (r.contains("labels"))
+    print_labels(r["labels"]);
+  if (r.contains("notes")) {
+    for (const auto& note : r["notes"])
+      std::printf("note: %s\n", note.get<std::string>().c_str());
+    std::printf("\n");
+  }
   for (const auto& repair : r["repairs"])
     std::printf("repair: %s\n", repair["sentence"].get<std::string>().c_str());
   if (!r["repairs"].empty())
@@ -339,6 +395,10 @@ struct Run_report::Content {
 Run_report::Run_report(const Run& run)
     : content_(new Content{description_of(run)}) {
   Json& report = content_->json;
+  if (!run.labels.empty())
+    report["labels"] = labels(run.labels);
+  if (!run.notes.empty())
+    report["notes"] = run.notes;
   if (run.surface.surface.number_of_faces() > 0)
     add_patches(report, run.surface);
   if (run.surface.quads.wall_quads() > 0)

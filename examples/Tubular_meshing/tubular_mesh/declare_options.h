@@ -102,10 +102,12 @@ inline void declare_surface_options(CLI::App& app, Options& o) {
 inline void declare_centerline_options(CLI::App& app, Options& o) {
   auto* lines = app.add_option("-c,--centerlines", o.centerlines,
                                "centerlines, if they are not to be computed: .vtk .vtp (VMTK) or .msh (Gmsh)");
-  app.add_option("--inlet", o.inlet,
-                 "X,Y,Z: the opening nearest to this point is the inlet (default: the one at the centerlines' common "
-                 "start, else the largest)")
-      ->check(command_line::is_point());
+  app.add_option(
+         "--inlet", o.inlet,
+         "X,Y,Z or NAME: the opening nearest to this point, or of this name or number in the surface's file, is "
+         "the inlet (default: one whose name begins with inlet, else the one at the centerlines' common start, "
+         "else the largest)")
+      ->check(command_line::is_point_or_name());
   auto* outlets = app.add_option("--outlet", o.outlets,
                                  "X,Y,Z (repeatable): where vessels end without an opening or a flat cap; with --inlet")
                       ->expected(1)
@@ -121,12 +123,41 @@ inline void declare_centerline_options(CLI::App& app, Options& o) {
     app.get_option("--flow-extensions")->excludes(app.get_option(ends));
 }
 
+inline void declare_size_options(CLI::App& app, Options& o) {
+  app.add_option("--elements", o.elements,
+                 "about how many cells (of a surface, faces) the mesh is to have, within a tenth: N is found for it")
+      ->check(in_range(10, 1e10))
+      ->excludes("--points-per-circumference");
+  app.add_option("--refine", o.refined_balls,
+                 "X,Y,Z,RADIUS,FACTOR (repeatable): in this ball mesh sizes are divided by the factor")
+      ->expected(1)
+      ->take_all()
+      ->check(command_line::is_refinement<5>("X,Y,Z,RADIUS,FACTOR"));
+  app.add_option("--refine-branch", o.refined_branches,
+                 "K,FACTOR (repeatable): the same in branch K, as -v and --report number them, from 0")
+      ->expected(1)
+      ->take_all()
+      ->check(command_line::is_refinement<2>("K,FACTOR"));
+  app.add_option("--size-array", o.size_array,
+                 "point array of the surface: the mesh size there, in place of h; where it is not above 0, h");
+}
+
+inline void declare_name_options(CLI::App& app, Options& o) {
+  app.add_option("--faces", o.faces,
+                 "cell array of the surface whose integers say which face is the wall and which are ends (default: "
+                 "ModelFaceID, CapID, CellEntityIds or patch; solids of .stl, groups of .obj and .msh)");
+  app.add_option("--rename", o.renames, "NAME=NEW (repeatable): name a patch otherwise")
+      ->expected(1)
+      ->take_all()
+      ->check(command_line::is_renaming());
+}
+
 inline void declare_options(CLI::App& app, Options& o, const std::string& version) {
   app.description("Makes a mesh of a vessel or airway tree from its triangulated surface, along its "
                   "centerlines.\nLengths are in the unit of the surface.");
   app.footer(std::string(command_line::exit_statuses()) + "\nNothing is written unless all of it is whole.");
   app.set_version_flag("--version", version);
-  app.add_option("surface", o.surface, "surface: .stl .off .obj .ply .vtp .vtk .msh")->required();
+  app.add_option("surface", o.surface, "surface: .stl .off .obj .ply .vtp .vtu .vtk .msh .mesh")->required();
   app.add_option("-o,--output", o.output,
                  "mesh to write: .vtu .msh .mesh .inp; a surface: .stl .vtp .msh .ply .off .obj .vtk")
       ->required();
@@ -149,11 +180,13 @@ inline void declare_options(CLI::App& app, Options& o, const std::string& versio
   app.add_option("--gradation", o.gradation, "largest ratio of the sizes of neighbours")
       ->capture_default_str()
       ->check(in_range(1, 1e4));
+  declare_size_options(app, o);
   declare_mesher_options(app, o);
   declare_layer_options(app, o);
   declare_metric_options(app, o);
   declare_surface_options(app, o);
   declare_centerline_options(app, o);
+  declare_name_options(app, o);
   app.add_option("--report", o.report, "write the summary to this .json file");
   app.add_option("--write-surface", o.surface_output,
                  "write the closed, labelled surface, as it is meshed by the parametric mesher, else as it came: .stl "

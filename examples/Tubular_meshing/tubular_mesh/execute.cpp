@@ -22,8 +22,13 @@ namespace tubular = CGAL::Tubular_meshing;
 
 namespace {
 
-void write_surface(tubular::IO::Output_file& file, const tubular::Remeshed_surface& surface) {
-  const auto labels = tubular::parameters::face_patch_map(surface.patch).surface_patch_map(surface.patch_of_face);
+// Names are written where they came with the input, or were given.
+void write_surface(tubular::IO::Output_file& file, const tubular::Remeshed_surface& surface,
+                   const tubular::Tubular_model& model) {
+  const auto labels = tubular::parameters::face_patch_map(surface.patch)
+                          .surface_patch_map(surface.patch_of_face)
+                          .patch_names(model.patch_names)
+                          .patch_ids(model.patch_ids);
   if (surface.metrics.empty())
     return tubular::IO::write_surface(file, surface.surface, labels);
   typedef tubular::Surface::Vertex_index Vertex;
@@ -39,13 +44,15 @@ void write(const Run& run, Run_report& report, Stage_clock& clock) {
     files.emplace_back(new tubular::IO::Output_file(name));
     return *files.back();
   };
-  o.makes_surface_only() ? write_surface(open(o.output), run.surface)
+  o.makes_surface_only() ? write_surface(open(o.output), run.surface, run.model)
                          : tubular::IO::write_mesh(open(o.output), run.mesh);
   if (!o.surface_output.empty() && run.surface.surface.number_of_faces() > 0)
-    write_surface(open(o.surface_output), run.surface);
+    write_surface(open(o.surface_output), run.surface, run.model);
   else if (!o.surface_output.empty())
     tubular::IO::write_surface(open(o.surface_output), run.model.surface,
-                               tubular::parameters::face_patch_map(run.model.patch));
+                               tubular::parameters::face_patch_map(run.model.patch)
+                                   .patch_names(run.model.patch_names)
+                                   .patch_ids(run.model.patch_ids));
   if (!o.centerlines_output.empty())
     tubular::IO::write_centerlines(open(o.centerlines_output), run.model.centerlines);
   clock.finish();
@@ -70,7 +77,6 @@ void execute(const Options& options, const std::string& version) {
   extend_openings(run, surface, clock);
   prepare_model(run, surface, clock);
   make_mesh(run, clock);
-  add_wall(run, clock);
   clock.begin("report");
   Run_report report(run);
   clock.begin("write");

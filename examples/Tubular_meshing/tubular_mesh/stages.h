@@ -19,10 +19,7 @@ void extend_openings(Run& run, CGAL::Tubular_meshing::Surface& surface, Stage_cl
 // The surface with its openings, and its centerlines, given or computed.
 void prepare_model(Run& run, const CGAL::Tubular_meshing::Surface& surface, Stage_clock& clock);
 
-// The surface mesh alone, or the cells of the lumen.
+// The surface mesh alone, or the cells of the lumen and the walls around it.
 void make_mesh(Run& run, Stage_clock& clock);
-
-// The walls around it.
-void add_wall(Run& run, Stage_clock& clock);
 
 #endif // TUBULAR_MESH_STAGES_H

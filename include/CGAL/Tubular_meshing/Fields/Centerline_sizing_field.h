@@ -6,6 +6,7 @@
 
 #include <CGAL/Tubular_meshing/Centerlines/Centerline_field.h>
 #include <CGAL/Tubular_meshing/Centerlines/Wall_distance.h>
+#include <CGAL/Tubular_meshing/Fields/Size_requests.h>
 #include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/base/config.h>
 #include <CGAL/Tubular_meshing/base/parameters.h>
@@ -33,6 +34,7 @@ struct Centerline_sizing_field_options {
   double min_size = 0;
   double max_size = (std::numeric_limits<double>::infinity)();
   double gradation = 1.3;
+  Size_requests size_requests;
   int number_of_threads = 0;
 
   Centerline_sizing_field_options() = default;
@@ -41,6 +43,7 @@ struct Centerline_sizing_field_options {
     min_size = internal::choose(np, internal_np::min_size, min_size);
     max_size = internal::choose(np, internal_np::max_size, max_size);
     gradation = internal::choose(np, internal_np::gradation, gradation);
+    size_requests = internal::choose(np, internal_np::size_requests, size_requests);
     number_of_threads = internal::choose(np, internal_np::number_of_threads, number_of_threads);
   }
 };
@@ -90,6 +93,11 @@ public:
    *     \cgalParamDescription{largest ratio of the sizes of neighboring elements, at least 1}
    *     \cgalParamType{`double`}
    *     \cgalParamDefault{1.3}
+   *   \cgalParamNEnd
+   *   \cgalParamNBegin{size_requests}
+   *     \cgalParamDescription{where the mesh is to be finer or coarser, and sizes given on the surface}
+   *     \cgalParamType{Size_requests}
+   *     \cgalParamDefault{none}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{number_of_threads}
    *     \cgalParamDescription{0 takes all cores}

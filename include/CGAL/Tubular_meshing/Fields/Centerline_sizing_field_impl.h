@@ -35,15 +35,17 @@ Centerline_sizing_field::Centerline_sizing_field(const Centerline_field& centerl
                                                  const Centerline_sizing_field_options& options) {
   internal::check(options);
   const double leaf_per_radius = 0.8;
+  const internal::Requested_sizes requested(options.size_requests);
   const auto sample = [&](const internal::Size_octree::Position& x) {
     const Point_3 p(x[0], x[1], x[2]), on_wall = wall.closest_point(p);
     const auto d = centerlines.descriptors(on_wall);
     const double radius = (std::max)(d.radius, d.distance);
-    const double size = (std::min)(
-        (std::max)(2 * CGAL_PI * radius / options.points_per_circumference, options.min_size), options.max_size);
+    const double wanted = requested(p, on_wall, d.branch, 2 * CGAL_PI * radius / options.points_per_circumference);
+    const double size = (std::min)((std::max)(wanted, options.min_size), options.max_size);
     const bool outside = squared_distance(p, d.point) > squared_distance(on_wall, d.point);
     return internal::Size_octree::Sample{
-        {outside ? std::sqrt(squared_distance(p, on_wall)) : 0, leaf_per_radius * radius}, size};
+        {outside ? std::sqrt(squared_distance(p, on_wall)) : 0, requested.width(p, leaf_per_radius * radius, size)},
+        size};
   };
   octree_ = std::make_shared<const internal::Size_octree>(wall.bbox(), sample, options.gradation - 1,
                                                           options.number_of_threads);

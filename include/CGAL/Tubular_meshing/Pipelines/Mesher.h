@@ -46,6 +46,17 @@ struct Mesher_report {
  *     \cgalParamType{double}
  *     \cgalParamDefault{20}
  *   \cgalParamNEnd
+ *   \cgalParamNBegin{number_of_elements}
+ *     \cgalParamDescription{of a mesh, its cells, or of a surface its faces: N is found so that there are as many, but
+ *       for a tenth, see Element_target; 0: N is `points_per_circumference`}
+ *     \cgalParamType{double}
+ *     \cgalParamDefault{0}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{size_requests}
+ *     \cgalParamDescription{where the mesh is to be finer or coarser, and sizes given on the surface}
+ *     \cgalParamType{Size_requests}
+ *     \cgalParamDefault{none}
+ *   \cgalParamNEnd
  *   \cgalParamNBegin{surface_mesher}
  *     \cgalParamDescription{how isotropic meshes are made}
  *     \cgalParamType{`Surface_mesher`}
@@ -87,7 +98,8 @@ struct Mesher_report {
  * About O(n log n) in the sizes of the surface and of the result, but for the linear systems of the parameterization,
  * which take O(n^1.5) in those of patches.
  *
- * \throws Parameter_error if a parameter is out of its range
+ * \throws Parameter_error if a parameter is out of its range, a branch to refine is not there, or a ball to refine in
+ *   lies outside of the lumen
  * \throws Meshing_error if no valid mesh comes out, or the mesh would not fit into memory. Its places are in the frame
  *   of the model that was given; its stage() is the one that failed
  */
@@ -122,6 +134,15 @@ public:
   ~Mesher();
 
   const Tubular_model& model() const;
+
+  /*! Changes N, for the meshes to come. The number of points on circles of curvature, of a metric, changes in
+   * proportion.
+   * \throws Parameter_error from the next mesh on, if it is less than 3 */
+  void set_points_per_circumference(double points);
+  double points_per_circumference() const;
+
+  /// About how many tetrahedra an isotropic mesh has.
+  double estimated_number_of_tetrahedra();
 
   /*! Isotropic tetrahedra of mesh size h (section 3.1 of the paper): region labels::lumen; patches wall, inlet,
    * outlet_1, …. The surface is meshed by patches and filled, its triangles kept; where a patch cannot be mapped or

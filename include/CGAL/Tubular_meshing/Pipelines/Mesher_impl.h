@@ -7,13 +7,18 @@
 #include <CGAL/Tubular_meshing/Centerlines/Centerline_field.h>
 #include <CGAL/Tubular_meshing/Fields/Centerline_metric_field.h>
 #include <CGAL/Tubular_meshing/Fields/Centerline_sizing_field.h>
+#include <CGAL/Tubular_meshing/Fields/Refined_metric_field.h>
 #include <CGAL/Tubular_meshing/Layers/append_mesh.h>
 #include <CGAL/Tubular_meshing/Layers/local_radius.h>
+#include <CGAL/Tubular_meshing/Pipelines/Element_target.h>
 #include <CGAL/Tubular_meshing/Pipelines/Mesher.h>
 #include <CGAL/Tubular_meshing/Pipelines/internal/Model_in_its_frame.h>
 #include <CGAL/Tubular_meshing/Pipelines/internal/check_mesh_of_model.h>
+#include <CGAL/Tubular_meshing/Pipelines/internal/check_requests.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 
+#include <cmath>
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <string>
@@ -21,6 +26,14 @@
 #include <vector>
 
 namespace CGAL::Tubular_meshing {
+
+namespace internal {
+
+inline std::size_t number_of_cells(const Mixed_mesh& mesh) {
+  return mesh.number_of_cells();
+}
+
+} // namespace internal
 
 class Mesher::Impl {
 public:
@@ -30,11 +43,37 @@ public:
       , frame_(*model_) {
     frame_.scale_lengths(options_.size);
     frame_.scale_lengths(options_.metric);
+    internal::check_requests(options_.size.size_requests, *model_);
+    options_.size.size_requests = frame_.in_frame(std::move(options_.size.size_requests));
   }
 
   const Tubular_model& model() const { return *model_; }
   const Mesher_report& report() const { return report_; }
   Remeshed_surface take_kept_surface() { return std::exchange(kept_, Remeshed_surface()); }
+
+  double points() const { return options_.size.points_per_circumference; }
+  void set_points(double points) {
+    options_.metric.curvature_points *= points / options_.size.points_per_circumference;
+    options_.metric.points_per_circumference *= points / options_.size.points_per_circumference;
+    options_.size.points_per_circumference = points;
+    size_.reset();
+  }
+
+  double estimated_number_of_tetrahedra() { return size().estimated_number_of_tetrahedra(); }
+
+  /* Makes a mesh; again with other N, until it has the number of elements that is wanted. */
+  template <class Make, class Count> auto fitted(const Make& make, const Count& count, double power) {
+    if (options_.number_of_elements == 0)
+      return make();
+    Element_target target(options_.number_of_elements,
+                          points() * std::cbrt(options_.number_of_elements / estimated_number_of_tetrahedra()), power);
+    for (;;) {
+      set_points(target.points());
+      auto mesh = make();
+      if (target.add(count(mesh)))
+        return mesh;
+    }
+  }
 
   /* Runs what makes a mesh in the frame, and brings the mesh back from there, or the places of what is thrown. */
   template <class Make> auto made(const Make& make) {
@@ -55,7 +94,7 @@ public:
   Mixed_mesh isotropic() {
     return made([&] {
       Mixed_mesh mesh = isotropic_in_frame(options_.surface_mesher);
-      mesh.patch_names = patch_names();
+      name_patches(mesh);
       return mesh;
     });
   }
@@ -70,13 +109,16 @@ public:
       const Labelled_surface& wall = by_patches_ ? by_patches_->surface : frame_.surface();
       stage("metric field");
       const Centerline_metric_field metric(wall.surface, wall.patch, frame_.centerlines(), options_.metric);
-      stage("anisotropic remeshing");
       options_.remeshing.boundary_layer_patches = {labels::wall};
-      internal::anisotropic_tetrahedral_remeshing(mesh, wall.surface, wall.patch, metric, options_.remeshing);
+      const auto remesh = [&](const auto& field) {
+        stage("anisotropic remeshing");
+        internal::anisotropic_tetrahedral_remeshing(mesh, wall.surface, wall.patch, field, options_.remeshing);
+      };
+      options_.size.size_requests.empty() ? remesh(metric) : remesh(refined(metric));
       stage("check");
       internal::check_differences(mesh, *model_);
       mesh.region_names = {{labels::lumen, "lumen"}};
-      mesh.patch_names = patch_names();
+      name_patches(mesh);
       return mesh;
     });
   }
@@ -93,6 +135,7 @@ public:
             stage("pyramids and tetrahedra");
             internal::fill_with_pyramids_and_tetrahedra(closed, patch, size(), filling, pyramids);
           });
+      name_patches(mesh);
       if (options_.wall) {
         stage("wall");
         const Centerline_field centerlines(frame_.centerlines());
@@ -101,8 +144,6 @@ public:
       }
       stage("check");
       internal::check_differences(mesh, *model_);
-      const Label_names names = patch_names();
-      mesh.patch_names.insert(names.begin(), names.end());
       return mesh;
     });
   }
@@ -114,8 +155,9 @@ public:
       if (elements == Surface_elements::triangles)
         return triangles_in_frame(size());
       stage("metric field");
-      return triangles_in_frame(Centerline_metric_field(frame_.surface().surface, frame_.surface().patch,
-                                                        frame_.centerlines(), options_.metric));
+      const Centerline_metric_field metric(frame_.surface().surface, frame_.surface().patch, frame_.centerlines(),
+                                           options_.metric);
+      return options_.size.size_requests.empty() ? triangles_in_frame(metric) : triangles_in_frame(refined(metric));
     });
   }
 
@@ -141,6 +183,17 @@ private:
                     options_.size);
     }
     return *size_;
+  }
+
+  // A metric with what is wanted beside it.
+  Refined_metric_field refined(const Centerline_metric_field& metric) {
+    Centerline_sizing_field_options without = options_.size;
+    without.size_requests = Size_requests();
+    const Labelled_surface& s = frame_.surface();
+    return Refined_metric_field(metric,
+                                Centerline_sizing_field(Centerline_field(frame_.centerlines()),
+                                                        Wall_distance(s.surface, s.patch, labels::wall), without),
+                                size());
   }
 
   const Patches& patches() {
@@ -269,7 +322,10 @@ private:
           "finds TetGen (libtet1.5-dev), or CGAL 6.1 or later, and choose one of these.");
   }
   void check_memory() { internal::check_memory(size().estimated_number_of_tetrahedra()); }
-  Label_names patch_names() const { return lumen_patch_names(int(model_->openings.size())); }
+  void name_patches(Mixed_mesh& mesh) const {
+    mesh.patch_names = patch_names(*model_);
+    mesh.patch_ids = model_->patch_ids;
+  }
 
   std::shared_ptr<const Tubular_model> model_;
   Mesher_options options_;
@@ -292,17 +348,27 @@ CGAL_TUBULAR_MESHING_INLINE Mesher::~Mesher() = default;
 CGAL_TUBULAR_MESHING_INLINE const Tubular_model& Mesher::model() const {
   return impl_->model();
 }
+CGAL_TUBULAR_MESHING_INLINE void Mesher::set_points_per_circumference(double points) {
+  impl_->set_points(points);
+}
+CGAL_TUBULAR_MESHING_INLINE double Mesher::points_per_circumference() const {
+  return impl_->points();
+}
+CGAL_TUBULAR_MESHING_INLINE double Mesher::estimated_number_of_tetrahedra() {
+  return impl_->estimated_number_of_tetrahedra();
+}
 CGAL_TUBULAR_MESHING_INLINE Mixed_mesh Mesher::isotropic() {
-  return impl_->isotropic();
+  return impl_->fitted([&] { return impl_->isotropic(); }, internal::number_of_cells, 3);
 }
 CGAL_TUBULAR_MESHING_INLINE Mixed_mesh Mesher::anisotropic() {
-  return impl_->anisotropic();
+  return impl_->fitted([&] { return impl_->anisotropic(); }, internal::number_of_cells, 3);
 }
 CGAL_TUBULAR_MESHING_INLINE Mixed_mesh Mesher::mixed() {
-  return impl_->mixed();
+  return impl_->fitted([&] { return impl_->mixed(); }, internal::number_of_cells, 3);
 }
 CGAL_TUBULAR_MESHING_INLINE Remeshed_surface Mesher::surface(Surface_elements elements) {
-  return impl_->surface(elements);
+  return impl_->fitted([&] { return impl_->surface(elements); },
+                       [](const Remeshed_surface& s) { return std::size_t(s.surface.number_of_faces()); }, 2);
 }
 CGAL_TUBULAR_MESHING_INLINE Remeshed_surface Mesher::kept_surface() {
   return impl_->take_kept_surface();

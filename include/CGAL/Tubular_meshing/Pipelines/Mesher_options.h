@@ -62,6 +62,8 @@ struct Mesher_options {
 
   Volume_mesher volume_mesher = default_volume_mesher(); ///< what fills the surface mesh
   Surface_mesher surface_mesher = Surface_mesher::parametric;
+  double number_of_elements =
+      0; ///< cells, of a surface faces; then N is found so that there are about as many; 0: by N
   std::function<void(const char*)> observer; ///< receives the name of each stage as it begins
 
   Mesher_options() = default;
@@ -86,6 +88,7 @@ struct Mesher_options {
                             volume_mesher == Volume_mesher::mesh_3 ? Surface_mesher::mesh_3 : surface_mesher);
     if (choose(np, internal_np::wall_thickness, 0.) != 0)
       wall.emplace(np);
+    number_of_elements = choose(np, internal_np::number_of_elements, number_of_elements);
     observer = choose(np, internal_np::observer, observer);
   }
 

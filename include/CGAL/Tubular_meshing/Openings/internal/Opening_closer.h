@@ -41,7 +41,7 @@ public:
   void close(Opening_site& site) {
     const Point_3 where = site.shape.center;
     if (!site.is_open()) {
-      if (flatten(site))
+      if (is_nearly_flat(site) && flatten(site))
         return;
       remove_faces(site.cap, mesh_);
       site.cap.clear();
@@ -65,6 +65,15 @@ public:
 
 private:
   static constexpr double max_sag = 0.2; // of the radius
+
+  // What bulges more is not pressed into the plane, but replaced.
+  bool is_nearly_flat(const Opening_site& site) const {
+    for (Face f : site.cap)
+      for (auto v : CGAL::vertices_around_face(mesh_.halfedge(f), mesh_))
+        if (std::abs(site.shape.plane.height(mesh_.point(v))) > 0.1 * site.shape.radius)
+          return false;
+    return true;
+  }
 
   // False if this would fold the wall or make the surface intersect itself; then nothing is changed.
   bool flatten(Opening_site& site) {

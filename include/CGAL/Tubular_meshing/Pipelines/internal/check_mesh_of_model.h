@@ -32,7 +32,7 @@ inline std::string differences(const Mixed_mesh& mesh, const Tubular_model& mode
   patches.insert(mesh.quads.label.begin(), mesh.quads.label.end());
   for (const auto& opening : model.openings)
     if (patches.count(opening.patch) == 0)
-      add("no facets on " + lumen_patch_names(int(model.openings.size())).at(opening.patch));
+      add("no facets on " + patch_names(model).at(opening.patch));
   return s;
 }
 
