@@ -27,6 +27,8 @@ enum class Surface_defect {
   islands,             ///< components other than the largest, removed
   needle_triangles,    ///< triangles of (nearly) no area, collapsed or flipped away
   pinholes,            ///< holes of the wall, small against the local radius, filled
+  filled_holes,        ///< larger ones, filled as asked for
+  possible_openings,   ///< loops that may be openings or holes, taken for openings: reported only
   self_intersections,  ///< triangles that cross each other, smoothed or replaced
   folds,               ///< edges at which the surface turns back on itself, smoothed or replaced
   handles,             ///< where vessels split and rejoin, or touch and are fused: reported only
@@ -47,6 +49,8 @@ inline std::string name_of(Surface_defect defect) {
                                       "islands",
                                       "needle_triangles",
                                       "pinholes",
+                                      "filled_holes",
+                                      "possible_openings",
                                       "self_intersections",
                                       "folds",
                                       "handles",
@@ -58,7 +62,7 @@ inline std::string name_of(Surface_defect defect) {
 /*! Whether a finding is but a note: the shape and the openings of the surface are as they were. */
 inline bool is_note(Surface_defect defect) {
   return defect == Surface_defect::duplicate_points || defect == Surface_defect::inside_out ||
-         defect == Surface_defect::handles;
+         defect == Surface_defect::handles || defect == Surface_defect::possible_openings;
 }
 
 /*! One kind of repair that was done. For JSON: `name_of(defect)`, `count`, `size`, and `place` if `has_place`. */
