@@ -18,6 +18,10 @@ namespace internal {
 
 std::vector<Round_end_report> cut_round_ends(Surface& surface, const Cut_round_ends_options& options);
 
+/* Cuts the ends at the points; all of them, where there are no points and the surface has no opening. */
+std::vector<Round_end_report> open_round_ends(Surface& surface, const std::vector<Point_3>& points,
+                                              const std::vector<Point_3>& blind_ends);
+
 } // namespace internal
 
 /*! \ingroup PkgTubularMeshingOpenings

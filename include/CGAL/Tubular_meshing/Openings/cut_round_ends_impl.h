@@ -7,9 +7,12 @@
 #include <CGAL/Tubular_meshing/Openings/cut_round_ends.h>
 #include <CGAL/Tubular_meshing/Openings/internal/Round_end_cutter.h>
 #include <CGAL/Tubular_meshing/Openings/internal/Vessel_ends.h>
+#include <CGAL/Tubular_meshing/Openings/openings.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace CGAL::Tubular_meshing::internal {
@@ -51,6 +54,21 @@ CGAL_TUBULAR_MESHING_INLINE std::vector<Round_end_report> cut_round_ends(Surface
   if (surface.has_garbage())
     surface.collect_garbage();
   return reports;
+}
+
+CGAL_TUBULAR_MESHING_INLINE std::vector<Round_end_report>
+open_round_ends(Surface& surface, const std::vector<Point_3>& points, const std::vector<Point_3>& blind_ends) {
+  const std::vector<Opening> openings = find_any_openings(surface, Find_openings_options());
+  Cut_round_ends_options options;
+  options.blind_ends = blind_ends;
+  options.all_round_ends = openings.empty() && points.empty();
+  for (const Point_3& p : points)
+    if (std::none_of(openings.begin(), openings.end(),
+                     [&](const Opening& o) { return point_distance(p, o.center) <= 1.5 * o.radius; }))
+      options.ends_to_cut.push_back(p);
+  if (!options.all_round_ends && options.ends_to_cut.empty())
+    return {}; // as of every surface with openings
+  return cut_round_ends(surface, options);
 }
 
 } // namespace CGAL::Tubular_meshing::internal

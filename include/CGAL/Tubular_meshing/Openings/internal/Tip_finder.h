@@ -48,6 +48,12 @@ public:
     return v;
   }
 
+  /* The vertex to which the way from a source is longest. */
+  Vertex farthest_from(const std::vector<Vertex>& source) {
+    measure_ways(source);
+    return farthest();
+  }
+
   /* The tips but for the source, the farthest first. */
   std::vector<Vertex> find(const std::vector<Vertex>& source) {
     measure_ways(source);
