@@ -2,3 +2,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Tubular_meshing/Repair/repair_surface_impl.h>
+#include <CGAL/Tubular_meshing/Repair/split_into_parts_impl.h>

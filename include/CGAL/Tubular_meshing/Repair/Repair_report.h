@@ -24,7 +24,9 @@ enum class Surface_defect {
   seam_gaps,           ///< borders that nearly coincide, sewn together
   turned_triangles,    ///< triangles against the orientation of their neighbours, turned
   inside_out,          ///< a surface whose normals point into the lumen, turned
-  islands,             ///< components other than the largest, removed
+  islands,             ///< components that are no vessels, or more than were wanted, removed
+  crossing_parts,      ///< vessels that crossed each other, united
+  parts_inside,        ///< components inside of another one, removed
   needle_triangles,    ///< triangles of (nearly) no area, collapsed or flipped away
   pinholes,            ///< holes of the wall, small against the local radius, filled
   filled_holes,        ///< larger ones, filled as asked for
@@ -47,6 +49,8 @@ inline std::string name_of(Surface_defect defect) {
                                       "turned_triangles",
                                       "inside_out",
                                       "islands",
+                                      "crossing_parts",
+                                      "parts_inside",
                                       "needle_triangles",
                                       "pinholes",
                                       "filled_holes",

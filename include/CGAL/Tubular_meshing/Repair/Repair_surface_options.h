@@ -7,6 +7,7 @@
 #include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/base/parameters.h>
 
+#include <cstddef>
 #include <vector>
 
 namespace CGAL::Tubular_meshing {
@@ -26,6 +27,7 @@ enum class Repair_mode {
 struct Repair_surface_options {
   Repair_mode repair_mode = Repair_mode::automatic;
   bool smooth = false;                ///< whether staircase noise is smoothed off at last
+  std::size_t number_of_parts = 1;    ///< of the vessels in the surface, so many are kept, by area; 0: all
   std::vector<Point_3> filled_holes;  ///< at each the nearest border loop is filled, however large
   std::vector<Point_3> kept_openings; ///< at each the nearest border loop is kept open, however small
 
@@ -34,6 +36,7 @@ struct Repair_surface_options {
   explicit Repair_surface_options(const NamedParameters& np)
       : repair_mode(internal::choose(np, internal_np::repair_mode, Repair_mode::automatic))
       , smooth(internal::choose(np, internal_np::smooth, false))
+      , number_of_parts(internal::choose(np, internal_np::number_of_parts, std::size_t(1)))
       , filled_holes(internal::choose(np, internal_np::filled_holes, std::vector<Point_3>()))
       , kept_openings(internal::choose(np, internal_np::kept_openings, std::vector<Point_3>())) {}
 };

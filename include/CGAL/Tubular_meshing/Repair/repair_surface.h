@@ -39,8 +39,10 @@ Repair_report repair_mesh(Surface& mesh, const Repair_surface_options& options);
  * - fins and membranes are removed where they make an edge have more than two triangles, and the sides of the surface
  *   are separated where they touch in a point;
  * - the triangles are oriented consistently, and the whole outward;
- * - all components but the one of the largest area are dropped. A component with a rim close to and facing one of the
- *   part that is kept is a piece of the vessel: then the gap is refused;
+ * - all components but the one of the largest area are dropped, or, if more are wanted, all that are no vessels: a
+ *   vessel has two ends or more, open or flat, and a thousandth of the area of the largest, or is much longer than wide
+ *   and has a hundredth of it. A component with a rim close to and facing one of the part that is kept is a piece of
+ *   the vessel: then the gap is refused. Each that is kept is turned outward;
  * - triangles less high than a thousandth of their longest side are collapsed or flipped away, or replaced with the
  *   faces around them;
  * - pinholes are filled. A border loop is an opening if the wall stands upright on it, as it does at any end of a tube,
@@ -52,6 +54,7 @@ Repair_report repair_mesh(Surface& mesh, const Repair_surface_options& options);
  *   a tear along the vessel, is refused;
  * - triangles that cross, or fold back on their neighbours by more than 154 degrees, are smoothed or replaced by a
  *   patch that continues the wall; at a rim they are removed. If that loses or adds an opening, it is taken back;
+ * - vessels that cross each other are united (corefine_and_compute_union()); one inside of another is dropped;
  * - where this fails, the surface, its ends closed, is replaced by an alpha wrap (CGAL's Alpha_wrap_3) with alpha a
  *   third of the smallest opening's radius, drawn back onto the surface and cut open at the ends. A wrap that would
  *   take more than about half a minute, that loses or adds an opening, or in which vessels grow together is refused;
@@ -77,6 +80,12 @@ Repair_report repair_mesh(Surface& mesh, const Repair_surface_options& options);
  *       band 0.1); rims stay curves along themselves, flat caps stay}
  *     \cgalParamType{`bool`}
  *     \cgalParamDefault{`false`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{number_of_parts}
+ *     \cgalParamDescription{how many vessels are kept where the surface has several, by decreasing area; 0: all of
+ *       them. See split_into_parts()}
+ *     \cgalParamType{`std::size_t`}
+ *     \cgalParamDefault{1}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{filled_holes}
  *     \cgalParamDescription{points: the border loop nearest to each is filled as a hole of the wall, however large}

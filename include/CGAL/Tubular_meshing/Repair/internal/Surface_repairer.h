@@ -19,6 +19,8 @@
 #include <CGAL/Tubular_meshing/Repair/internal/smooth_noise.h>
 #include <CGAL/Tubular_meshing/Repair/internal/split_touching_loops.h>
 #include <CGAL/Tubular_meshing/Repair/internal/tube_ends.h>
+#include <CGAL/Tubular_meshing/Repair/internal/turn_parts_outward.h>
+#include <CGAL/Tubular_meshing/Repair/internal/unite_parts.h>
 #include <CGAL/Tubular_meshing/Repair/internal/sort_border_loops.h>
 #include <CGAL/Tubular_meshing/Repair/internal/wrap_surface.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
@@ -75,12 +77,13 @@ public:
     sew(soup);
     remove_fins(soup);
     make_mesh(soup);
-    report_islands(drop_islands(mesh_));
+    report_islands(drop_islands(mesh_, options_.number_of_parts));
     turn_outward();
     remove_needles();
     Touching_loop_splitter(mesh_).split();
     close_holes();
     replace_needles();
+    unite_parts();
     const bool is_repaired = repair_crossings() && is_sound();
     if (!is_repaired || wrap_anyway)
       wrap();
@@ -185,11 +188,35 @@ private:
   }
 
   void turn_outward() {
-    if (!is_inside_out(mesh_, border_cycles(mesh_)))
+    if (options_.number_of_parts == 1 ? !is_inside_out(mesh_, border_cycles(mesh_)) : !turn_parts_outward(mesh_))
       return;
-    Polygon_mesh_processing::reverse_face_orientations(mesh_);
+    if (options_.number_of_parts == 1)
+      Polygon_mesh_processing::reverse_face_orientations(mesh_);
     report_.add(Surface_defect::inside_out, mesh_.number_of_faces(), 0,
                 "The normals of the surface pointed into the lumen; they now point outward.");
+  }
+
+  // Vessels that cross; what is wrong within one is repaired before, as far as a union asks for it, and after.
+  void unite_parts() {
+    if (options_.number_of_parts == 1)
+      return;
+    const United_parts parts = internal::unite_parts(mesh_);
+    if (parts.inside > 0)
+      report_.add(Surface_defect::parts_inside, parts.inside, 0,
+                  counted(parts.inside, "part", "parts") + " of the surface, " + short_number(100 * parts.share) +
+                      " % of the area, " + (parts.inside == 1 ? "lies" : "lie") + " inside of another one, as at " +
+                      coordinates(parts.place_inside) + ", and " + (parts.inside == 1 ? "was" : "were") + " removed.",
+                  parts.place_inside);
+    if (parts.united == 0)
+      return;
+    report_.add(Surface_defect::crossing_parts, parts.united, 0,
+                counted(parts.united, "part crosses another one and was", "parts cross others and were") +
+                    " united with it, one with a point at " + coordinates(parts.crossing) + ".",
+                parts.crossing);
+    remove_needles();
+    Touching_loop_splitter(mesh_).split();
+    tube_ends_.clear();
+    append_shapes(border_cycles(mesh_), tube_ends_);
   }
 
   void remove_needles() {
@@ -322,8 +349,10 @@ private:
   long number_of_handles() const {
     const long characteristic = long(mesh_.number_of_vertices()) - long(mesh_.number_of_edges()) +
                                 long(mesh_.number_of_faces()) + long(border_cycles(mesh_).size());
-    return (2 - characteristic) / 2;
+    return (2 * number_of_pieces() - characteristic) / 2;
   }
+
+  long number_of_pieces() const { return options_.number_of_parts == 1 ? 1 : long(components_of(mesh_).size()); }
 
   void report_handles() {
     const long handles = number_of_handles();
@@ -344,7 +373,7 @@ private:
     Surface_wrapper wrapper(std::move(points), std::move(triangles), ends,
                             reason_.empty() ? "The surface is to be wrapped" : reason_);
     wrapper.wrap(mesh_, smallest_radius());
-    drop_islands(mesh_);
+    drop_islands(mesh_, options_.number_of_parts);
     const std::string what =
         reason_.empty() ? "As asked for, the surface was " : reason_ + "; the surface was therefore ";
     report_.add(Surface_defect::wrapped, 1, wrapper.alpha(),
