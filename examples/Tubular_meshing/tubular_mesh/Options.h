@@ -29,6 +29,10 @@ struct Options {
   double flow_extensions = 0;
   std::string inlet, seeds;
   std::vector<std::string> outlets;
+  std::vector<std::string> filled_holes, blind_ends; // points
+  bool cut_ends = false, single_opening = false;
+  int openings = 0;          // that there have to be; 0: not said
+  std::string parts = "all"; // or largest, or a number
   double points_per_circumference = 20;
   double min_size = 0, max_size = (std::numeric_limits<double>::infinity)(), gradation = 1.3;
   std::string report, surface_output, centerlines_output;

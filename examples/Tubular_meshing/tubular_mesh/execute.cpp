@@ -5,6 +5,7 @@
 
 #include "Run_report.h"
 #include "Stage_clock.h"
+#include "parts.h"
 #include "stages.h"
 
 #include <CGAL/Tubular_meshing/IO/write_centerlines.h>
@@ -16,6 +17,7 @@
 #include <cstdio>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace tubular = CGAL::Tubular_meshing;
@@ -66,11 +68,18 @@ void execute(const Options& options, const std::string& version) {
   Run run;
   run.options = options;
   run.version = version;
-  tubular::Surface surface = read_surface(run, clock);
-  extend_openings(run, surface, clock);
-  prepare_model(run, surface, clock);
-  make_mesh(run, clock);
-  add_wall(run, clock);
+  std::vector<Part> parts = split(run, read_surface(run, clock));
+  for (Part& part : parts) {
+    cut_ends(part.run, part.surface, clock);
+    extend_openings(part.run, part.surface, clock);
+    prepare_model(part.run, part.surface, clock);
+  }
+  check_number_of_openings(run, parts);
+  for (Part& part : parts) {
+    make_mesh(part.run, clock);
+    add_wall(part.run, clock);
+  }
+  join(run, std::move(parts));
   clock.begin("report");
   Run_report report(run);
   clock.begin("write");

@@ -9,6 +9,7 @@
 #include <CGAL/Tubular_meshing/IO/read_centerlines.h>
 #include <CGAL/Tubular_meshing/IO/read_surface.h>
 #include <CGAL/Tubular_meshing/Layers/extrude_wall.h>
+#include <CGAL/Tubular_meshing/Openings/cut_round_ends.h>
 #include <CGAL/Tubular_meshing/Openings/flow_extensions.h>
 #include <CGAL/Tubular_meshing/Openings/openings.h>
 #include <CGAL/Tubular_meshing/Patches/surface_to_mixed_mesh.h>
@@ -38,33 +39,55 @@ tubular::Volume_mesher volume_mesher(const Options& o) {
                                      : tubular::Volume_mesher::mesh_3;
 }
 
-// Where the centerlines that are to be computed begin and end, beside the openings.
-std::vector<Point_3> seeds_of(const Options& o) {
+std::vector<Point_3> points_of(const std::vector<std::string>& texts) {
+  std::vector<Point_3> points;
+  for (const std::string& text : texts)
+    points.push_back(point_of(text));
+  return points;
+}
+
+Named_points named_points(const Options& o) {
+  Named_points points;
+  if (!o.inlet.empty())
+    points.inlet = point_of(o.inlet);
+  points.blind_ends = points_of(o.blind_ends);
   if (!o.seeds.empty())
-    return command_line::read_points(o.seeds);
-  std::vector<Point_3> seeds;
-  if (o.outlets.empty())
-    return seeds;
-  seeds.push_back(point_of(o.inlet));
-  for (const std::string& p : o.outlets)
-    seeds.push_back(point_of(p));
-  return seeds;
+    points.ends = command_line::read_points(o.seeds);
+  else if (!o.outlets.empty()) {
+    points.ends = points_of(o.outlets);
+    points.ends.insert(points.ends.begin(), *points.inlet);
+  }
+  return points;
+}
+
+// That are openings whatever their size.
+std::vector<Point_3> points_at_openings(const Named_points& points) {
+  std::vector<Point_3> all = points.ends;
+  if (points.inlet)
+    all.push_back(*points.inlet);
+  return all;
+}
+
+std::size_t number_of_parts(const Options& o) {
+  return o.parts == "all" ? 0 : o.parts == "largest" ? 1 : std::size_t(std::stoul(o.parts));
 }
 
 tubular::Tubular_model with_computed_centerlines(const Run& run, const tubular::Surface& surface) {
-  const auto np = tubular::parameters::loops(run.options.loops).seeds(seeds_of(run.options));
+  const auto np = tubular::parameters::loops(run.options.loops)
+                      .seeds(run.points.ends)
+                      .blind_ends(run.points.blind_ends)
+                      .single_opening(run.options.single_opening);
   if (!run.extensions.openings.empty()) // the inlet has moved
     return tubular::make_tubular_model(surface, np.inlet(run.extensions.openings.front().center));
-  if (!run.options.inlet.empty())
-    return tubular::make_tubular_model(surface, np.inlet(point_of(run.options.inlet)));
+  if (run.points.inlet)
+    return tubular::make_tubular_model(surface, np.inlet(*run.points.inlet));
   return tubular::make_tubular_model(surface, np);
 }
 
-tubular::Tubular_model with_given_centerlines(const Run& run, const tubular::Surface& surface,
-                                              const tubular::Centerline_polylines& lines) {
-  if (run.options.inlet.empty())
-    return tubular::make_tubular_model(surface, lines);
-  return tubular::make_tubular_model(surface, lines, tubular::parameters::inlet(point_of(run.options.inlet)));
+tubular::Tubular_model with_given_centerlines(const Run& run, const tubular::Surface& surface) {
+  if (!run.points.inlet)
+    return tubular::make_tubular_model(surface, run.lines);
+  return tubular::make_tubular_model(surface, run.lines, tubular::parameters::inlet(*run.points.inlet));
 }
 
 // All that meshers take: each type of mesh reads what matters to it.
@@ -107,12 +130,35 @@ tubular::Surface read_surface(Run& run, Stage_clock& clock) {
   std::vector<Point_3> points;
   std::vector<std::array<std::size_t, 3>> triangles;
   tubular::IO::read_triangle_soup(run.options.surface, points, triangles);
+  run.points = named_points(run.options);
   clock.begin("repair");
   tubular::Surface surface;
-  run.repairs =
-      tubular::repair_surface(points, triangles, surface,
-                              tubular::parameters::repair_mode(repair_mode(run.options)).smooth(run.options.smooth));
+  run.repairs = tubular::repair_surface(points, triangles, surface,
+                                        tubular::parameters::repair_mode(repair_mode(run.options))
+                                            .smooth(run.options.smooth)
+                                            .number_of_parts(number_of_parts(run.options))
+                                            .filled_holes(points_of(run.options.filled_holes))
+                                            .kept_openings(points_at_openings(run.points)));
+  if (!run.options.centerlines.empty())
+    tubular::IO::read_centerlines(run.options.centerlines, run.lines);
   return surface;
+}
+
+void cut_ends(Run& run, tubular::Surface& surface, Stage_clock& clock) {
+  const Options& o = run.options;
+  if (o.cut_ends) {
+    clock.begin("ends");
+    run.round_ends = tubular::cut_round_ends(
+        surface, tubular::parameters::ends_to_cut(run.points.ends).blind_ends(run.points.blind_ends));
+  } else if (o.flow_extensions > 0) { // else the model does it
+    clock.begin("ends");
+    run.round_ends = tubular::open_round_ends(surface, run.points.ends, run.points.blind_ends);
+  } else
+    return;
+  if (!run.points.ends.empty()) { // there are openings at all of them now
+    run.points.inlet = run.points.ends.front();
+    run.points.ends.clear();
+  }
 }
 
 void extend_openings(Run& run, tubular::Surface& surface, Stage_clock& clock) {
@@ -120,23 +166,19 @@ void extend_openings(Run& run, tubular::Surface& surface, Stage_clock& clock) {
   if (!(o.flow_extensions > 0))
     return;
   clock.begin("flow extensions");
-  run.extensions.openings = o.inlet.empty()
-                                ? tubular::find_openings(surface)
-                                : tubular::find_openings(surface, tubular::parameters::inlet(point_of(o.inlet)));
+  run.extensions.openings = run.points.inlet
+                                ? tubular::find_openings(surface, tubular::parameters::inlet(*run.points.inlet))
+                                : tubular::find_openings(surface);
   run.extensions.lengths = tubular::add_flow_extensions(surface, run.extensions.openings,
                                                         tubular::parameters::extension_length(o.flow_extensions));
 }
 
 void prepare_model(Run& run, const tubular::Surface& surface, Stage_clock& clock) {
-  if (run.options.centerlines.empty()) {
-    clock.begin("centerlines");
-    run.model = with_computed_centerlines(run, surface);
-    return;
-  }
-  tubular::Centerline_polylines lines;
-  tubular::IO::read_centerlines(run.options.centerlines, lines);
-  clock.begin("branches, openings");
-  run.model = with_given_centerlines(run, surface, lines);
+  const bool are_given = !run.lines.lines.empty();
+  clock.begin(are_given ? "branches, openings" : "centerlines");
+  run.model = are_given ? with_given_centerlines(run, surface) : with_computed_centerlines(run, surface);
+  const auto& ends = run.model.round_ends;
+  run.round_ends.insert(run.round_ends.end(), ends.begin(), ends.end());
 }
 
 void make_mesh(Run& run, Stage_clock& clock) {

@@ -14,6 +14,9 @@
 // The surface of the file, repaired.
 CGAL::Tubular_meshing::Surface read_surface(Run& run, Stage_clock& clock);
 
+// Cuts round ends open where that cannot wait for the model.
+void cut_ends(Run& run, CGAL::Tubular_meshing::Surface& surface, Stage_clock& clock);
+
 void extend_openings(Run& run, CGAL::Tubular_meshing::Surface& surface, Stage_clock& clock);
 
 // The surface with its openings, and its centerlines, given or computed.

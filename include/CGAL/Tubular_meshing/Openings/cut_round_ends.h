@@ -89,6 +89,15 @@ std::vector<Round_end_report> cut_round_ends(TriangleMesh& surface,
   }
 }
 
+/*! \ingroup PkgTubularMeshingOpenings
+ *
+ * opens what has to be open before a surface can be meshed for flow: cuts the round ends at the points, or all of them
+ * where there are no points and the surface has no opening. make_tubular_model() does so by itself. */
+inline std::vector<Round_end_report> open_round_ends(Surface& surface, const std::vector<Point_3>& points = {},
+                                                     const std::vector<Point_3>& blind_ends = {}) {
+  return internal::open_round_ends(surface, points, blind_ends);
+}
+
 } // namespace CGAL::Tubular_meshing
 
 #ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
