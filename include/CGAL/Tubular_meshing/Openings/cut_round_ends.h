@@ -34,7 +34,7 @@ std::vector<Round_end_report> open_round_ends(Surface& surface, const std::vecto
  * - A sac is no end: an end that is more than 1.15 times wider than its neck, and at most twice as long as wide. A
  *   vessel that goes on behind a stenosis is longer.
  * - The dome begins where the radius, seen from the tip, is within 8 % of that three quarters of a radius further in.
- *   The plane lies there, or further out as far as the wall keeps 97 % of its distance from the axis.
+ *   The plane lies there, or further out as far as the wall keeps 98.5 % of its distance from the axis.
  * - Where a plane does not cut the vessel in one loop, one further in is taken, by at most two radii.
  * - Openings that the surface has already, open or capped flat, stay as they are.
  *

@@ -67,7 +67,7 @@ CGAL_TUBULAR_MESHING_INLINE std::vector<std::size_t> nodes_at(const Centerline_g
                                                               const std::vector<Opening>& openings) {
   std::vector<std::size_t> ends, found;
   for (std::size_t n = 0; n < graph.nodes().size(); ++n)
-    if (graph.nodes()[n].is_end())
+    if (graph.nodes()[n].is_end() || n == graph.root()) // several may leave a wide inlet
       ends.push_back(n);
   for (const Opening& o : openings) {
     const auto away = [&](std::size_t n) {

@@ -83,7 +83,7 @@ private:
     const double wide = near_base[near_base.size() / 2];
     double height = 0; // of the last vertex before the wall turns to the axis
     for (const auto& w : wall) {
-      if (w.second < 0.97 * wide)
+      if (w.second < 0.985 * wide)
         break;
       height = w.first;
     }

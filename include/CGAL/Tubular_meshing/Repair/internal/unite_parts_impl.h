@@ -5,7 +5,7 @@
 #define CGAL_TUBULAR_MESHING_REPAIR_INTERNAL_UNITE_PARTS_IMPL_H
 
 #include <CGAL/Tubular_meshing/Repair/internal/unite_parts.h>
-#include <CGAL/Tubular_meshing/Repair/split_into_parts_impl.h>
+#include <CGAL/Tubular_meshing/Repair/split_into_parts.h>
 #include <CGAL/Tubular_meshing/Rims/Opening_site.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 
