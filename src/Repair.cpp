@@ -3,3 +3,4 @@
 
 #include <CGAL/Tubular_meshing/Repair/carry_labels_impl.h>
 #include <CGAL/Tubular_meshing/Repair/repair_surface_impl.h>
+#include <CGAL/Tubular_meshing/Repair/split_into_parts_impl.h>

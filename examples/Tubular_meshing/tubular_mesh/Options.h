@@ -31,6 +31,10 @@ struct Options {
   std::string faces;        // the cell array that says which face is which end; empty: one with a known name
   std::vector<std::string> renames;
   std::vector<std::string> outlets;
+  std::vector<std::string> filled_holes, blind_ends; // points
+  bool cut_ends = false, single_opening = false;
+  int openings = 0;          // that there have to be; 0: not said
+  std::string parts = "all"; // or largest, or a number
   double points_per_circumference = 20;
   double elements = 0; // that the mesh is to have; 0: as many as come
   std::vector<std::string> refined_balls, refined_branches;

@@ -141,6 +141,31 @@ Json description_of(const Run& run) {
           {"branches", branches(run.model, mesh)}};
 }
 
+// The round ends of vessels, cut open or not.
+void add_round_ends(Json& report, const std::vector<tubular::Round_end_report>& ends) {
+  Json list = Json::array();
+  for (const auto& end : ends)
+    list.push_back({{"cut", end.is_cut},
+                    {"center", vector_of(end.center)},
+                    {"radius", end.radius},
+                    {"reason", end.is_cut ? Json() : Json(end.reason)}});
+  report["round_ends"] = list;
+}
+
+void print_round_ends(const Json& ends) {
+  long cut = 0;
+  for (const auto& end : ends)
+    cut += end["cut"].get<bool>();
+  if (cut > 0)
+    std::printf("ends: %ld round %s cut open, by planes across the vessels\n", cut, cut == 1 ? "end was" : "ends were");
+  for (const auto& end : ends)
+    if (!end["cut"].get<bool>())
+      std::printf("note: the round end at (%g, %g, %g), of radius %g, stays closed (%s); --outlet opens it\n",
+                  end["center"][0].get<double>(), end["center"][1].get<double>(), end["center"][2].get<double>(),
+                  end["radius"].get<double>(), end["reason"].get<std::string>().c_str());
+  std::printf("\n");
+}
+
 // How the surface was cut, and its patches were mapped.
 void add_patches(Json& report, const tubular::Remeshed_surface& surface) {
   const tubular::Patch_report& r = surface.report;
@@ -327,9 +352,14 @@ void print_summary(const Json& r, bool verbose) {
     std::printf("\n");
   }
   for (const auto& repair : r["repairs"])
-    std::printf("repair: %s\n", repair["sentence"].get<std::string>().c_str());
+    std::printf("repair: %s%s\n", repair["sentence"].get<std::string>().c_str(),
+                repair["defect"] == "possible_openings" ? " (--fill X,Y,Z)" : "");
   if (!r["repairs"].empty())
     std::printf("\n");
+  if (r.contains("round_ends"))
+    print_round_ends(r["round_ends"]);
+  if (r.contains("openings_of_parts"))
+    std::printf("%ld vessels, meshed each by itself\n\n", long(r["openings_of_parts"].size()));
   for (const auto& fallback : r["fallbacks"])
     std::printf("note: %s\n\n", fallback.get<std::string>().c_str());
   std::printf("%-22s %8s %8s %8s\n", "quality", "min", "1 %", "mean");
@@ -370,7 +400,8 @@ void print_summary(const Json& r, bool verbose) {
     if (o["branch"].is_null())
       std::printf("note: no centerline leads to %s; the mesh size there is that of the nearest branch\n",
                   o["name"].get<std::string>().c_str());
-  if (r["centerlines"].is_null() && !r["loops"] && r["boundary_euler"] < 2)
+  const long pieces = r.contains("openings_of_parts") ? long(r["openings_of_parts"].size()) : 1;
+  if (r["centerlines"].is_null() && !r["loops"] && r["boundary_euler"] < 2 * pieces)
     std::printf("note: vessels split and rejoin; where no centerline runs the mesh size is that of the nearest branch, "
                 "unless --loops keeps them all\n");
   if (verbose) {
@@ -397,6 +428,10 @@ Run_report::Run_report(const Run& run)
   Json& report = content_->json;
   if (!run.labels.empty())
     report["labels"] = labels(run.labels);
+  if (!run.round_ends.empty())
+    add_round_ends(report, run.round_ends);
+  if (run.openings_of_parts.size() > 1)
+    report["openings_of_parts"] = run.openings_of_parts;
   if (!run.notes.empty())
     report["notes"] = run.notes;
   if (run.surface.surface.number_of_faces() > 0)

@@ -88,11 +88,32 @@ inline void declare_metric_options(CLI::App& app, Options& o) {
       ->group(group);
 }
 
+inline CLI::Validator is_number_of_parts() {
+  return CLI::Validator(
+      [](std::string& text) {
+        const bool is_number = !text.empty() && text.size() < 7 &&
+                               text.find_first_not_of("0123456789") == std::string::npos && std::stoi(text) > 0;
+        return text == "all" || text == "largest" || is_number ? std::string()
+                                                               : "\"" + text + "\" is not all, largest, or a number";
+      },
+      "");
+}
+
 inline void declare_surface_options(CLI::App& app, Options& o) {
   app.add_option("--repair", o.repair,
                  "off, auto: repair what is wrong, or wrap: replace the surface by one wrapped around it")
       ->capture_default_str()
       ->check(CLI::IsMember({"off", "auto", "wrap"}).description(""));
+  app.add_option("--parts", o.parts,
+                 "vessels to mesh, where the surface has several: all, the largest, or a number of them, by area")
+      ->capture_default_str()
+      ->check(is_number_of_parts());
+  app.add_option("--fill", o.filled_holes,
+                 "X,Y,Z (repeatable): the loop of the border nearest to this point is a hole, not an opening: it is "
+                 "filled")
+      ->expected(1)
+      ->take_all()
+      ->check(command_line::is_point());
   app.add_flag("--smooth", o.smooth, "smooth staircase noise off the surface, keeping its volume");
   app.add_option("--flow-extensions", o.flow_extensions,
                  "extend each opening by a straight tube of this length, in radii of the opening")
@@ -109,7 +130,7 @@ inline void declare_centerline_options(CLI::App& app, Options& o) {
          "else the largest)")
       ->check(command_line::is_point_or_name());
   auto* outlets = app.add_option("--outlet", o.outlets,
-                                 "X,Y,Z (repeatable): where vessels end without an opening or a flat cap; with --inlet")
+                                 "X,Y,Z (repeatable): where vessels end; a round end is cut open there; with --inlet")
                       ->expected(1)
                       ->take_all()
                       ->check(command_line::is_point())
@@ -118,9 +139,18 @@ inline void declare_centerline_options(CLI::App& app, Options& o) {
       ->excludes("--inlet")
       ->excludes(outlets)
       ->excludes(lines);
+  app.add_flag("--cut-ends", o.cut_ends,
+               "cut vessels open that end in domes (by itself where a closed surface has no other end)");
+  app.add_option("--keep-end", o.blind_ends, "X,Y,Z (repeatable): the round end nearest to this point stays closed")
+      ->expected(1)
+      ->take_all()
+      ->check(command_line::is_point());
+  app.add_option("--openings", o.openings, "number of openings that there have to be; with others nothing is meshed")
+      ->check(CLI::Range(1, 1000000));
+  app.add_flag("--allow-single-opening", o.single_opening,
+               "mesh vessels that have one opening, and end blind otherwise");
   app.add_flag("--loops", o.loops, "keep every branch where vessels split and rejoin")->excludes(lines);
-  for (const char* ends : {"--centerlines", "--outlet", "--seeds"})
-    app.get_option("--flow-extensions")->excludes(app.get_option(ends));
+  app.get_option("--flow-extensions")->excludes(lines);
 }
 
 inline void declare_size_options(CLI::App& app, Options& o) {
@@ -192,8 +222,7 @@ inline void declare_options(CLI::App& app, Options& o, const std::string& versio
                  "write the closed, labelled surface, as it is meshed by the parametric mesher, else as it came: .stl "
                  ".vtp .msh .ply .off .obj .vtk");
   app.add_option("--write-centerlines", o.centerlines_output, "write the branches and their radii: .vtp .vtk");
-  app.add_option("--threads", o.threads,
-                 "number of threads, on which results do not depend (default: all cores)")
+  app.add_option("--threads", o.threads, "number of threads, on which results do not depend (default: all cores)")
       ->check(CLI::Range(0, 1024));
   auto* verbose = app.add_flag("-v,--verbose", o.verbose, "say more: the branches, a histogram of the quality");
   app.add_flag("-q,--quiet", o.quiet, "print errors only")->excludes(verbose);

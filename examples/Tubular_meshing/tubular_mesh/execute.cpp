@@ -5,6 +5,8 @@
 
 #include "Run_report.h"
 #include "Stage_clock.h"
+#include "parts.h"
+#include "renames.h"
 #include "stages.h"
 
 #include <CGAL/Tubular_meshing/IO/write_centerlines.h>
@@ -16,6 +18,7 @@
 #include <cstdio>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace tubular = CGAL::Tubular_meshing;
@@ -73,10 +76,18 @@ void execute(const Options& options, const std::string& version) {
   Run run;
   run.options = options;
   run.version = version;
-  tubular::Surface surface = read_surface(run, clock);
-  extend_openings(run, surface, clock);
-  prepare_model(run, surface, clock);
-  make_mesh(run, clock);
+  std::vector<Part> parts = split(run, read_surface(run, clock));
+  for (Part& part : parts) {
+    cut_ends(part.run, part.surface, clock);
+    extend_openings(part.run, part.surface, clock);
+    prepare_model(part.run, part.surface, clock);
+  }
+  check_number_of_openings(run, parts);
+  distribute_branches(run, parts);
+  rename_patches(run, parts);
+  make_meshes(parts, clock);
+  join(run, std::move(parts));
+  rename_wall_patches(run);
   clock.begin("report");
   Run_report report(run);
   clock.begin("write");

@@ -9,21 +9,20 @@
 #include <CGAL/Tubular_meshing/IO/read_centerlines.h>
 #include <CGAL/Tubular_meshing/IO/read_surface.h>
 #include <CGAL/Tubular_meshing/Layers/extrude_wall.h>
+#include <CGAL/Tubular_meshing/Openings/cut_round_ends.h>
 #include <CGAL/Tubular_meshing/Openings/flow_extensions.h>
+#include <CGAL/Tubular_meshing/Openings/labelled_ends.h>
 #include <CGAL/Tubular_meshing/Openings/openings.h>
 #include <CGAL/Tubular_meshing/Patches/surface_to_mixed_mesh.h>
-#include <CGAL/Tubular_meshing/Openings/labelled_ends.h>
 #include <CGAL/Tubular_meshing/Pipelines/Element_target.h>
 #include <CGAL/Tubular_meshing/Repair/carry_labels.h>
 #include <CGAL/Tubular_meshing/Repair/repair_surface.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 #include <CGAL/Tubular_meshing/base/labels.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <optional>
-#include <set>
+#include <deque>
 #include <string>
 #include <vector>
 
@@ -52,45 +51,63 @@ std::string name_of_inlet(const Options& o) {
   return command_line::parse_point(o.inlet, point) ? std::string() : o.inlet;
 }
 
-// Where the inlet is to be, if that was said: by a point, or by the name of an end, which may be its number.
-std::optional<Point_3> inlet_of(const Run& run) {
-  Point_3 point;
-  if (command_line::parse_point(run.options.inlet, point))
-    return point;
-  if (run.labels.inlet != tubular::Labelled_ends::none)
-    return run.labels.ends[run.labels.inlet].center;
-  return std::nullopt;
+std::vector<Point_3> points_of(const std::vector<std::string>& texts) {
+  std::vector<Point_3> points;
+  for (const std::string& text : texts)
+    points.push_back(point_of(text));
+  return points;
 }
 
-// Where the centerlines that are to be computed begin and end, beside the openings.
-std::vector<Point_3> seeds_of(const Run& run) {
-  const Options& o = run.options;
-  if (!o.seeds.empty())
-    return command_line::read_points(o.seeds);
-  std::vector<Point_3> seeds;
-  if (o.outlets.empty())
-    return seeds;
-  seeds.push_back(*inlet_of(run));
-  for (const std::string& p : o.outlets)
-    seeds.push_back(point_of(p));
-  return seeds;
+// Without the inlet, where it has a name.
+Named_points named_points(const Options& o) {
+  Named_points points;
+  Point_3 inlet;
+  if (command_line::parse_point(o.inlet, inlet))
+    points.inlet = inlet;
+  points.blind_ends = points_of(o.blind_ends);
+  points.ends = o.seeds.empty() ? points_of(o.outlets) : command_line::read_points(o.seeds);
+  return points;
+}
+
+// The inlet, which a label may name, comes before the outlets.
+void begin_at_inlet(Run& run) {
+  Named_points& points = run.points;
+  if (!points.inlet && run.labels.inlet != tubular::Labelled_ends::none)
+    points.inlet = run.labels.ends[run.labels.inlet].center;
+  if (!run.options.outlets.empty() && points.inlet)
+    points.ends.insert(points.ends.begin(), *points.inlet);
+}
+
+// That are openings whatever their size.
+std::vector<Point_3> points_at_openings(const Named_points& points) {
+  std::vector<Point_3> all = points.ends;
+  if (points.inlet)
+    all.push_back(*points.inlet);
+  return all;
+}
+
+std::size_t number_of_parts(const Options& o) {
+  return o.parts == "all" ? 0 : o.parts == "largest" ? 1 : std::size_t(std::stoul(o.parts));
 }
 
 tubular::Tubular_model with_computed_centerlines(const Run& run, const tubular::Surface& surface) {
-  const auto np = tubular::parameters::loops(run.options.loops).seeds(seeds_of(run)).labelled_ends(run.labels);
+  const auto np = tubular::parameters::loops(run.options.loops)
+                      .seeds(run.points.ends)
+                      .blind_ends(run.points.blind_ends)
+                      .single_opening(run.options.single_opening)
+                      .labelled_ends(run.labels);
   if (!run.extensions.openings.empty()) // the inlet has moved
     return tubular::make_tubular_model(surface, np.inlet(run.extensions.openings.front().center));
-  if (const auto inlet = inlet_of(run))
-    return tubular::make_tubular_model(surface, np.inlet(*inlet));
+  if (run.points.inlet)
+    return tubular::make_tubular_model(surface, np.inlet(*run.points.inlet));
   return tubular::make_tubular_model(surface, np);
 }
 
-tubular::Tubular_model with_given_centerlines(const Run& run, const tubular::Surface& surface,
-                                              const tubular::Centerline_polylines& lines) {
+tubular::Tubular_model with_given_centerlines(const Run& run, const tubular::Surface& surface) {
   const auto np = tubular::parameters::labelled_ends(run.labels);
-  if (const auto inlet = inlet_of(run))
-    return tubular::make_tubular_model(surface, lines, np.inlet(*inlet));
-  return tubular::make_tubular_model(surface, lines, np);
+  if (!run.points.inlet)
+    return tubular::make_tubular_model(surface, run.lines, np);
+  return tubular::make_tubular_model(surface, run.lines, np.inlet(*run.points.inlet));
 }
 
 // All that meshers take: each type of mesh reads what matters to it.
@@ -149,47 +166,6 @@ void open_labelled_ends(Run& run, const tubular::IO::Surface_data& data, tubular
   surface.remove_property_map(label);
 }
 
-// Renames patches, but for those that are among others, which have been renamed already.
-void rename(const Options& o, tubular::Label_names& names, const tubular::Label_names& done) {
-  for (auto& n : names)
-    for (const std::string& r : o.renames)
-      if (done.count(n.first) == 0 && r.substr(0, r.find('=')) == n.second) {
-        n.second = r.substr(r.find('=') + 1);
-        break;
-      }
-}
-
-std::string list_of(const tubular::Label_names& names) {
-  std::string list;
-  for (const auto& n : names)
-    list += (list.empty() ? "" : ", ") + n.second;
-  return list;
-}
-
-// Before the work of meshing: each name that is to be changed is there, and no two come to be the same.
-void check_renames(const Run& run) {
-  const Options& o = run.options;
-  const tubular::Label_names lumen = tubular::patch_names(run.model);
-  tubular::Label_names names = lumen;
-  rename(o, names, {});
-  if (o.has_wall())
-    tubular::add_wall_patch_names(names, o.second_wall.thickness > 0);
-  tubular::Label_names known = names;
-  for (const auto& n : lumen)
-    known[n.first] = n.second;
-  for (const std::string& r : o.renames) {
-    const std::string name = r.substr(0, r.find('='));
-    if (std::none_of(known.begin(), known.end(), [&](const auto& n) { return n.second == name; }))
-      throw tubular::Parameter_error("There is no patch called \"" + name + "\" to be renamed: there are " +
-                                     list_of(known) + ".");
-  }
-  rename(o, names, lumen);
-  std::set<std::string> different;
-  for (const auto& n : names)
-    if (!different.insert(n.second).second)
-      throw tubular::Parameter_error("Two patches would be called \"" + n.second + "\": give them different names.");
-}
-
 // Sizes that are asked for by place, by branch, and by an array of the surface's file.
 tubular::Size_requests size_requests(const Options& o, const tubular::IO::Surface_data& data) {
   tubular::Size_requests sizes;
@@ -243,7 +219,6 @@ void add_wall(Run& run, Stage_clock& clock) {
                                        .second_wall_layers(or_as_the_wall(o.second_wall.number, o.wall.number))
                                        .second_wall_growth(or_as_the_wall(o.second_wall.growth, o.wall.growth))
                                        .number_of_threads(o.threads));
-  rename(o, run.mesh.patch_names, run.model.patch_names);
 }
 
 std::size_t number_of_elements(const Run& run) {
@@ -258,13 +233,38 @@ tubular::Surface read_surface(Run& run, Stage_clock& clock) {
   clock.begin("read");
   const tubular::IO::Surface_data data = tubular::IO::read_surface_data(o.surface, o.faces);
   run.notes = data.notes;
+  run.points = named_points(o);
   clock.begin("repair");
   tubular::Surface surface;
   run.repairs = tubular::repair_surface(data.points, data.triangles, surface,
-                                        tubular::parameters::repair_mode(repair_mode(o)).smooth(o.smooth));
+                                        tubular::parameters::repair_mode(repair_mode(o))
+                                            .smooth(o.smooth)
+                                            .number_of_parts(number_of_parts(o))
+                                            .filled_holes(points_of(o.filled_holes))
+                                            .kept_openings(points_at_openings(run.points)));
   open_labelled_ends(run, data, surface);
+  begin_at_inlet(run);
   run.sizes = size_requests(o, data);
+  if (!o.centerlines.empty())
+    tubular::IO::read_centerlines(o.centerlines, run.lines);
   return surface;
+}
+
+void cut_ends(Run& run, tubular::Surface& surface, Stage_clock& clock) {
+  const Options& o = run.options;
+  if (o.cut_ends) {
+    clock.begin("ends");
+    run.round_ends = tubular::cut_round_ends(
+        surface, tubular::parameters::ends_to_cut(run.points.ends).blind_ends(run.points.blind_ends));
+  } else if (o.flow_extensions > 0) { // else the model does it
+    clock.begin("ends");
+    run.round_ends = tubular::open_round_ends(surface, run.points.ends, run.points.blind_ends);
+  } else
+    return;
+  if (!run.points.ends.empty()) { // there are openings at all of them now
+    run.points.inlet = run.points.ends.front();
+    run.points.ends.clear();
+  }
 }
 
 void extend_openings(Run& run, tubular::Surface& surface, Stage_clock& clock) {
@@ -272,9 +272,9 @@ void extend_openings(Run& run, tubular::Surface& surface, Stage_clock& clock) {
   if (!(o.flow_extensions > 0))
     return;
   clock.begin("flow extensions");
-  const auto inlet = inlet_of(run);
-  run.extensions.openings =
-      inlet ? tubular::find_openings(surface, tubular::parameters::inlet(*inlet)) : tubular::find_openings(surface);
+  run.extensions.openings = run.points.inlet
+                                ? tubular::find_openings(surface, tubular::parameters::inlet(*run.points.inlet))
+                                : tubular::find_openings(surface);
   const std::vector<std::size_t> end_of = run.labels.match(run.extensions.openings);
   run.extensions.lengths = tubular::add_flow_extensions(surface, run.extensions.openings,
                                                         tubular::parameters::extension_length(o.flow_extensions));
@@ -284,42 +284,42 @@ void extend_openings(Run& run, tubular::Surface& surface, Stage_clock& clock) {
 }
 
 void prepare_model(Run& run, const tubular::Surface& surface, Stage_clock& clock) {
-  if (run.options.centerlines.empty()) {
-    clock.begin("centerlines");
-    run.model = with_computed_centerlines(run, surface);
-  } else {
-    tubular::Centerline_polylines lines;
-    tubular::IO::read_centerlines(run.options.centerlines, lines);
-    clock.begin("branches, openings");
-    run.model = with_given_centerlines(run, surface, lines);
-  }
-  if (run.options.renames.empty())
-    return;
-  check_renames(run);
-  run.model.patch_names = tubular::patch_names(run.model);
-  rename(run.options, run.model.patch_names, {});
-  for (auto& opening : run.model.openings)
-    opening.name = run.model.patch_names.at(opening.patch);
+  const bool are_given = !run.lines.lines.empty();
+  clock.begin(are_given ? "branches, openings" : "centerlines");
+  run.model = are_given ? with_given_centerlines(run, surface) : with_computed_centerlines(run, surface);
+  const auto& ends = run.model.round_ends;
+  run.round_ends.insert(run.round_ends.end(), ends.begin(), ends.end());
 }
 
-void make_mesh(Run& run, Stage_clock& clock) {
-  tubular::Mesher mesher(run.model, mesher_parameters(run, clock));
-  const double elements = run.options.elements;
-  if (elements == 0) {
-    make_mesh(run, mesher);
-    add_wall(run, clock);
+void make_meshes(std::vector<Part>& parts, Stage_clock& clock) {
+  std::deque<tubular::Mesher> meshers;
+  for (Part& part : parts)
+    meshers.emplace_back(part.run.model, mesher_parameters(part.run, clock));
+  const auto make_all = [&] {
+    std::size_t elements = 0;
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+      make_mesh(parts[k].run, meshers[k]);
+      add_wall(parts[k].run, clock);
+      elements += number_of_elements(parts[k].run);
+    }
+    return elements;
+  };
+  const Options& o = parts.front().run.options;
+  if (o.elements == 0) {
+    make_all();
     return;
   }
-  double& points = run.options.points_per_circumference;
-  const double estimate = mesher.estimated_number_of_tetrahedra();
-  for (tubular::Element_target target(elements, points * std::cbrt(elements / estimate),
-                                      run.options.makes_surface_only() ? 2 : 3);
+  double estimate = 0;
+  for (tubular::Mesher& mesher : meshers)
+    estimate += mesher.estimated_number_of_tetrahedra();
+  for (tubular::Element_target target(o.elements, o.points_per_circumference * std::cbrt(o.elements / estimate),
+                                      o.makes_surface_only() ? 2 : 3);
        ;) {
-    points = target.points();
-    mesher.set_points_per_circumference(points);
-    make_mesh(run, mesher);
-    add_wall(run, clock);
-    if (target.add(number_of_elements(run)))
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+      parts[k].run.options.points_per_circumference = target.points();
+      meshers[k].set_points_per_circumference(target.points());
+    }
+    if (target.add(make_all()))
       return;
   }
 }

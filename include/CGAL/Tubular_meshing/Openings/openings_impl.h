@@ -123,7 +123,8 @@ CGAL_TUBULAR_MESHING_INLINE std::vector<Opening> find_openings(const Surface& su
   std::vector<Opening> openings = find_any_openings(surface, options);
   if (openings.empty())
     throw Input_error("The surface is closed and has no flat ends, so that nothing can flow through it: open it where "
-                      "vessels begin and end, cap these ends flat, or give the points (seeds) at which they are.");
+                      "vessels begin and end, cap these ends flat, have round ends cut open, or give the points "
+                      "(seeds) at which they are.");
   return openings;
 }
 

@@ -5,6 +5,7 @@
 #define CGAL_TUBULAR_MESHING_PIPELINES_TUBULAR_MODEL_H
 
 #include <CGAL/Tubular_meshing/Centerlines/Centerline_graph.h>
+#include <CGAL/Tubular_meshing/Openings/Round_end_report.h>
 #include <CGAL/Tubular_meshing/Openings/labelled_ends.h>
 #include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/base/Labelled_surface.h>
@@ -26,9 +27,10 @@ namespace CGAL::Tubular_meshing {
  * A vessel or airway tree, ready to be meshed: its surface closed and labelled, its branches with their radii, its
  * openings. Every kind of mesh starts from one; make_tubular_model() prepares it.
  */
-struct Tubular_model : Labelled_surface { ///< the surface is closed and turned outward
-  Centerline_graph centerlines;           ///< directed away from the inlet
-  std::vector<Opening> openings;          ///< the inlet first
+struct Tubular_model : Labelled_surface {   ///< the surface is closed and turned outward
+  Centerline_graph centerlines;             ///< directed away from the inlet
+  std::vector<Opening> openings;            ///< the inlet first
+  std::vector<Round_end_report> round_ends; ///< that were cut open, see cut_round_ends(), or not
   Label_names patch_names; ///< of wall and openings, as meshes get them; empty: wall, inlet, outlet_1, …
   Patch_ids patch_ids;     ///< where the input has numbers for them
   Labelled_ends labels;    ///< what was made of the input's labels; empty: it had none
@@ -44,17 +46,21 @@ inline Label_names patch_names(const Tubular_model& model) {
  * What make_tubular_model() can be told; each member is the named parameter of that name. */
 struct Tubular_model_options {
   std::optional<Point_3> inlet; ///< the nearest opening is the inlet
-  std::vector<Point_3> seeds;   ///< where vessels end without an opening or a flat cap; the lines begin at the first
-  bool blind_vessels = true;    ///< whether lines lead into vessels that end blind
-  bool loops = false;           ///< whether vessels that split and rejoin keep all their branches
-  double merge_tolerance = 0.1; ///< see build_centerline_graph()
-  Labelled_ends labelled_ends;  ///< of a surface that open_labelled_ends() has opened
+  std::vector<Point_3> seeds;   ///< ends of vessels; one that is closed and round is cut open. The first is the inlet
+  std::vector<Point_3> blind_ends; ///< round ends that stay closed, see cut_round_ends()
+  bool single_opening = false;     ///< whether a surface with one opening will do
+  bool blind_vessels = true;       ///< whether lines lead into vessels that end blind
+  bool loops = false;              ///< whether vessels that split and rejoin keep all their branches
+  double merge_tolerance = 0.1;    ///< see build_centerline_graph()
+  Labelled_ends labelled_ends;     ///< of a surface that open_labelled_ends() has opened
 
   Tubular_model_options() = default;
   template <class NamedParameters> explicit Tubular_model_options(const NamedParameters& np) {
     using internal::choose;
     inlet = internal::optional_point(np, internal_np::inlet);
     seeds = choose(np, internal_np::seeds, seeds);
+    blind_ends = choose(np, internal_np::blind_ends, blind_ends);
+    single_opening = choose(np, internal_np::single_opening, single_opening);
     blind_vessels = choose(np, internal_np::blind_vessels, blind_vessels);
     loops = choose(np, internal_np::loops, loops);
     merge_tolerance = choose(np, internal_np::merge_tolerance, merge_tolerance);
@@ -155,10 +161,20 @@ Tubular_model make_tubular_model(const FaceGraph& surface, const Centerline_poly
  *     \cgalParamDefault{the first seed's, else the end that a label calls so, else the largest}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{seeds}
- *     \cgalParamDescription{where vessels end without an opening or a flat cap; the lines begin at the first. One that
- *       lies at an opening stands for the opening}
+ *     \cgalParamDescription{where vessels end: the first is at the inlet. A round end there is cut open, see
+ *       cut_round_ends()}
+ *     \cgalParamType{`std::vector<Point_3>`}
+ *     \cgalParamDefault{none; where the surface is closed and has no flat caps, all round ends are cut open}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{blind_ends}
+ *     \cgalParamDescription{points: round ends that stay closed, see cut_round_ends()}
  *     \cgalParamType{`std::vector<Point_3>`}
  *     \cgalParamDefault{none}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{single_opening}
+ *     \cgalParamDescription{whether a surface with one opening will do: its lines lead from there to the tips of vessels}
+ *     \cgalParamType{bool}
+ *     \cgalParamDefault{`false`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{blind_vessels}
  *     \cgalParamDescription{whether lines lead into vessels that end without an opening, and are at least one and a

@@ -10,6 +10,7 @@
 #include <CGAL/Tubular_meshing/Centerlines/clip_to_openings.h>
 #include <CGAL/Tubular_meshing/Centerlines/compute_centerlines.h>
 #include <CGAL/Tubular_meshing/Openings/close_openings.h>
+#include <CGAL/Tubular_meshing/Openings/cut_round_ends.h>
 #include <CGAL/Tubular_meshing/Openings/labelled_ends.h>
 #include <CGAL/Tubular_meshing/Openings/openings.h>
 #include <CGAL/Tubular_meshing/Openings/seeds.h>
@@ -106,13 +107,16 @@ CGAL_TUBULAR_MESHING_INLINE void prepare(Tubular_model& model, const Centerline_
 
 CGAL_TUBULAR_MESHING_INLINE void prepare(Tubular_model& model, const Tubular_model_options& options) {
   check_surface(model);
+  model.round_ends = open_round_ends(model.surface, options.seeds, options.blind_ends);
   model.openings = find_openings_or_seeds(model.surface, options.seeds, opening_options(options, nullptr));
   name_patches(model, options.labelled_ends);
   close_openings(model.surface, model.openings, model.patch);
   check_no_crossings(model.surface);
   const Build_centerline_graph_options merging = graph_options(options);
-  Centerline_computation computation(model.surface, model.patch, ends_of_lines(model.openings, options.seeds),
-                                     options.loops, options.blind_vessels);
+  std::vector<std::pair<Point_3, int>> ends = ends_of_lines(model.openings, {}, options.single_opening);
+  if (ends.size() == 1)
+    ends.emplace_back(farthest_point(model.surface, model.patch, ends.front().second), int(labels::wall));
+  Centerline_computation computation(model.surface, model.patch, ends, options.loops, options.blind_vessels);
   computation.make_graph(model.centerlines, merging);
   if (options.blind_vessels)
     follow_blind_vessels(model.surface, model.patch, computation, model.centerlines, merging);

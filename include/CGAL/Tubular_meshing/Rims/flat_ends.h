@@ -189,7 +189,15 @@ private:
       if (inwards_ * (plane.height(c) - (plane.height(a) + plane.height(b)) / 2) > 0)
         convex += length;
     }
-    return convex >= 0.9 * total && std::abs(cosine) <= criteria_.max_wall_cosine * total;
+    const double bound = is_disk(region) ? (std::max)(criteria_.max_wall_cosine, 0.85) : criteria_.max_wall_cosine;
+    return convex >= 0.9 * total && std::abs(cosine) <= bound * total;
+  }
+
+  // Round all over: then the wall may lean far, as that of a bulb that is cut off wide open does.
+  bool is_disk(const Opening_site& region) const {
+    const Rim_shape& s = region.shape;
+    return 4 * CGAL_PI * s.area >= 0.85 * s.perimeter * s.perimeter &&
+           number_of_corners(rim_points(region.rim, mesh_), s.center, 0.08 * s.radius) >= 7;
   }
 
   const Surface& mesh_;

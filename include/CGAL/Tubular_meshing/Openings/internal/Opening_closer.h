@@ -9,6 +9,7 @@
 #include <CGAL/Tubular_meshing/Openings/internal/Rim_flattener.h>
 #include <CGAL/Tubular_meshing/Rims/planar_cap.h>
 #include <CGAL/Tubular_meshing/Rims/trim_by_plane.h>
+#include <CGAL/Tubular_meshing/Rims/wall_alignment.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
@@ -48,7 +49,9 @@ public:
     }
     site.rim = peel_ears(std::move(site.rim), mesh_);
     site.shape = measure_rim(rim_points(site.rim, mesh_));
-    const bool sags = site.shape.sag > max_sag * site.shape.radius;
+    // a plane parallel to a rim that lies in the wall would cut the vessel along
+    const bool lies_in_wall = alignment_with_wall(site, mesh_) > 0.5;
+    const bool sags = !lies_in_wall && site.shape.sag > max_sag * site.shape.radius;
     if ((!sags && flatten(site)) || trim(site) || (sags && flatten(site)))
       return;
     throw Meshing_error("The opening at " + coordinates(where) +
