@@ -150,7 +150,8 @@ inline void declare_centerline_options(CLI::App& app, Options& o) {
   app.add_flag("--allow-single-opening", o.single_opening,
                "mesh vessels that have one opening, and end blind otherwise");
   app.add_flag("--loops", o.loops, "keep every branch where vessels split and rejoin")->excludes(lines);
-  app.get_option("--flow-extensions")->excludes(lines);
+  for (const char* ends : {"--centerlines", "--outlet", "--seeds"})
+    app.get_option("--flow-extensions")->excludes(app.get_option(ends));
 }
 
 inline void declare_size_options(CLI::App& app, Options& o) {

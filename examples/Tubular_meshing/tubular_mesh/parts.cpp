@@ -199,6 +199,8 @@ void check_number_of_openings(const Run& run, const std::vector<Part>& parts) {
     return;
   std::string repairs = run.repairs.text();
   std::replace(repairs.begin(), repairs.end(), '\n', ' ');
+  if (!repairs.empty())
+    repairs.pop_back();
   throw tubular::Input_error("The surface has " + std::to_string(number) +
                              (number == 1 ? " opening, not " : " openings, not ") +
                              std::to_string(run.options.openings) + ": at " + list.str() + "." +

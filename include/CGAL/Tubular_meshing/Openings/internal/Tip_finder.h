@@ -28,6 +28,11 @@ class Tip_finder {
   typedef Surface::Vertex_index Vertex;
 
 public:
+  struct Tip {
+    Vertex vertex;
+    double width; ///< of the vessel, about its diameter
+  };
+
   explicit Tip_finder(const Surface& mesh)
       : mesh_(mesh)
       , area_(mesh.num_vertices(), 0) {
@@ -55,15 +60,29 @@ public:
   }
 
   /* The tips but for the source, the farthest first. */
-  std::vector<Vertex> find(const std::vector<Vertex>& source) {
+  std::vector<Tip> find(const std::vector<Vertex>& source) {
     measure_ways(source);
     sort_by_way();
     grow_regions();
-    std::vector<Vertex> tips;
-    for (Vertex v : tips_)
-      tips.push_back(v);
-    std::stable_sort(tips.begin(), tips.end(), [&](Vertex a, Vertex b) { return way(a) > way(b); });
+    std::stable_sort(tips_.begin(), tips_.end(),
+                     [&](const Tip& a, const Tip& b) { return way(a.vertex) > way(b.vertex); });
+    return tips_;
+  }
+
+  /* Those from the source, and those from the farthest of these: a branch that leads back to one leads away from the
+   * other. */
+  std::vector<Tip> find_from_both_ends(const std::vector<Vertex>& source) {
+    std::vector<Tip> tips = find(source);
+    if (tips.empty())
+      return tips;
+    for (const Tip& t : find({tips.front().vertex}))
+      if (std::none_of(tips.begin(), tips.end(), [&](const Tip& known) { return is_one_dome(t, known); }))
+        tips.push_back(t);
     return tips;
+  }
+
+  bool is_one_dome(const Tip& a, const Tip& b) const {
+    return point_distance(mesh_.point(a.vertex), mesh_.point(b.vertex)) < (std::max)(a.width, b.width);
   }
 
 private:
@@ -143,7 +162,7 @@ private:
       return;
     Region& all = region_[find_root(std::size_t(order_.front()))]; // of a single tube
     if (is_slender(all, 0))
-      settle(all);
+      settle(all, 0);
   }
 
   std::size_t find_root(std::size_t i) {
@@ -162,13 +181,13 @@ private:
     Region &large = region_[a], &small = region_[b];
     const bool large_is_vessel = is_slender(large, level), small_is_vessel = small.is_settled || is_tube(small, level);
     if (large_is_vessel && small_is_vessel) {
-      settle(large);
-      settle(small);
+      settle(large, level);
+      settle(small, level);
       large.area += small.area;
     } else if (small_is_vessel) {
-      settle(small); // and the stout one goes on
+      settle(small, level); // and the stout one goes on
     } else if (large_is_vessel && small.area > 0.5 * large.area) {
-      settle(large);
+      settle(large, level);
       large.tip = small.tip;
       large.area = small.area;
       large.is_settled = false;
@@ -229,15 +248,16 @@ private:
     return (std::max)(0., (std::min)(1., t));
   }
 
-  void settle(Region& r) {
+  void settle(Region& r, double level) {
     if (!r.is_settled)
-      tips_.push_back(r.tip);
+      tips_.push_back({r.tip, r.area / (CGAL_PI * (way(r.tip) - level))}); // of a tube 2 pi r l / (pi l)
     r.is_settled = true;
   }
 
   const Surface& mesh_;
   std::vector<double> area_, way_;
-  std::vector<Vertex> order_, tips_;
+  std::vector<Vertex> order_;
+  std::vector<Tip> tips_;
   std::vector<std::size_t> parent_;
   std::vector<Region> region_;
 };

@@ -109,9 +109,11 @@ private:
       source.push_back(finder.farthest_of_all());
       tips_ = source;
     }
-    for (Vertex v : finder.find(source))
-      if (!is_at_opening(closed_.surface.point(v)))
-        tips_.push_back(v);
+    const std::size_t sources = tips_.size();
+    for (const Tip_finder::Tip& tip : finder.find_from_both_ends(source))
+      if (!is_at_opening(closed_.surface.point(tip.vertex)) &&
+          (sources == 0 || !finder.is_one_dome(tip, {tips_.front(), 0})))
+        tips_.push_back(tip.vertex);
   }
 
   // One pass over the surface for each of the few points that a user gives.
