@@ -25,7 +25,7 @@ struct Options {
   std::string wall_elements = "auto";
   int boundary_layer_prisms = 0;
   std::string repair = "auto";
-  bool smooth = false, loops = false;
+  bool smooth = false, loops = false, no_loops = false;
   double flow_extensions = 0;
   std::string inlet, seeds;
   std::vector<std::string> outlets;

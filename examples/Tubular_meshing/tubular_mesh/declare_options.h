@@ -116,7 +116,12 @@ inline void declare_centerline_options(CLI::App& app, Options& o) {
       ->excludes("--inlet")
       ->excludes(outlets)
       ->excludes(lines);
-  app.add_flag("--loops", o.loops, "keep every branch where vessels split and rejoin")->excludes(lines);
+  auto* loops = app.add_flag("--loops", o.loops,
+                             "keep every branch where vessels split and rejoin, as is done by default where they do")
+                    ->excludes(lines);
+  app.add_flag("--no-loops", o.no_loops, "follow shortest paths alone where vessels split and rejoin")
+      ->excludes(lines)
+      ->excludes(loops);
   for (const char* ends : {"--centerlines", "--outlet", "--seeds"})
     app.get_option("--flow-extensions")->excludes(app.get_option(ends));
 }
@@ -159,8 +164,7 @@ inline void declare_options(CLI::App& app, Options& o, const std::string& versio
                  "write the closed, labelled surface, as it is meshed by the parametric mesher, else as it came: .stl "
                  ".vtp .msh .ply .off .obj .vtk");
   app.add_option("--write-centerlines", o.centerlines_output, "write the branches and their radii: .vtp .vtk");
-  app.add_option("--threads", o.threads,
-                 "number of threads, on which results do not depend (default: all cores)")
+  app.add_option("--threads", o.threads, "number of threads, on which results do not depend (default: all cores)")
       ->check(CLI::Range(0, 1024));
   auto* verbose = app.add_flag("-v,--verbose", o.verbose, "say more: the branches, a histogram of the quality");
   app.add_flag("-q,--quiet", o.quiet, "print errors only")->excludes(verbose);

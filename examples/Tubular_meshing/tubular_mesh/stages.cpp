@@ -52,7 +52,7 @@ std::vector<Point_3> seeds_of(const Options& o) {
 }
 
 tubular::Tubular_model with_computed_centerlines(const Run& run, const tubular::Surface& surface) {
-  const auto np = tubular::parameters::loops(run.options.loops).seeds(seeds_of(run.options));
+  const auto np = tubular::parameters::loops(!run.options.no_loops).seeds(seeds_of(run.options));
   if (!run.extensions.openings.empty()) // the inlet has moved
     return tubular::make_tubular_model(surface, np.inlet(run.extensions.openings.front().center));
   if (!run.options.inlet.empty())

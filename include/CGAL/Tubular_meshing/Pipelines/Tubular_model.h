@@ -34,7 +34,7 @@ struct Tubular_model_options {
   std::optional<Point_3> inlet; ///< the nearest opening is the inlet
   std::vector<Point_3> seeds;   ///< where vessels end without an opening or a flat cap; the lines begin at the first
   bool blind_vessels = true;    ///< whether lines lead into vessels that end blind
-  bool loops = false;           ///< whether vessels that split and rejoin keep all their branches
+  bool loops = true;            ///< whether vessels that split and rejoin keep all their branches
   double merge_tolerance = 0.1; ///< see build_centerline_graph()
 
   Tubular_model_options() = default;
@@ -126,7 +126,7 @@ Tubular_model make_tubular_model(const FaceGraph& surface, const Centerline_poly
  *   \cgalParamNBegin{loops}
  *     \cgalParamDescription{see compute_centerlines()}
  *     \cgalParamType{bool}
- *     \cgalParamDefault{`false`}
+ *     \cgalParamDefault{`true`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{merge_tolerance}
  *     \cgalParamDescription{see build_centerline_graph()}
