@@ -184,6 +184,8 @@ void print_patches(const Json& p) {
               p["largest_aspect_ratio"].get<double>());
   std::printf("%ld not mapped conformally, %ld meshed finer than asked for\n", p["fallbacks"].get<long>(),
               p["refined"].get<long>());
+  if (p.contains("handle_cuts"))
+    std::printf("%ld cuts round handles of the wall\n", p["handle_cuts"].get<long>());
   for (const auto& problem : p["problems"])
     std::printf("note: %s\n", problem.get<std::string>().c_str());
 }
