@@ -183,18 +183,23 @@ TEST_F(Tool, Meshes_all_vessels_of_a_file) {
   EXPECT_EQ(json_in(out("r.json"))["openings"].size(), 4u);
 }
 
-TEST_F(Tool, Keeps_all_branches_of_a_loop_where_asked_to) {
+TEST_F(Tool, Keeps_all_branches_of_a_loop_unless_asked_not_to) {
   const Sample s = sample_of(tubular::willis_loop());
   const Arguments common = {make("loop.off", s.surface), "-n", "10", "-o", out("mesh.vtu"), "--report", out("r.json")};
   succeed(common + Arguments{"-c", make("lines.vtk", s.lines)});
   const Json given = json_in(out("r.json"));
   succeed(common + Arguments{"--loops"});
+  const std::string mesh = bytes_of(out("mesh.vtu"));
+  succeed(common);
   const Json computed = json_in(out("r.json"));
+  EXPECT_EQ(computed["loops"], true);
+  EXPECT_TRUE(bytes_of(out("mesh.vtu")) == mesh);
   EXPECT_EQ(computed["branches"].size(), given["branches"].size());
   EXPECT_EQ(computed["boundary_euler"], given["boundary_euler"]);
   EXPECT_LT(computed["boundary_euler"], 2);
-  succeed(common);
+  succeed(common + Arguments{"--no-loops"});
   EXPECT_LT(json_in(out("r.json"))["branches"].size(), given["branches"].size());
+  EXPECT_EQ(json_in(out("r.json"))["loops"], false);
 }
 
 TEST_F(Tool, Extends_the_openings) {

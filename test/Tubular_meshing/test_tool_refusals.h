@@ -74,6 +74,8 @@ inline std::vector<Refusal> usage_errors() {
       {"Seeds_beside_centerlines", usage, {"--seeds", "--centerlines"}, with("--seeds IN/seeds.txt")},
       {"Seeds_beside_inlet", usage, {"--seeds", "--inlet"}, alone("tube.off", "--inlet 0,0,0 --seeds IN/seeds.txt")},
       {"Loops_of_given_centerlines", usage, {"--loops", "--centerlines"}, with("--loops")},
+      {"No_loops_of_given_centerlines", usage, {"--no-loops", "--centerlines"}, with("--no-loops")},
+      {"Loops_and_none", usage, {"--loops", "--no-loops"}, alone("tube.off", "--loops --no-loops")},
       {"Repair_unknown", usage, {"--repair", "please"}, with("--repair please")},
       {"Extensions_negative", usage, {"--flow-extensions"}, alone("tube.off", "--flow-extensions -3")},
       {"Extensions_beside_centerlines", usage, {"--flow-extensions"}, with("--flow-extensions 3")},

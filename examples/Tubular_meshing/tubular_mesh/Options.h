@@ -25,7 +25,7 @@ struct Options {
   std::string wall_elements = "auto";
   int boundary_layer_prisms = 0;
   std::string repair = "auto";
-  bool smooth = false, loops = false;
+  bool smooth = false, loops = false, no_loops = false;
   double flow_extensions = 0;
   std::string inlet, seeds; // the inlet: a point, or the name of an end
   std::string faces;        // the cell array that says which face is which end; empty: one with a known name

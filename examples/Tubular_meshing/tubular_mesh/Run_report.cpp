@@ -113,6 +113,13 @@ Json qualities(const tubular::Quality_report& quality) {
   return q;
 }
 
+// Whether the centerlines were to keep all branches where vessels rejoin, or have them.
+bool keeps_loops(const Run& run) {
+  const tubular::Centerline_graph& graph = run.model.centerlines;
+  return run.options.loops ||
+         (run.options.centerlines.empty() && !run.options.no_loops && graph.branches().size() >= graph.nodes().size());
+}
+
 Json description_of(const Run& run) {
   const tubular::Mixed_mesh& mesh = run.mesh;
   const tubular::Validity_report validity = tubular::validity_report(mesh);
@@ -120,7 +127,7 @@ Json description_of(const Run& run) {
   return {{"program", std::string("tubular_mesh ") + run.version},
           {"input", run.options.surface},
           {"centerlines", run.options.centerlines.empty() ? Json() : Json(run.options.centerlines)},
-          {"loops", run.options.loops},
+          {"loops", keeps_loops(run)},
           {"repairs", repairs(run.repairs)},
           {"flow_extensions", run.extensions.lengths},
           {"output", run.options.output},
@@ -186,6 +193,8 @@ void add_patches(Json& report, const tubular::Remeshed_surface& surface) {
                        {"fallbacks", r.number_of_fallbacks()},
                        {"refined", r.refined_patches},
                        {"problems", r.problems}};
+  if (r.handle_cuts > 0)
+    report["patches"]["handle_cuts"] = r.handle_cuts;
 }
 
 // Of a surface of quads.
@@ -216,6 +225,8 @@ void print_patches(const Json& p) {
               p["largest_aspect_ratio"].get<double>());
   std::printf("%ld not mapped conformally, %ld meshed finer than asked for\n", p["fallbacks"].get<long>(),
               p["refined"].get<long>());
+  if (p.contains("handle_cuts"))
+    std::printf("%ld cuts round handles of the wall\n", p["handle_cuts"].get<long>());
   for (const auto& problem : p["problems"])
     std::printf("note: %s\n", problem.get<std::string>().c_str());
 }
@@ -403,7 +414,7 @@ void print_summary(const Json& r, bool verbose) {
   const long pieces = r.contains("openings_of_parts") ? long(r["openings_of_parts"].size()) : 1;
   if (r["centerlines"].is_null() && !r["loops"] && r["boundary_euler"] < 2 * pieces)
     std::printf("note: vessels split and rejoin; where no centerline runs the mesh size is that of the nearest branch, "
-                "unless --loops keeps them all\n");
+                "unless all of them are kept, without --no-loops\n");
   if (verbose) {
     print_branches(r["branches"]);
     for (const auto& m : measures())

@@ -149,7 +149,12 @@ inline void declare_centerline_options(CLI::App& app, Options& o) {
       ->check(CLI::Range(1, 1000000));
   app.add_flag("--allow-single-opening", o.single_opening,
                "mesh vessels that have one opening, and end blind otherwise");
-  app.add_flag("--loops", o.loops, "keep every branch where vessels split and rejoin")->excludes(lines);
+  auto* loops = app.add_flag("--loops", o.loops,
+                             "keep every branch where vessels split and rejoin, as is done by default where they do")
+                    ->excludes(lines);
+  app.add_flag("--no-loops", o.no_loops, "follow shortest paths alone where vessels split and rejoin")
+      ->excludes(lines)
+      ->excludes(loops);
   for (const char* ends : {"--centerlines", "--outlet", "--seeds"})
     app.get_option("--flow-extensions")->excludes(app.get_option(ends));
 }

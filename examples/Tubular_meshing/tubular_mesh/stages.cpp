@@ -91,7 +91,7 @@ std::size_t number_of_parts(const Options& o) {
 }
 
 tubular::Tubular_model with_computed_centerlines(const Run& run, const tubular::Surface& surface) {
-  const auto np = tubular::parameters::loops(run.options.loops)
+  const auto np = tubular::parameters::loops(!run.options.no_loops)
                       .seeds(run.points.ends)
                       .blind_ends(run.points.blind_ends)
                       .single_opening(run.options.single_opening)

@@ -50,7 +50,7 @@ struct Tubular_model_options {
   std::vector<Point_3> blind_ends; ///< round ends that stay closed, see cut_round_ends()
   bool single_opening = false;     ///< whether a surface with one opening will do
   bool blind_vessels = true;       ///< whether lines lead into vessels that end blind
-  bool loops = false;              ///< whether vessels that split and rejoin keep all their branches
+  bool loops = true;               ///< whether vessels that split and rejoin keep all their branches
   double merge_tolerance = 0.1;    ///< see build_centerline_graph()
   Labelled_ends labelled_ends;     ///< of a surface that open_labelled_ends() has opened
 
@@ -185,7 +185,7 @@ Tubular_model make_tubular_model(const FaceGraph& surface, const Centerline_poly
  *   \cgalParamNBegin{loops}
  *     \cgalParamDescription{see compute_centerlines()}
  *     \cgalParamType{bool}
- *     \cgalParamDefault{`false`}
+ *     \cgalParamDefault{`true`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{merge_tolerance}
  *     \cgalParamDescription{see build_centerline_graph()}
