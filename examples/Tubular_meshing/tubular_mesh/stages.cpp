@@ -6,6 +6,8 @@
 #include "../command_line/Points.h"
 
 #include <CGAL/Tubular_meshing/Centerlines/Centerline_field.h>
+#include <CGAL/Tubular_meshing/Centerlines/Wall_distance.h>
+#include <CGAL/Tubular_meshing/Fields/Local_radius.h>
 #include <CGAL/Tubular_meshing/IO/read_centerlines.h>
 #include <CGAL/Tubular_meshing/IO/read_surface.h>
 #include <CGAL/Tubular_meshing/Layers/extrude_wall.h>
@@ -13,6 +15,7 @@
 #include <CGAL/Tubular_meshing/Openings/openings.h>
 #include <CGAL/Tubular_meshing/Patches/surface_to_mixed_mesh.h>
 #include <CGAL/Tubular_meshing/Repair/repair_surface.h>
+#include <CGAL/Tubular_meshing/base/labels.h>
 
 #include <array>
 #include <cstddef>
@@ -158,8 +161,11 @@ void add_wall(Run& run, Stage_clock& clock) {
   if (!o.has_wall())
     return;
   clock.begin("wall");
+  const tubular::Local_radius radius(tubular::Centerline_field(run.model.centerlines),
+                                     tubular::Wall_distance(run.model.surface, run.model.patch, tubular::labels::wall),
+                                     tubular::parameters::number_of_threads(o.threads));
   const auto or_as_the_wall = [](auto given, auto of_the_wall) { return given > 0 ? given : of_the_wall; };
-  run.wall = tubular::extrude_wall(run.mesh, tubular::Centerline_field(run.model.centerlines),
+  run.wall = tubular::extrude_wall(run.mesh, radius,
                                    tubular::parameters::wall_thickness(o.wall.thickness)
                                        .wall_layers(o.wall.number)
                                        .wall_growth(o.wall.growth)

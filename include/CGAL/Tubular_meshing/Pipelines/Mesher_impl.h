@@ -5,10 +5,11 @@
 #define CGAL_TUBULAR_MESHING_PIPELINES_MESHER_IMPL_H
 
 #include <CGAL/Tubular_meshing/Centerlines/Centerline_field.h>
+#include <CGAL/Tubular_meshing/Centerlines/Wall_distance.h>
 #include <CGAL/Tubular_meshing/Fields/Centerline_metric_field.h>
 #include <CGAL/Tubular_meshing/Fields/Centerline_sizing_field.h>
+#include <CGAL/Tubular_meshing/Fields/Local_radius.h>
 #include <CGAL/Tubular_meshing/Layers/append_mesh.h>
-#include <CGAL/Tubular_meshing/Layers/local_radius.h>
 #include <CGAL/Tubular_meshing/Pipelines/Mesher.h>
 #include <CGAL/Tubular_meshing/Pipelines/internal/Model_in_its_frame.h>
 #include <CGAL/Tubular_meshing/Pipelines/internal/check_mesh_of_model.h>
@@ -95,8 +96,7 @@ public:
           });
       if (options_.wall) {
         stage("wall");
-        const Centerline_field centerlines(frame_.centerlines());
-        report_.wall = internal::extrude_wall(mesh, internal::radius_function(centerlines), *options_.wall);
+        report_.wall = internal::extrude_wall(mesh, radius(), *options_.wall);
         report_.wall.worst_place = frame_.from_frame(report_.wall.worst_place);
       }
       stage("check");
@@ -136,11 +136,20 @@ private:
   const Centerline_sizing_field& size() {
     if (!size_) {
       stage("size field");
-      const Labelled_surface& s = frame_.surface();
-      size_.emplace(Centerline_field(frame_.centerlines()), Wall_distance(s.surface, s.patch, labels::wall),
-                    options_.size);
+      size_.emplace(radius(), options_.size);
     }
     return *size_;
+  }
+
+  // The one radius that sizes, layers and walls are relative to.
+  const Local_radius& radius() {
+    if (!radius_) {
+      const Labelled_surface& s = frame_.surface();
+      Shape_radius_options shape;
+      shape.number_of_threads = options_.size.number_of_threads;
+      radius_.emplace(Centerline_field(frame_.centerlines()), Wall_distance(s.surface, s.patch, labels::wall), shape);
+    }
+    return *radius_;
   }
 
   const Patches& patches() {
@@ -247,9 +256,8 @@ private:
       return mesh;
     }
     stage("boundary layer");
-    const Centerline_field centerlines(frame_.centerlines());
-    Boundary_layer layer = internal::extrude_boundary_layer(
-        surface.surface, surface.patch, internal::radius_function(centerlines), options_.boundary_layer);
+    Boundary_layer layer =
+        internal::extrude_boundary_layer(surface.surface, surface.patch, radius(), options_.boundary_layer);
     report_.boundary_layer = layer.report;
     report_.boundary_layer.worst_place = frame_.from_frame(layer.report.worst_place);
     try {
@@ -274,6 +282,7 @@ private:
   std::shared_ptr<const Tubular_model> model_;
   Mesher_options options_;
   internal::Model_in_its_frame frame_;
+  std::optional<Local_radius> radius_;
   std::optional<Centerline_sizing_field> size_;
   std::optional<Patches> by_patches_;
   Remeshed_surface kept_;
