@@ -216,12 +216,12 @@ TEST(Local_radius, Does_not_depend_on_which_way_the_wall_is_turned) {
 }
 
 struct Sac {
-  double tube, neck, sac;
+  double tube, neck, sac, length; // of the neck
 };
 
 TEST(Local_radius, Is_that_of_a_sac_and_of_its_neck) {
-  for (const Sac& s : {Sac{1, 0.5, 2.4}, Sac{1, 0.7, 1.2}, Sac{1, 0.35, 0.9}}) {
-    const double distance = 1.6 + s.tube + s.sac; // of the sac's center
+  for (const Sac& s : {Sac{1, 0.5, 2.4, 0.9}, Sac{1, 0.7, 1.2, 1.6}, Sac{1, 0.35, 0.9, 1}}) {
+    const double distance = s.length + s.tube + s.sac; // of the sac's center
     const Implicit f =
         united(vessel(Point(0, 0, -20), Point(0, 0, 20), s.tube),
                united(vessel(Point(0, 0, 0), Point(distance, 0, 0), s.neck), ball(Point(distance, 0, 0), s.sac)));
@@ -234,7 +234,7 @@ TEST(Local_radius, Is_that_of_a_sac_and_of_its_neck) {
         const auto at = [&](const Point& p) { return local(t(p)) / scale; };
         for (double z : {-4.5, -3., 3., 4.5})
           EXPECT_NEAR(at(Point(0.9, 0, z)), s.tube, 0.06) << z;
-        EXPECT_NEAR(at(Point(s.tube + 0.8, s.neck, 0)), s.neck, 0.08 * s.neck);
+        EXPECT_NEAR(at(Point(s.tube + s.length / 2, s.neck, 0)), s.neck, 0.08 * s.neck);
         for (double a = 0; a < 2.2; a += 0.2)
           for (double turn : {0., 1., 2.5}) {
             const Point p(distance + s.sac * std::cos(a), s.sac * std::sin(a) * std::cos(turn),

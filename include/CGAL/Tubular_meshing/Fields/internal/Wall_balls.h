@@ -55,6 +55,7 @@ private:
   static constexpr double window = 0.5, normal_window = 1. / 3; // of the radius
   static constexpr double spacing = 0.15;                       // of obstacles
   static constexpr double touch = 0.15;        // of its radius, how far from its surface a ball touches a vertex
+  static constexpr double touching = 0.75;     // the cosine of the angle between its radius and the normal there
   static constexpr double slack = 0.98;        // of the squared radius: a ball need not shrink by less than a percent
   static constexpr std::size_t most_near = 96; // vertices of a window
   static constexpr std::size_t witnesses = 4;  // that many balls are to be as large, where there are as many at all
@@ -222,7 +223,11 @@ private:
         continue;
       const Vector_3d center = wall_.point(v) + r * directions_[v];
       near.for_each(v, (std::max)(window * r, 1.01 * longest_edge(v)), [&](Index w, double) {
-        if (w == v || is_spike_[w] || norm(wall_.point(w) - center) < (1 + touch) * r)
+        const Vector_3d to_center = center - wall_.point(w);
+        const double distance = norm(to_center);
+        // where the wall turns away, as into the neck of a sac, the ball does not touch it, however near it is
+        const bool touches = distance < (1 + touch) * r && dot(to_center, directions_[w]) > touching * distance;
+        if (w == v || is_spike_[w] || touches)
           insert(float(r), largest[w]);
       });
     }
