@@ -9,8 +9,11 @@
 #include <CGAL/Tubular_meshing/Patches/metric_surface_report.h>
 #include <CGAL/Tubular_meshing/Quality/boundary_layer_report.h>
 #include <CGAL/Tubular_meshing/Quality/branch_resolution.h>
+#include <CGAL/Tubular_meshing/Quality/lumen_measures.h>
 #include <CGAL/Tubular_meshing/Quality/quality_report.h>
 #include <CGAL/Tubular_meshing/Quality/validity_report.h>
+
+#include <CGAL/Polygon_mesh_processing/measure.h>
 
 #include <nlohmann/json.hpp>
 
@@ -45,7 +48,13 @@ Json repairs(const tubular::Repair_report& report) {
   return list;
 }
 
-Json openings(const tubular::Tubular_model& model, const tubular::Mixed_mesh& mesh) {
+double area_of(const tubular::Lumen_measures& measures, int patch) {
+  const auto found = measures.opening_area.find(patch);
+  return found == measures.opening_area.end() ? 0 : found->second;
+}
+
+Json openings(const tubular::Tubular_model& model, const tubular::Mixed_mesh& mesh,
+              const tubular::Lumen_measures& measures) {
   std::map<int, std::size_t> triangles, quads;
   for (int label : mesh.triangles.label)
     ++triangles[label];
@@ -58,6 +67,7 @@ Json openings(const tubular::Tubular_model& model, const tubular::Mixed_mesh& me
                   {"center", vector_of(o.center)},
                   {"normal", vector_of(o.normal)},
                   {"area", o.area},
+                  {"mesh_area", area_of(measures, o.patch)},
                   {"perimeter", o.perimeter},
                   {"radius", o.radius},
                   {"triangles", triangles[o.patch]},
@@ -97,10 +107,23 @@ Json qualities(const tubular::Quality_report& quality) {
   return q;
 }
 
+// That of the surface that was meshed, and of the mesh's lumen; how the latter came to it.
+Json volumes(const Run& run, const tubular::Lumen_measures& measures) {
+  const double input = CGAL::to_double(CGAL::Polygon_mesh_processing::volume(run.model.surface));
+  return {{"input", input},
+          {"mesh", measures.volume},
+          {"relative_difference", input > 0 ? measures.volume / input - 1 : 0},
+          {"preserved", run.options.preserve_volume},
+          {"before", run.meshing.volume.volume_before > 0 ? Json(run.meshing.volume.volume_before) : Json()},
+          {"largest_shift", run.meshing.volume.largest_shift},
+          {"vertices_held_back", run.meshing.volume.held_back}};
+}
+
 Json description_of(const Run& run) {
   const tubular::Mixed_mesh& mesh = run.mesh;
   const tubular::Validity_report validity = tubular::validity_report(mesh);
   const tubular::Quality_report quality = tubular::quality_report(mesh);
+  const tubular::Lumen_measures measures = tubular::lumen_measures(mesh, run.model.openings.size());
   return {{"program", std::string("tubular_mesh ") + run.version},
           {"input", run.options.surface},
           {"centerlines", run.options.centerlines.empty() ? Json() : Json(run.options.centerlines)},
@@ -121,7 +144,8 @@ Json description_of(const Run& run) {
           {"valid", validity.is_valid()},
           {"boundary_euler", validity.boundary_euler},
           {"quality", qualities(quality)},
-          {"openings", openings(run.model, mesh)},
+          {"volume", volumes(run, measures)},
+          {"openings", openings(run.model, mesh, measures)},
           {"branches", branches(run.model, mesh)}};
 }
 
@@ -268,6 +292,15 @@ void print_surface_in_its_metric(const Json& q) {
                   100 * q[part]["share_of_unit_edges"].get<double>());
 }
 
+void print_volume(const Json& v) {
+  std::printf("\nvolume: %.6g, that of the surface: %.6g (%+.2f %%)\n", v["mesh"].get<double>(),
+              v["input"].get<double>(), 100 * v["relative_difference"].get<double>());
+  if (v["vertices_held_back"] > 0)
+    std::printf("note: to keep the volume %ld vertices should have moved further; cells would have turned over, or the "
+                "wall met itself\n",
+                v["vertices_held_back"].get<long>());
+}
+
 void print_summary(const Json& r, bool verbose) {
   print_counts(r);
   for (const auto& repair : r["repairs"])
@@ -305,18 +338,20 @@ void print_summary(const Json& r, bool verbose) {
     print_patches(r["patches"]);
   if (r.contains("quads"))
     print_quads(r["quads"]);
-  std::printf("\n%-12s %6s %10s %12s %12s\n", "opening", "patch", "facets", "radius", "area");
+  print_volume(r["volume"]);
+  std::printf("\n%-12s %6s %10s %12s %12s %12s\n", "opening", "patch", "facets", "radius", "area", "in the mesh");
   for (const auto& o : r["openings"])
-    std::printf("%-12s %6d %10ld %12.5g %12.5g\n", o["name"].get<std::string>().c_str(), o["patch"].get<int>(),
-                o["triangles"].get<long>() + o["quads"].get<long>(), o["radius"].get<double>(),
-                o["area"].get<double>());
+    std::printf("%-12s %6d %10ld %12.5g %12.5g %12.5g\n", o["name"].get<std::string>().c_str(), o["patch"].get<int>(),
+                o["triangles"].get<long>() + o["quads"].get<long>(), o["radius"].get<double>(), o["area"].get<double>(),
+                o["mesh_area"].get<double>());
   for (const auto& o : r["openings"])
     if (o["branch"].is_null())
-      std::printf("note: no centerline leads to %s; the mesh size there is that of the nearest branch\n",
+      std::printf("note: no centerline leads to %s; the mesh size there is that of the lumen's shape\n",
                   o["name"].get<std::string>().c_str());
   if (r["centerlines"].is_null() && !r["loops"] && r["boundary_euler"] < 2)
-    std::printf("note: vessels split and rejoin; where no centerline runs the mesh size is that of the nearest branch, "
-                "unless --loops keeps them all\n");
+    std::printf(
+        "note: vessels split and rejoin; one that no centerline follows is no branch of its own, unless --loops "
+        "keeps them all\n");
   if (verbose) {
     print_branches(r["branches"]);
     for (const auto& m : measures())

@@ -85,6 +85,7 @@ auto mesher_parameters(const Options& o, Stage_clock& clock) {
       .growth(o.growth)
       .smoothing_ratio(o.smoothing_ratio)
       .curvature_points(o.curvature_points)
+      .preserve_volume(o.preserve_volume)
       .number_of_threads(o.threads)
       .observer([&clock](const char* stage) { clock.begin(stage); });
 }
@@ -146,6 +147,7 @@ void make_mesh(Run& run, Stage_clock& clock) {
   tubular::Mesher mesher(run.model, mesher_parameters(run.options, clock));
   if (run.options.makes_surface_only()) {
     run.surface = mesher.surface(surface_elements(run.options));
+    run.meshing = mesher.report();
     run.mesh = without_cells(run.surface, run.model.openings.size());
     return;
   }

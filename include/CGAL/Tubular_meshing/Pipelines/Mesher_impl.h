@@ -13,6 +13,7 @@
 #include <CGAL/Tubular_meshing/Pipelines/Mesher.h>
 #include <CGAL/Tubular_meshing/Pipelines/internal/Model_in_its_frame.h>
 #include <CGAL/Tubular_meshing/Pipelines/internal/check_mesh_of_model.h>
+#include <CGAL/Tubular_meshing/Volume/preserve_volume.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 
 #include <memory>
@@ -41,6 +42,7 @@ public:
   template <class Make> auto made(const Make& make) {
     report_ = Mesher_report();
     kept_ = Remeshed_surface();
+    moves_wall_ = options_.preserve_volume;
     try {
       auto mesh = make();
       frame_.bring_back(mesh);
@@ -66,6 +68,7 @@ public:
       if (options_.has_boundary_layer())
         throw Parameter_error("An anisotropic mesh has its layers in tetrahedra: leave the layers of prisms out, or "
                               "make an isotropic mesh.");
+      moves_wall_ = false; // remeshing would bring it back to the surface
       Mixed_mesh mesh = isotropic_in_frame(Surface_mesher::parametric);
       kept_ = Remeshed_surface(); // remeshing does not keep it
       const Labelled_surface& wall = by_patches_ ? by_patches_->surface : frame_.surface();
@@ -74,6 +77,8 @@ public:
       stage("anisotropic remeshing");
       options_.remeshing.boundary_layer_patches = {labels::wall};
       internal::anisotropic_tetrahedral_remeshing(mesh, wall.surface, wall.patch, metric, options_.remeshing);
+      moves_wall_ = options_.preserve_volume;
+      give_volume_to(mesh);
       stage("check");
       internal::check_differences(mesh, *model_);
       mesh.region_names = {{labels::lumen, "lumen"}};
@@ -89,6 +94,7 @@ public:
       Fill_with_pyramids_and_tetrahedra_options pyramids = options_.pyramids;
       pyramids.split_quads = !options_.has_boundary_layer(); // not the far sides of hexahedra
       kept_ = quads_in_frame();
+      give_volume_to(kept_);
       Mixed_mesh mesh =
           fill_within_layers(kept_, [&](const Surface& closed, Face_patch_map patch, Mixed_mesh& filling) {
             stage("pyramids and tetrahedra");
@@ -109,13 +115,9 @@ public:
 
   Remeshed_surface surface(Surface_elements elements) {
     return made([&] {
-      if (elements == Surface_elements::quads)
-        return quads_in_frame();
-      if (elements == Surface_elements::triangles)
-        return triangles_in_frame(size());
-      stage("metric field");
-      return triangles_in_frame(Centerline_metric_field(frame_.surface().surface, frame_.surface().patch,
-                                                        frame_.centerlines(), options_.metric));
+      Remeshed_surface result = surface_in_frame(elements);
+      give_volume_to(result);
+      return result;
     });
   }
 
@@ -170,6 +172,16 @@ private:
     return remesh_patches(p.surface.surface, p.cut, p.maps, size, options_.surface);
   }
 
+  Remeshed_surface surface_in_frame(Surface_elements elements) {
+    if (elements == Surface_elements::quads)
+      return quads_in_frame();
+    if (elements == Surface_elements::triangles)
+      return triangles_in_frame(size());
+    stage("metric field");
+    return triangles_in_frame(Centerline_metric_field(frame_.surface().surface, frame_.surface().patch,
+                                                      frame_.centerlines(), options_.metric));
+  }
+
   Remeshed_surface quads_in_frame() {
     size();
     const Patches& p = patches();
@@ -208,9 +220,11 @@ private:
     kept_ = triangles_in_frame(size());
     const Labelled_surface& wall = patches().surface;
     check_layers_can_be_kept(options_.volume_mesher);
+    const bool keeps = options_.volume_mesher != Volume_mesher::mesh_3;
+    if (keeps)
+      give_volume_to(kept_);
     Mixed_mesh mesh = fill_within_layers(kept_, [&](const Surface& closed, Face_patch_map patch, Mixed_mesh& filling) {
       stage("tetrahedra");
-      const bool keeps = options_.volume_mesher != Volume_mesher::mesh_3;
       if (keeps)
         internal::fill_keeping_boundary(closed, patch, size(), filling, options_.filling);
       else
@@ -219,6 +233,8 @@ private:
       Optimize_tetrahedra_options optimization = options_.optimization;
       optimization.keep_boundary = keeps;
       internal::optimize_tetrahedra(filling, wall.surface, wall.patch, optimization);
+      if (!keeps)
+        give_volume_to(filling);
     });
     stage("check");
     internal::check_differences(mesh, *model_);
@@ -238,6 +254,7 @@ private:
           s.surface, s.patch, [&](const Point_3& p) { return factor * size()(p); }, mesh, options_.mesh_3);
       stage("optimization");
       internal::optimize_tetrahedra(mesh, s.surface, s.patch, options_.optimization);
+      give_volume_to(mesh);
       stage("check");
       differences = internal::differences(mesh, *model_);
       if (differences.empty())
@@ -270,6 +287,38 @@ private:
     return std::move(layer.layers);
   }
 
+  // --- the volume of the surface ---
+
+  template <class Report> void note_volume(Report report) {
+    frame_.bring_back(report);
+    report_.volume = std::move(report);
+  }
+  Preserve_volume_options volume_options() const {
+    Preserve_volume_options result;
+    result.number_of_threads = options_.size.number_of_threads;
+    return result;
+  }
+
+  // To a surface mesh that is kept from here on.
+  void give_volume_to(Remeshed_surface& mesh) {
+    if (!moves_wall_)
+      return;
+    stage("volume");
+    const Labelled_surface& s = frame_.surface();
+    note_volume(internal::preserve_volume(mesh.surface, mesh.patch, s.surface, s.patch, volume_options()));
+  }
+
+  // To a mesh that has brought its boundary to the surface.
+  void give_volume_to(Mixed_mesh& mesh) {
+    if (!moves_wall_)
+      return;
+    stage("volume");
+    const Labelled_surface& s = frame_.surface();
+    const double points = options_.size.points_per_circumference;
+    const auto radius = [&](const Point_3& p) { return size()(p) * points / (2 * CGAL_PI); };
+    note_volume(internal::preserve_volume(mesh, s.surface, s.patch, radius, volume_options()));
+  }
+
   void check_layers_can_be_kept(Volume_mesher mesher) const {
     if (options_.has_boundary_layer() && mesher == Volume_mesher::mesh_3)
       throw Meshing_error(
@@ -288,6 +337,7 @@ private:
   Remeshed_surface kept_;
   Mesher_report report_;
   std::string stage_;
+  bool moves_wall_ = true;
 };
 
 CGAL_TUBULAR_MESHING_INLINE Mesher::Mesher(const Tubular_model& model, const Mesher_options& options)
