@@ -49,18 +49,20 @@ Centerline_sizing_field::Centerline_sizing_field(const Local_radius& local,
                                                  const Centerline_sizing_field_options& options) {
   internal::check(options);
   const double leaf_per_radius = 0.8;
-  const auto sample = [&](const internal::Size_octree::Position& x) {
+  const auto sample = [&](const internal::Size_octree::Position& x, bool with_need) {
     const Point_3 p(x[0], x[1], x[2]);
     const Local_radius::Radii r = local.radii(p);
     const auto& d = r.of_centerline;
     const double radius = r.combined((std::max)(d.radius, d.distance));
     const double size = (std::min)(
         (std::max)(2 * CGAL_PI * radius / options.points_per_circumference, options.min_size), options.max_size);
-    const bool outside = squared_distance(p, d.point) > squared_distance(r.on_wall, d.point);
-    return internal::Size_octree::Sample{
-        {outside ? std::sqrt(squared_distance(p, r.on_wall)) : 0,
-         (std::min)(leaf_per_radius * radius, local.largest_width(p, leaf_per_radius))},
-        size};
+    internal::Size_octree::Sample result{{0, 0}, size};
+    if (with_need) {
+      const bool outside = squared_distance(p, d.point) > squared_distance(r.on_wall, d.point);
+      result.need = {outside ? std::sqrt(squared_distance(p, r.on_wall)) : 0,
+                     local.largest_width(p, leaf_per_radius, leaf_per_radius * radius)};
+    }
+    return result;
   };
   octree_ = std::make_shared<const internal::Size_octree>(local.bbox(), sample, options.gradation - 1,
                                                           options.number_of_threads);

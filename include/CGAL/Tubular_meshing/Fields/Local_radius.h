@@ -25,8 +25,8 @@ namespace CGAL::Tubular_meshing {
  * distance to the nearest centerline says nothing of the lumen's width; the ball that touches the wall does.
  *
  * A branch is plain at a point of the wall where the ball that touches there has its center near the centerline,
- * within 0.4 of the ball's radius, and a radius that is within 2/3 and 5/4 of the centerline's. Where the center is off
- * by 3/4, or the radius by more than 1/2 or 8/5, the ball's radius counts alone; in between the two pass over into each
+ * within 0.4 of the ball's radius, and a radius that is within 2/3 and 7/5 of the centerline's. Where the center is off
+ * by 3/4, or the radius is less than half or more than twice the centerline's, the ball's radius counts alone; in between the two pass over into each
  * other. The centerline's radius on a plain branch is kept as it is, since it is smoother than what vertices tell.
  *
  * A query is O(log n), takes about 10 µs, allocates nothing, and is safe from several threads. Copies share the data.
@@ -69,10 +69,10 @@ public:
   };
   Radii radii(const Point_3& x) const;
 
-  /*! How wide a cube around `x` may be so that it holds no point of the wall where the radius by shape is less than the
-   * width over `width_per_radius`: what makes an octree find vessels that are much narrower than those around. Infinite
-   * where all branches are plain. */
-  double largest_width(const Point_3& x, double width_per_radius) const;
+  /*! How wide a cube around `x` may be, up to a bound, so that it holds no point of the wall where the branch is not
+   * plain and the radius is less than the width over `width_per_radius`, within a tenth: what makes an octree find
+   * vessels that are much narrower than those around. */
+  double largest_width(const Point_3& x, double width_per_radius, double bound) const;
 
   /// The box of the wall.
   CGAL::Bbox_3 bbox() const;

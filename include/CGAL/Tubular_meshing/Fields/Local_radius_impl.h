@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <vector>
 
 namespace CGAL::Tubular_meshing {
@@ -43,13 +42,14 @@ public:
 
   CGAL::Bbox_3 bbox() const { return bbox_; }
 
-  double largest_width(const Point_3& x, double width_per_radius) const {
+  double largest_width(const Point_3& x, double width_per_radius, double bound) const {
+    const double worth_it = 0.9; // leaves are halved: a width that is a little less changes nothing
     const internal::Vector_3d p(x);
-    double width = (std::numeric_limits<double>::infinity)();
+    double width = bound;
     places_.search(
         p,
         [&](const internal::Point_boxes::Box& box) {
-          return (std::max)(2 * box.distance_of_cubes(p), width_per_radius * box.smallest_value) < width;
+          return (std::max)(2 * box.distance_of_cubes(p), width_per_radius * box.smallest_value) < worth_it * width;
         },
         [&](const internal::Vector_3d& q, double radius) {
           const internal::Vector_3d d = q - p;
@@ -135,7 +135,7 @@ CGAL_TUBULAR_MESHING_INLINE double Local_radius::Radii::share_against(double rad
     return 0;
   using internal::smooth_step;
   const double ratio = std::log(of_ball / radius_of_centerline);
-  return (std::max)({share_of_ball, smooth_step(std::log(1.25), std::log(1.6), ratio),
+  return (std::max)({share_of_ball, smooth_step(std::log(1.4), std::log(2.), ratio),
                      smooth_step(std::log(1.5), std::log(2.), -ratio)});
 }
 
@@ -143,8 +143,9 @@ CGAL_TUBULAR_MESHING_INLINE Local_radius::Radii Local_radius::radii(const Point_
   return impl_->at(x);
 }
 
-CGAL_TUBULAR_MESHING_INLINE double Local_radius::largest_width(const Point_3& x, double width_per_radius) const {
-  return impl_->largest_width(x, width_per_radius);
+CGAL_TUBULAR_MESHING_INLINE double Local_radius::largest_width(const Point_3& x, double width_per_radius,
+                                                               double bound) const {
+  return impl_->largest_width(x, width_per_radius, bound);
 }
 
 CGAL_TUBULAR_MESHING_INLINE CGAL::Bbox_3 Local_radius::bbox() const {

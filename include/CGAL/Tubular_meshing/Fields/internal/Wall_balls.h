@@ -32,15 +32,16 @@ public:
     find_spikes();
     make_normals();
     // once at some vertices, for an idea of the radius; then at all, against as many obstacles as the radius needs
-    choose_apart([&](Index v) { return 1.01 * longest_edge(v); });
+    chosen_.assign(size(), 1);
     collect_obstacles(false);
-    shrink(chosen_);
+    choose_apart([&](Index v) { return 1.01 * longest_edge(v); });
+    shrink(chosen_, 0.8);
     spread_to_neighbours();
     filter();
     average_normals();
     choose_apart([&](Index v) { return spacing * radii_[v]; });
     collect_obstacles(true);
-    shrink(std::vector<char>(size(), 1));
+    shrink(std::vector<char>(size(), 1), 0.98);
     filter();
     smooth();
   }
@@ -56,7 +57,6 @@ private:
   static constexpr double spacing = 0.15;                       // of obstacles
   static constexpr double touch = 0.15;        // of its radius, how far from its surface a ball touches a vertex
   static constexpr double touching = 0.75;     // the cosine of the angle between its radius and the normal there
-  static constexpr double slack = 0.98;        // of the squared radius: a ball need not shrink by less than a percent
   static constexpr std::size_t most_near = 96; // vertices of a window
   static constexpr std::size_t witnesses = 4;  // that many balls are to be as large, where there are as many at all
 
@@ -170,7 +170,8 @@ private:
     }
   }
 
-  void shrink(const std::vector<char>& wanted) {
+  /* A ball that is small enough but for a part of its squared radius is left: on a sphere, all of it is near the ball. */
+  void shrink(const std::vector<char>& wanted, double slack) {
     radii_.assign(size(), 0);
     const Bbox_3 box = wall_bbox();
     const double largest = norm({box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin()}) / 2;
@@ -180,14 +181,14 @@ private:
         // small balls first: most need not be shrunk from the size of all
         for (double bound = (std::min)((std::max)(8 * longest_edge(v), largest / 4096), largest);
              wanted[v] && radii_[v] == 0 && bound < 5 * largest; bound *= 4)
-          radii_[v] = ball(wall_.point(v), directions_[v], bound);
+          radii_[v] = ball(wall_.point(v), directions_[v], bound, slack);
       }
     });
   }
 
   /* The largest radius, below the bound, of a ball that touches x in direction n with no obstacle inside; 0 if there is
    * no obstacle in that of the bound. */
-  double ball(const Vector_3d& x, const Vector_3d& n, double bound) const {
+  double ball(const Vector_3d& x, const Vector_3d& n, double bound, double slack) const {
     double radius = bound;
     Vector_3d center = x + radius * n;
     obstacles_.search(
