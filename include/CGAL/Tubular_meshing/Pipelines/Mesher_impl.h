@@ -77,10 +77,10 @@ public:
       stage("anisotropic remeshing");
       options_.remeshing.boundary_layer_patches = {labels::wall};
       internal::anisotropic_tetrahedral_remeshing(mesh, wall.surface, wall.patch, metric, options_.remeshing);
-      moves_wall_ = options_.preserve_volume;
-      give_volume_to(mesh);
       stage("check");
       internal::check_differences(mesh, *model_);
+      moves_wall_ = options_.preserve_volume;
+      give_volume_to(mesh);
       mesh.region_names = {{labels::lumen, "lumen"}};
       mesh.patch_names = patch_names();
       return mesh;
@@ -233,11 +233,11 @@ private:
       Optimize_tetrahedra_options optimization = options_.optimization;
       optimization.keep_boundary = keeps;
       internal::optimize_tetrahedra(filling, wall.surface, wall.patch, optimization);
-      if (!keeps)
-        give_volume_to(filling);
     });
     stage("check");
     internal::check_differences(mesh, *model_);
+    if (!keeps)
+      give_volume_to(mesh);
     return mesh;
   }
 
@@ -254,11 +254,12 @@ private:
           s.surface, s.patch, [&](const Point_3& p) { return factor * size()(p); }, mesh, options_.mesh_3);
       stage("optimization");
       internal::optimize_tetrahedra(mesh, s.surface, s.patch, options_.optimization);
-      give_volume_to(mesh);
       stage("check");
       differences = internal::differences(mesh, *model_);
-      if (differences.empty())
+      if (differences.empty()) {
+        give_volume_to(mesh);
         return mesh;
+      }
     }
     throw Meshing_error("The mesh came out with " + differences +
                         ": the surface may intersect itself, or have parts much narrower than the mesh size there.");
@@ -308,7 +309,7 @@ private:
     note_volume(internal::preserve_volume(mesh.surface, mesh.patch, s.surface, s.patch, volume_options()));
   }
 
-  // To a mesh that has brought its boundary to the surface.
+  // To a valid mesh that has brought its boundary to the surface; it is still valid then.
   void give_volume_to(Mixed_mesh& mesh) {
     if (!moves_wall_)
       return;
@@ -317,6 +318,8 @@ private:
     const double points = options_.size.points_per_circumference;
     const auto radius = [&](const Point_3& p) { return size()(p) * points / (2 * CGAL_PI); };
     note_volume(internal::preserve_volume(mesh, s.surface, s.patch, radius, volume_options()));
+    stage("check");
+    internal::check_differences(mesh, *model_);
   }
 
   void check_layers_can_be_kept(Volume_mesher mesher) const {

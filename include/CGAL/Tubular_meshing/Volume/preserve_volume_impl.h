@@ -53,7 +53,7 @@ inline Shift_holder wanted_shifts(const Surface& mesh, Face_patch_map patch, con
 
 // Moves a surface; where it would meet itself, less.
 inline void move_without_crossings(Surface& mesh, Shift_holder& shifts) {
-  for (int round = 0; round < 5; ++round) {
+  for (int round = 0; round < 12; ++round) {
     for (auto v : mesh.vertices())
       mesh.point(v) = shifts.point(std::size_t(v));
     const auto crossings = crossing_faces(mesh);
@@ -69,6 +69,7 @@ inline void move_without_crossings(Surface& mesh, Shift_holder& shifts) {
     for (std::size_t v : near)
       shifts.hold_back(v);
   }
+  shifts.hold_all_back();
   for (auto v : mesh.vertices())
     mesh.point(v) = shifts.point(std::size_t(v));
 }
@@ -198,7 +199,8 @@ inline Shift_holder shifts_of_all(const Mixed_mesh& mesh, const Boundary_surface
   return Shift_holder(std::move(from), std::move(shift));
 }
 
-// Tetrahedra keep a fair part of their volume: those at fault hold their corners back, and then those around.
+// Tetrahedra keep a fair part of their volume: those at fault hold their corners back, and then those around. If that
+// comes to no end nothing moves at all.
 inline void keep_tetrahedra(const Mixed_mesh& mesh, Shift_holder& shifts) {
   const double least = 0.3; // of the volume
   for (int round = 0; round < 12; ++round) {
@@ -215,6 +217,7 @@ inline void keep_tetrahedra(const Mixed_mesh& mesh, Shift_holder& shifts) {
     for (std::size_t v : at_fault)
       shifts.hold_back(v);
   }
+  shifts.hold_all_back();
 }
 
 CGAL_TUBULAR_MESHING_INLINE Preserve_volume_report preserve_volume(Mixed_mesh& mesh, const Surface& input,

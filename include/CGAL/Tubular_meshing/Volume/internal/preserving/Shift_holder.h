@@ -34,6 +34,8 @@ public:
 
   void hold_back(std::size_t i) { part_[i] = part_[i] > 0.2 ? part_[i] / 2 : 0; }
 
+  void hold_all_back() { part_.assign(part_.size(), 0); }
+
   std::size_t number_held_back() const {
     return std::size_t(std::count_if(part_.begin(), part_.end(), [](double p) { return p < 1; }));
   }
