@@ -94,8 +94,6 @@ std::vector<std::array<Point_3, 3>> wall_of(const tubular::Tubular_model& model)
 double section(const std::vector<std::array<Point_3, 3>>& wall, const Point_3& o, const Vector_3& n, double reach) {
   double area = 0;
   for (const auto& t : wall) {
-    if (CGAL::squared_distance(t[0], o) > reach * reach)
-      continue;
     std::array<double, 3> d;
     for (int k = 0; k < 3; ++k)
       d[k] = (t[k] - o) * n;
@@ -108,7 +106,7 @@ double section(const std::vector<std::array<Point_3, 3>>& wall, const Point_3& o
       (d[k] < 0 ? out : in) = t[k] + d[k] / (d[k] - d[l]) * (t[l] - t[k]);
       ++found;
     }
-    if (found == 2)
+    if (found == 2 && CGAL::squared_distance(CGAL::midpoint(in, out), o) < reach * reach) // not of another branch
       area += CGAL::cross_product(out - o, in - o) * n / 2;
   }
   return std::abs(area);
