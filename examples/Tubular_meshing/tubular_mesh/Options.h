@@ -41,6 +41,7 @@ struct Options {
   std::string size_array;
   double min_size = 0, max_size = (std::numeric_limits<double>::infinity)(), gradation = 1.3;
   std::string report, surface_output, centerlines_output;
+  bool preserve_volume = true;
   int threads = 0;
   bool verbose = false, quiet = false;
 

@@ -9,8 +9,11 @@
 #include <CGAL/Tubular_meshing/Patches/metric_surface_report.h>
 #include <CGAL/Tubular_meshing/Quality/boundary_layer_report.h>
 #include <CGAL/Tubular_meshing/Quality/branch_resolution.h>
+#include <CGAL/Tubular_meshing/Quality/lumen_measures.h>
 #include <CGAL/Tubular_meshing/Quality/quality_report.h>
 #include <CGAL/Tubular_meshing/Quality/validity_report.h>
+
+#include <CGAL/Polygon_mesh_processing/measure.h>
 
 #include <nlohmann/json.hpp>
 
@@ -58,7 +61,13 @@ Json labels(const tubular::Labelled_ends& ends) {
   return {{"source", ends.source}, {"labels", list}};
 }
 
-Json openings(const tubular::Tubular_model& model, const tubular::Mixed_mesh& mesh) {
+double area_of(const tubular::Lumen_measures& measures, int patch) {
+  const auto found = measures.opening_area.find(patch);
+  return found == measures.opening_area.end() ? 0 : found->second;
+}
+
+Json openings(const tubular::Tubular_model& model, const tubular::Mixed_mesh& mesh,
+              const tubular::Lumen_measures& measures) {
   std::map<int, std::size_t> triangles, quads;
   for (int label : mesh.triangles.label)
     ++triangles[label];
@@ -71,6 +80,7 @@ Json openings(const tubular::Tubular_model& model, const tubular::Mixed_mesh& me
                   {"center", vector_of(o.center)},
                   {"normal", vector_of(o.normal)},
                   {"area", o.area},
+                  {"mesh_area", area_of(measures, o.patch)},
                   {"perimeter", o.perimeter},
                   {"radius", o.radius},
                   {"triangles", triangles[o.patch]},
@@ -120,10 +130,23 @@ bool keeps_loops(const Run& run) {
          (run.options.centerlines.empty() && !run.options.no_loops && graph.branches().size() >= graph.nodes().size());
 }
 
+// That of the surface that was meshed, and of the mesh's lumen; how the latter came to it.
+Json volumes(const Run& run, const tubular::Lumen_measures& measures) {
+  const double input = CGAL::to_double(CGAL::Polygon_mesh_processing::volume(run.model.surface));
+  return {{"input", input},
+          {"mesh", measures.volume},
+          {"relative_difference", input > 0 ? measures.volume / input - 1 : 0},
+          {"preserved", run.options.preserve_volume},
+          {"before", run.meshing.volume.volume_before > 0 ? Json(run.meshing.volume.volume_before) : Json()},
+          {"largest_shift", run.meshing.volume.largest_shift},
+          {"vertices_held_back", run.meshing.volume.held_back}};
+}
+
 Json description_of(const Run& run) {
   const tubular::Mixed_mesh& mesh = run.mesh;
   const tubular::Validity_report validity = tubular::validity_report(mesh);
   const tubular::Quality_report quality = tubular::quality_report(mesh);
+  const tubular::Lumen_measures measures = tubular::lumen_measures(mesh, run.model.openings.size());
   return {{"program", std::string("tubular_mesh ") + run.version},
           {"input", run.options.surface},
           {"centerlines", run.options.centerlines.empty() ? Json() : Json(run.options.centerlines)},
@@ -144,7 +167,8 @@ Json description_of(const Run& run) {
           {"valid", validity.is_valid()},
           {"boundary_euler", validity.boundary_euler},
           {"quality", qualities(quality)},
-          {"openings", openings(run.model, mesh)},
+          {"volume", volumes(run, measures)},
+          {"openings", openings(run.model, mesh, measures)},
           {"branches", branches(run.model, mesh)}};
 }
 
@@ -353,6 +377,15 @@ void print_labels(const Json& l) {
   std::printf("\n");
 }
 
+void print_volume(const Json& v) {
+  std::printf("\nvolume: %.6g, that of the surface: %.6g (%+.2f %%)\n", v["mesh"].get<double>(),
+              v["input"].get<double>(), 100 * v["relative_difference"].get<double>());
+  if (v["vertices_held_back"] > 0)
+    std::printf("note: to keep the volume %ld vertices should have moved further; cells would have turned over, or the "
+                "wall met itself\n",
+                v["vertices_held_back"].get<long>());
+}
+
 void print_summary(const Json& r, bool verbose) {
   print_counts(r);
   if (r.contains("labels"))
@@ -402,19 +435,21 @@ void print_summary(const Json& r, bool verbose) {
     print_patches(r["patches"]);
   if (r.contains("quads"))
     print_quads(r["quads"]);
-  std::printf("\n%-12s %6s %10s %12s %12s\n", "opening", "patch", "facets", "radius", "area");
+  print_volume(r["volume"]);
+  std::printf("\n%-12s %6s %10s %12s %12s %12s\n", "opening", "patch", "facets", "radius", "area", "in the mesh");
   for (const auto& o : r["openings"])
-    std::printf("%-12s %6d %10ld %12.5g %12.5g\n", o["name"].get<std::string>().c_str(), o["patch"].get<int>(),
-                o["triangles"].get<long>() + o["quads"].get<long>(), o["radius"].get<double>(),
-                o["area"].get<double>());
+    std::printf("%-12s %6d %10ld %12.5g %12.5g %12.5g\n", o["name"].get<std::string>().c_str(), o["patch"].get<int>(),
+                o["triangles"].get<long>() + o["quads"].get<long>(), o["radius"].get<double>(), o["area"].get<double>(),
+                o["mesh_area"].get<double>());
   for (const auto& o : r["openings"])
     if (o["branch"].is_null())
-      std::printf("note: no centerline leads to %s; the mesh size there is that of the nearest branch\n",
+      std::printf("note: no centerline leads to %s; the mesh size there is that of the lumen's shape\n",
                   o["name"].get<std::string>().c_str());
   const long pieces = r.contains("openings_of_parts") ? long(r["openings_of_parts"].size()) : 1;
   if (r["centerlines"].is_null() && !r["loops"] && r["boundary_euler"] < 2 * pieces)
-    std::printf("note: vessels split and rejoin; where no centerline runs the mesh size is that of the nearest branch, "
-                "unless all of them are kept, without --no-loops\n");
+    std::printf(
+        "note: vessels split and rejoin; one that no centerline follows is no branch of its own: all of them are kept "
+        "without --no-loops\n");
   if (verbose) {
     print_branches(r["branches"]);
     for (const auto& m : measures())

@@ -217,6 +217,9 @@ inline void declare_options(CLI::App& app, Options& o, const std::string& versio
       ->capture_default_str()
       ->check(in_range(1, 1e4));
   declare_size_options(app, o);
+  app.add_flag("--preserve-volume,!--no-preserve-volume", o.preserve_volume,
+               "move the wall outward by so much that mesh and openings have the surface's volume and areas, not those "
+               "of facets inside of it (default: yes)");
   declare_mesher_options(app, o);
   declare_layer_options(app, o);
   declare_metric_options(app, o);

@@ -105,6 +105,14 @@ void add(tubular::Layer_report& all, const tubular::Layer_report& part) {
   all.rounds = (std::max)(all.rounds, part.rounds);
 }
 
+void add(tubular::Preserve_volume_report& all, const tubular::Preserve_volume_report& part) {
+  all.input_volume += part.input_volume;
+  all.volume_before += part.volume_before;
+  all.volume += part.volume;
+  all.largest_shift = (std::max)(all.largest_shift, part.largest_shift);
+  all.held_back += part.held_back;
+}
+
 template <class T> void append(std::vector<T>& all, const std::vector<T>& part) {
   all.insert(all.end(), part.begin(), part.end());
 }
@@ -175,6 +183,7 @@ void join(Run& run, std::vector<Part> parts) {
       append(run.meshing.fallbacks, part.meshing.fallbacks);
       add(run.meshing.boundary_layer, part.meshing.boundary_layer);
       add(run.meshing.wall, part.meshing.wall);
+      add(run.meshing.volume, part.meshing.volume);
       add(run.wall, part.wall);
     }
     models.push_back(std::move(part.model));

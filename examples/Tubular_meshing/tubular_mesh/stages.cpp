@@ -6,6 +6,8 @@
 #include "../command_line/Points.h"
 
 #include <CGAL/Tubular_meshing/Centerlines/Centerline_field.h>
+#include <CGAL/Tubular_meshing/Centerlines/Wall_distance.h>
+#include <CGAL/Tubular_meshing/Fields/Local_radius.h>
 #include <CGAL/Tubular_meshing/IO/read_centerlines.h>
 #include <CGAL/Tubular_meshing/IO/read_surface.h>
 #include <CGAL/Tubular_meshing/Layers/extrude_wall.h>
@@ -127,6 +129,7 @@ auto mesher_parameters(const Run& run, Stage_clock& clock) {
       .growth(o.growth)
       .smoothing_ratio(o.smoothing_ratio)
       .curvature_points(o.curvature_points)
+      .preserve_volume(o.preserve_volume)
       .number_of_threads(o.threads)
       .observer([&clock](const char* stage) { clock.begin(stage); });
 }
@@ -194,6 +197,7 @@ tubular::Size_requests size_requests(const Options& o, const tubular::IO::Surfac
 void make_mesh(Run& run, tubular::Mesher& mesher) {
   if (run.options.makes_surface_only()) {
     run.surface = mesher.surface(surface_elements(run.options));
+    run.meshing = mesher.report();
     run.mesh = without_cells(run.surface, run.model);
     return;
   }
@@ -209,8 +213,11 @@ void add_wall(Run& run, Stage_clock& clock) {
   if (!o.has_wall())
     return;
   clock.begin("wall");
+  const tubular::Local_radius radius(tubular::Centerline_field(run.model.centerlines),
+                                     tubular::Wall_distance(run.model.surface, run.model.patch, tubular::labels::wall),
+                                     tubular::parameters::number_of_threads(o.threads));
   const auto or_as_the_wall = [](auto given, auto of_the_wall) { return given > 0 ? given : of_the_wall; };
-  run.wall = tubular::extrude_wall(run.mesh, tubular::Centerline_field(run.model.centerlines),
+  run.wall = tubular::extrude_wall(run.mesh, radius,
                                    tubular::parameters::wall_thickness(o.wall.thickness)
                                        .wall_layers(o.wall.number)
                                        .wall_growth(o.wall.growth)

@@ -8,6 +8,7 @@
 #include <CGAL/Tubular_meshing/Patches/Remeshed_surface.h>
 #include <CGAL/Tubular_meshing/Pipelines/Mesher_options.h>
 #include <CGAL/Tubular_meshing/Pipelines/Tubular_model.h>
+#include <CGAL/Tubular_meshing/Volume/preserve_volume.h>
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/base/config.h>
 #include <CGAL/Tubular_meshing/base/parameters.h>
@@ -26,6 +27,7 @@ struct Mesher_report {
   std::vector<std::string> fallbacks; ///< a sentence each time another way was taken than the one chosen, and why
   Layer_report boundary_layer;        ///< where layers inside the lumen had to be thinner
   Layer_report wall;                  ///< likewise those of a mixed mesh's wall
+  Preserve_volume_report volume;      ///< how the mesh got the volume of the surface; all zero if it did not
 };
 
 /*! \ingroup PkgTubularMeshingPipelines
@@ -77,6 +79,13 @@ struct Mesher_report {
  *     \cgalParamDescription{of the wall of a mixed mesh, in local radii; 0: there is none}
  *     \cgalParamType{double}
  *     \cgalParamDefault{0}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{preserve_volume}
+ *     \cgalParamDescription{whether the wall's vertices move so that the mesh has the volume of the surface, branch by
+ *       branch, and its openings have their areas, see preserve_volume(); else
+ *       they are on the surface, and the mesh is smaller}
+ *     \cgalParamType{bool}
+ *     \cgalParamDefault{`true`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{number_of_threads}
  *     \cgalParamDescription{0: all cores. Results do not depend on it}
@@ -161,7 +170,7 @@ public:
   Mixed_mesh mixed();
 
   /*! The surface alone (sections 2.4, 2.5): closed, conforming, free of self-intersections, its vertices on the model's
-   * surface. */
+   * surface, or, unless `preserve_volume` is false, next to it, so that it encloses the same volume. */
   Remeshed_surface surface(Surface_elements elements = Surface_elements::triangles);
 
   /// Takes over the surface mesh that the last volume mesh was made from and kept; empty if there is none.

@@ -5,11 +5,13 @@
 #define CGAL_TUBULAR_MESHING_PIPELINES_MESHER_IMPL_H
 
 #include <CGAL/Tubular_meshing/Centerlines/Centerline_field.h>
+#include <CGAL/Tubular_meshing/Centerlines/Wall_distance.h>
 #include <CGAL/Tubular_meshing/Fields/Centerline_metric_field.h>
 #include <CGAL/Tubular_meshing/Fields/Centerline_sizing_field.h>
+#include <CGAL/Tubular_meshing/Fields/Local_radius.h>
 #include <CGAL/Tubular_meshing/Fields/Refined_metric_field.h>
 #include <CGAL/Tubular_meshing/Layers/append_mesh.h>
-#include <CGAL/Tubular_meshing/Layers/local_radius.h>
+#include <CGAL/Tubular_meshing/Volume/preserve_volume.h>
 #include <CGAL/Tubular_meshing/Pipelines/Element_target.h>
 #include <CGAL/Tubular_meshing/Pipelines/Mesher.h>
 #include <CGAL/Tubular_meshing/Pipelines/internal/Model_in_its_frame.h>
@@ -79,6 +81,7 @@ public:
   template <class Make> auto made(const Make& make) {
     report_ = Mesher_report();
     kept_ = Remeshed_surface();
+    moves_wall_ = options_.preserve_volume;
     try {
       auto mesh = make();
       frame_.bring_back(mesh);
@@ -104,6 +107,7 @@ public:
       if (options_.has_boundary_layer())
         throw Parameter_error("An anisotropic mesh has its layers in tetrahedra: leave the layers of prisms out, or "
                               "make an isotropic mesh.");
+      moves_wall_ = false; // remeshing would bring it back to the surface
       Mixed_mesh mesh = isotropic_in_frame(Surface_mesher::parametric);
       kept_ = Remeshed_surface(); // remeshing does not keep it
       const Labelled_surface& wall = by_patches_ ? by_patches_->surface : frame_.surface();
@@ -117,6 +121,8 @@ public:
       options_.size.size_requests.empty() ? remesh(metric) : remesh(refined(metric));
       stage("check");
       internal::check_differences(mesh, *model_);
+      moves_wall_ = options_.preserve_volume;
+      give_volume_to(mesh);
       mesh.region_names = {{labels::lumen, "lumen"}};
       name_patches(mesh);
       return mesh;
@@ -130,6 +136,7 @@ public:
       Fill_with_pyramids_and_tetrahedra_options pyramids = options_.pyramids;
       pyramids.split_quads = !options_.has_boundary_layer(); // not the far sides of hexahedra
       kept_ = quads_in_frame();
+      give_volume_to(kept_);
       Mixed_mesh mesh =
           fill_within_layers(kept_, [&](const Surface& closed, Face_patch_map patch, Mixed_mesh& filling) {
             stage("pyramids and tetrahedra");
@@ -138,8 +145,7 @@ public:
       name_patches(mesh);
       if (options_.wall) {
         stage("wall");
-        const Centerline_field centerlines(frame_.centerlines());
-        report_.wall = internal::extrude_wall(mesh, internal::radius_function(centerlines), *options_.wall);
+        report_.wall = internal::extrude_wall(mesh, radius(), *options_.wall);
         report_.wall.worst_place = frame_.from_frame(report_.wall.worst_place);
       }
       stage("check");
@@ -150,14 +156,9 @@ public:
 
   Remeshed_surface surface(Surface_elements elements) {
     return made([&] {
-      if (elements == Surface_elements::quads)
-        return quads_in_frame();
-      if (elements == Surface_elements::triangles)
-        return triangles_in_frame(size());
-      stage("metric field");
-      const Centerline_metric_field metric(frame_.surface().surface, frame_.surface().patch, frame_.centerlines(),
-                                           options_.metric);
-      return options_.size.size_requests.empty() ? triangles_in_frame(metric) : triangles_in_frame(refined(metric));
+      Remeshed_surface result = surface_in_frame(elements);
+      give_volume_to(result);
+      return result;
     });
   }
 
@@ -178,22 +179,27 @@ private:
   const Centerline_sizing_field& size() {
     if (!size_) {
       stage("size field");
-      const Labelled_surface& s = frame_.surface();
-      size_.emplace(Centerline_field(frame_.centerlines()), Wall_distance(s.surface, s.patch, labels::wall),
-                    options_.size);
+      size_.emplace(radius(), options_.size);
     }
     return *size_;
+  }
+
+  // The one radius that sizes, layers and walls are relative to.
+  const Local_radius& radius() {
+    if (!radius_) {
+      const Labelled_surface& s = frame_.surface();
+      Shape_radius_options shape;
+      shape.number_of_threads = options_.size.number_of_threads;
+      radius_.emplace(Centerline_field(frame_.centerlines()), Wall_distance(s.surface, s.patch, labels::wall), shape);
+    }
+    return *radius_;
   }
 
   // A metric with what is wanted beside it.
   Refined_metric_field refined(const Centerline_metric_field& metric) {
     Centerline_sizing_field_options without = options_.size;
     without.size_requests = Size_requests();
-    const Labelled_surface& s = frame_.surface();
-    return Refined_metric_field(metric,
-                                Centerline_sizing_field(Centerline_field(frame_.centerlines()),
-                                                        Wall_distance(s.surface, s.patch, labels::wall), without),
-                                size());
+    return Refined_metric_field(metric, Centerline_sizing_field(radius(), without), size());
   }
 
   const Patches& patches() {
@@ -212,6 +218,17 @@ private:
     const Patches& p = patches();
     stage("surface mesh");
     return remesh_patches(p.surface.surface, p.cut, p.maps, size, options_.surface);
+  }
+
+  Remeshed_surface surface_in_frame(Surface_elements elements) {
+    if (elements == Surface_elements::quads)
+      return quads_in_frame();
+    if (elements == Surface_elements::triangles)
+      return triangles_in_frame(size());
+    stage("metric field");
+    const Centerline_metric_field metric(frame_.surface().surface, frame_.surface().patch, frame_.centerlines(),
+                                         options_.metric);
+    return options_.size.size_requests.empty() ? triangles_in_frame(metric) : triangles_in_frame(refined(metric));
   }
 
   Remeshed_surface quads_in_frame() {
@@ -252,9 +269,11 @@ private:
     kept_ = triangles_in_frame(size());
     const Labelled_surface& wall = patches().surface;
     check_layers_can_be_kept(options_.volume_mesher);
+    const bool keeps = options_.volume_mesher != Volume_mesher::mesh_3;
+    if (keeps)
+      give_volume_to(kept_);
     Mixed_mesh mesh = fill_within_layers(kept_, [&](const Surface& closed, Face_patch_map patch, Mixed_mesh& filling) {
       stage("tetrahedra");
-      const bool keeps = options_.volume_mesher != Volume_mesher::mesh_3;
       if (keeps)
         internal::fill_keeping_boundary(closed, patch, size(), filling, options_.filling);
       else
@@ -266,6 +285,8 @@ private:
     });
     stage("check");
     internal::check_differences(mesh, *model_);
+    if (!keeps)
+      give_volume_to(mesh);
     return mesh;
   }
 
@@ -284,8 +305,10 @@ private:
       internal::optimize_tetrahedra(mesh, s.surface, s.patch, options_.optimization);
       stage("check");
       differences = internal::differences(mesh, *model_);
-      if (differences.empty())
+      if (differences.empty()) {
+        give_volume_to(mesh);
         return mesh;
+      }
     }
     throw Meshing_error("The mesh came out with " + differences +
                         ": the surface may intersect itself, or have parts much narrower than the mesh size there.");
@@ -300,9 +323,8 @@ private:
       return mesh;
     }
     stage("boundary layer");
-    const Centerline_field centerlines(frame_.centerlines());
-    Boundary_layer layer = internal::extrude_boundary_layer(
-        surface.surface, surface.patch, internal::radius_function(centerlines), options_.boundary_layer);
+    Boundary_layer layer =
+        internal::extrude_boundary_layer(surface.surface, surface.patch, radius(), options_.boundary_layer);
     report_.boundary_layer = layer.report;
     report_.boundary_layer.worst_place = frame_.from_frame(layer.report.worst_place);
     try {
@@ -313,6 +335,40 @@ private:
     }
     append_mesh(layer.layers, mesh, layer.mesh_points);
     return std::move(layer.layers);
+  }
+
+  // --- the volume of the surface ---
+
+  template <class Report> void note_volume(Report report) {
+    frame_.bring_back(report);
+    report_.volume = std::move(report);
+  }
+  Preserve_volume_options volume_options() const {
+    Preserve_volume_options result;
+    result.number_of_threads = options_.size.number_of_threads;
+    return result;
+  }
+
+  // To a surface mesh that is kept from here on.
+  void give_volume_to(Remeshed_surface& mesh) {
+    if (!moves_wall_)
+      return;
+    stage("volume");
+    const Labelled_surface& s = frame_.surface();
+    note_volume(internal::preserve_volume(mesh.surface, mesh.patch, s.surface, s.patch, volume_options()));
+  }
+
+  // To a valid mesh that has brought its boundary to the surface; it is still valid then.
+  void give_volume_to(Mixed_mesh& mesh) {
+    if (!moves_wall_)
+      return;
+    stage("volume");
+    const Labelled_surface& s = frame_.surface();
+    const double points = options_.size.points_per_circumference;
+    const auto radius = [&](const Point_3& p) { return size()(p) * points / (2 * CGAL_PI); };
+    note_volume(internal::preserve_volume(mesh, s.surface, s.patch, radius, volume_options()));
+    stage("check");
+    internal::check_differences(mesh, *model_);
   }
 
   void check_layers_can_be_kept(Volume_mesher mesher) const {
@@ -330,11 +386,13 @@ private:
   std::shared_ptr<const Tubular_model> model_;
   Mesher_options options_;
   internal::Model_in_its_frame frame_;
+  std::optional<Local_radius> radius_;
   std::optional<Centerline_sizing_field> size_;
   std::optional<Patches> by_patches_;
   Remeshed_surface kept_;
   Mesher_report report_;
   std::string stage_;
+  bool moves_wall_ = true;
 };
 
 CGAL_TUBULAR_MESHING_INLINE Mesher::Mesher(const Tubular_model& model, const Mesher_options& options)

@@ -6,7 +6,7 @@
 
 #include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Patches/Remeshed_surface.h>
-#include <CGAL/Tubular_meshing/Patches/internal/remeshing/crossing_faces.h>
+#include <CGAL/Tubular_meshing/Patches/pieces/crossing_faces.h>
 #include <CGAL/Tubular_meshing/Patches/pieces/Piece_mesher.h>
 #include <CGAL/Tubular_meshing/base/config.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>

@@ -16,6 +16,7 @@
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/Patches/Remeshed_surface.h>
 #include <CGAL/Tubular_meshing/Pipelines/Tubular_model.h>
+#include <CGAL/Tubular_meshing/Volume/preserve_volume.h>
 #include <CGAL/Tubular_meshing/base/labels.h>
 #include <CGAL/Tubular_meshing/base/parameters.h>
 
@@ -75,6 +76,16 @@ public:
         h /= frame_.scale();
     }
     return requests;
+  }
+
+  // Brings volumes, areas and lengths back.
+  void bring_back(Preserve_volume_report& report) const {
+    const double scale = frame_.scale();
+    for (double* volume : {&report.input_volume, &report.volume_before, &report.volume})
+      *volume *= scale * scale * scale;
+    report.largest_shift *= scale;
+    for (auto& area : report.area)
+      area.second *= scale * scale;
   }
 
   Point_3 from_frame(const Point_3& p) const {
