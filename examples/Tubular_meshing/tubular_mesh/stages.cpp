@@ -20,7 +20,6 @@
 #include <CGAL/Tubular_meshing/base/labels.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <set>
@@ -311,10 +310,13 @@ void make_mesh(Run& run, Stage_clock& clock) {
     return;
   }
   double& points = run.options.points_per_circumference;
-  const double estimate = mesher.estimated_number_of_tetrahedra();
-  for (tubular::Element_target target(elements, points * std::cbrt(elements / estimate),
-                                      run.options.makes_surface_only() ? 2 : 3);
-       ;) {
+  const auto first = run.options.is_anisotropic() ? tubular::Element_target::first_points_of_layers
+                                                  : tubular::Element_target::first_points;
+  const double power = run.options.makes_surface_only() ? 2
+                       : run.options.is_anisotropic()   ? tubular::Element_target::power_of_layers
+                                                        : 3;
+  tubular::Element_target target(elements, first(elements, points, mesher.estimated_number_of_tetrahedra()), power);
+  for (;;) {
     points = target.points();
     mesher.set_points_per_circumference(points);
     make_mesh(run, mesher);
