@@ -62,11 +62,13 @@ TEST_F(IO, All_that_VTK_and_meshio_write) {
     EXPECT_NEAR(area_of(data), area, 1e-4);
     const bool has_labels = !data.labels.empty();
     labelled += has_labels;
-    if (has_labels)
+    if (has_labels) {
       EXPECT_EQ(std::count(data.labels.label.begin(), data.labels.label.end(), 2), 48);
+    }
     const auto size = data.point_arrays.find("size");
-    if (size != data.point_arrays.end())
+    if (size != data.point_arrays.end()) {
       EXPECT_EQ(size->second, std::vector<double>(data.points.size(), 0.5));
+    }
   }
   EXPECT_GE(files, 20u);
   EXPECT_GE(labelled, 5u);

@@ -78,9 +78,10 @@ void expect_ends(const Tubular_model& model, const std::vector<Point>& centers, 
     EXPECT_EQ(model.patch_names.at(o.patch), names[nearest]);
     seen.insert(o.name);
     for (auto f : model.surface.faces())
-      if (model.patch[f] == o.patch)
+      if (model.patch[f] == o.patch) {
         for (auto v : model.surface.vertices_around_face(model.surface.halfedge(f)))
           EXPECT_LT(std::abs((model.surface.point(v) - o.center) * o.normal), 1e-6 * o.radius);
+      }
   }
   EXPECT_EQ(seen.size(), centers.size());
 }

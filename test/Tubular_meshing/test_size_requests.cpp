@@ -65,8 +65,9 @@ TEST(Size_requests, A_ball_divides_the_size_and_its_surroundings_are_graded) {
       Size_requests requests;
       requests.balls.push_back({Point(0.3, 0, 10), radius, factor});
       const auto size = size_of(model, requests);
-      if (factor > 1)
+      if (factor > 1) {
         EXPECT_NEAR(size(Point(0.3, 0, 10)), plain / factor, 0.12 * plain / factor) << factor << " " << radius;
+      }
       EXPECT_NEAR(size(Point(0, 0, 2)), plain, 0.02 * plain);
       EXPECT_NEAR(size(Point(0, 0, 18)), plain, 0.02 * plain);
       for (double z = 1; z < 19; z += 0.05) // by the gradation, with what interpolation adds

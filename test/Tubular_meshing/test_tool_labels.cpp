@@ -150,8 +150,9 @@ TEST_P(Labelled, Names_go_out_and_say_which_is_the_inlet) {
   EXPECT_EQ(mesh.patch_names.at(2), "inlet_left");
   for (const char* name : {"vessel_wall", "outlet_trunk", "inlet_left", "right one"})
     EXPECT_EQ(names_of(mesh).count(name), 1u) << name;
-  if (std::string(GetParam().name) == "Mixed_with_wall")
+  if (std::string(GetParam().name) == "Mixed_with_wall") {
     EXPECT_EQ(mesh.patch_names.at(102), "inlet_left_ring");
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Types, Labelled,

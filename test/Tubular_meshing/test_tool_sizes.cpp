@@ -65,10 +65,11 @@ TEST_F(Tool, Refines_where_it_was_asked_to) {
     for (std::size_t other = 0; other < 3; ++other) {
       const double before = plain["branches"][other]["points_per_circumference"],
                    after = refined["branches"][other]["points_per_circumference"];
-      if (other == b)
+      if (other == b) {
         EXPECT_NEAR(after, 2 * before, 0.3 * before);
-      else
+      } else {
         EXPECT_LT(after, 1.5 * before);
+      }
     }
   }
 }

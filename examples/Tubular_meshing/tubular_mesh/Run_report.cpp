@@ -87,7 +87,7 @@ Json openings(const tubular::Tubular_model& model, const tubular::Mixed_mesh& me
                   {"quads", quads[o.patch]}};
     entry["branch"] = o.branch == tubular::Opening::no_branch ? Json() : Json(o.branch);
     const auto id = model.patch_ids.id.find(o.patch);
-    if (id != model.patch_ids.id.end())
+    if (!model.patch_ids.empty() && id != model.patch_ids.id.end())
       entry["label"] = id->second;
     list.push_back(entry);
   }

@@ -22,7 +22,6 @@
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 #include <CGAL/Tubular_meshing/base/labels.h>
 
-#include <cmath>
 #include <cstddef>
 #include <deque>
 #include <string>
@@ -319,9 +318,13 @@ void make_meshes(std::vector<Part>& parts, Stage_clock& clock) {
   double estimate = 0;
   for (tubular::Mesher& mesher : meshers)
     estimate += mesher.estimated_number_of_tetrahedra();
-  for (tubular::Element_target target(o.elements, o.points_per_circumference * std::cbrt(o.elements / estimate),
-                                      o.makes_surface_only() ? 2 : 3);
-       ;) {
+  const auto first =
+      o.is_anisotropic() ? tubular::Element_target::first_points_of_layers : tubular::Element_target::first_points;
+  const double power = o.makes_surface_only() ? 2
+                       : o.is_anisotropic()   ? tubular::Element_target::power_of_layers
+                                              : 3;
+  tubular::Element_target target(o.elements, first(o.elements, o.points_per_circumference, estimate), power);
+  for (;;) {
     for (std::size_t k = 0; k < parts.size(); ++k) {
       parts[k].run.options.points_per_circumference = target.points();
       meshers[k].set_points_per_circumference(target.points());

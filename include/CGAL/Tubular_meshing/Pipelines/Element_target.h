@@ -41,6 +41,20 @@ public:
                             " elements cannot be made: give a number of at least 10.");
   }
 
+  /*! The first N for a mesh of tetrahedra, or one with layers and walls of other cells beside them.
+   * \param estimate of the number of tetrahedra with `points` */
+  static double first_points(double elements, double points, double estimate) {
+    return points * std::cbrt(elements / estimate);
+  }
+
+  /*! The first N for an anisotropic mesh: at the default layers it has about eight times as many tetrahedra, and they
+   * take longer to make; so that the first one should not be the largest. */
+  static double first_points_of_layers(double elements, double points, double estimate) {
+    return points * std::pow(elements / (8 * estimate), 1 / power_of_layers);
+  }
+
+  static constexpr double power_of_layers = 2.3;
+
   /// N, to be tried next.
   double points() const { return points_; }
 

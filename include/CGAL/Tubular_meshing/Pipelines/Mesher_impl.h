@@ -63,12 +63,14 @@ public:
 
   double estimated_number_of_tetrahedra() { return size().estimated_number_of_tetrahedra(); }
 
-  /* Makes a mesh; again with other N, until it has the number of elements that is wanted. */
-  template <class Make, class Count> auto fitted(const Make& make, const Count& count, double power) {
+  /* Makes a mesh; again with other N, until it has the number of elements that is wanted. The number goes with a power
+   * of N; `first` gives the N to begin with. */
+  template <class Make, class Count, class First>
+  auto fitted(const Make& make, const Count& count, double power, const First& first) {
     if (options_.number_of_elements == 0)
       return make();
     Element_target target(options_.number_of_elements,
-                          points() * std::cbrt(options_.number_of_elements / estimated_number_of_tetrahedra()), power);
+                          first(options_.number_of_elements, points(), estimated_number_of_tetrahedra()), power);
     for (;;) {
       set_points(target.points());
       auto mesh = make();
@@ -416,17 +418,19 @@ CGAL_TUBULAR_MESHING_INLINE double Mesher::estimated_number_of_tetrahedra() {
   return impl_->estimated_number_of_tetrahedra();
 }
 CGAL_TUBULAR_MESHING_INLINE Mixed_mesh Mesher::isotropic() {
-  return impl_->fitted([&] { return impl_->isotropic(); }, internal::number_of_cells, 3);
+  return impl_->fitted([&] { return impl_->isotropic(); }, internal::number_of_cells, 3, Element_target::first_points);
 }
 CGAL_TUBULAR_MESHING_INLINE Mixed_mesh Mesher::anisotropic() {
-  return impl_->fitted([&] { return impl_->anisotropic(); }, internal::number_of_cells, 3);
+  return impl_->fitted([&] { return impl_->anisotropic(); }, internal::number_of_cells, Element_target::power_of_layers,
+                       Element_target::first_points_of_layers);
 }
 CGAL_TUBULAR_MESHING_INLINE Mixed_mesh Mesher::mixed() {
-  return impl_->fitted([&] { return impl_->mixed(); }, internal::number_of_cells, 3);
+  return impl_->fitted([&] { return impl_->mixed(); }, internal::number_of_cells, 3, Element_target::first_points);
 }
 CGAL_TUBULAR_MESHING_INLINE Remeshed_surface Mesher::surface(Surface_elements elements) {
   return impl_->fitted([&] { return impl_->surface(elements); },
-                       [](const Remeshed_surface& s) { return std::size_t(s.surface.number_of_faces()); }, 2);
+                       [](const Remeshed_surface& s) { return std::size_t(s.surface.number_of_faces()); }, 2,
+                       Element_target::first_points);
 }
 CGAL_TUBULAR_MESHING_INLINE Remeshed_surface Mesher::kept_surface() {
   return impl_->take_kept_surface();

@@ -100,11 +100,12 @@ private:
       read_attribute(word);
   }
 
-  // up to an empty line
+  // Up to an empty line; but one may be the name of a component that has none, and more comes behind it.
   void skip_metadata() {
     text_.line();
-    while (text_.remaining() > 0 && !trimmed(text_.line()).empty()) {
-    }
+    while (text_.remaining() > 0)
+      if (trimmed(text_.line()).empty() && text_.peek() != "INFORMATION")
+        return;
   }
 
   void read_points() {

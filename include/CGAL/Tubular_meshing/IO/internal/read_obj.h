@@ -47,7 +47,7 @@ inline Polygon_soup read_obj(const Input_file& file) {
   Polygon_soup soup;
   soup.group_kind = "groups";
   Group_names names(soup.names);
-  int group = names.number_of("");
+  int group = 0; // in none
   Text_cursor in(file);
   while (!in.at_end()) {
     const std::size_t start_of_line = in.position();

@@ -61,7 +61,7 @@ inline Polygon_soup read_ascii_stl(const Input_file& file) {
   Polygon_soup soup;
   soup.group_kind = "solids";
   Group_names names(soup.names);
-  int solid = names.number_of("");
+  int solid = 0; // before the first
   Text_cursor in(file);
   bool in_solid = false, in_facet = false;
   while (!in.at_end()) {
