@@ -25,8 +25,8 @@ namespace CGAL::Tubular_meshing {
  * distance to the nearest centerline says nothing of the lumen's width; the ball that touches the wall does.
  *
  * A branch is plain at a point of the wall where the ball that touches there has its center near the centerline,
- * within 0.4 of the ball's radius, and a radius that is within 2/3 and 7/5 of the centerline's. Where the center is off
- * by 3/4, or the radius is less than half or more than twice the centerline's, the ball's radius counts alone; in between the two pass over into each
+ * within 0.4 of the ball's radius, and a radius that is within 2/3 and 5/4 of the centerline's. Where the center is off
+ * by 3/4, or the radius is less than half or more than 8/5 of the centerline's, the ball's radius counts alone; in between the two pass over into each
  * other. The centerline's radius on a plain branch is kept as it is, since it is smoother than what vertices tell.
  *
  * A query is O(log n), takes about 10 µs, allocates nothing, and is safe from several threads. Copies share the data.

@@ -135,7 +135,7 @@ CGAL_TUBULAR_MESHING_INLINE double Local_radius::Radii::share_against(double rad
     return 0;
   using internal::smooth_step;
   const double ratio = std::log(of_ball / radius_of_centerline);
-  return (std::max)({share_of_ball, smooth_step(std::log(1.4), std::log(2.), ratio),
+  return (std::max)({share_of_ball, smooth_step(std::log(1.25), std::log(1.6), ratio),
                      smooth_step(std::log(1.5), std::log(2.), -ratio)});
 }
 

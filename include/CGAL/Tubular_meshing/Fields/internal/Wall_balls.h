@@ -37,12 +37,12 @@ public:
     choose_apart([&](Index v) { return 1.01 * longest_edge(v); });
     shrink(chosen_, 0.8);
     spread_to_neighbours();
-    filter();
+    filter(touching_at_first);
     average_normals();
     choose_apart([&](Index v) { return spacing * radii_[v]; });
     collect_obstacles(true);
     shrink(std::vector<char>(size(), 1), 0.98);
-    filter();
+    filter(touching);
     smooth();
   }
 
@@ -55,8 +55,9 @@ private:
   static constexpr double facing = 0.70710678118654752;         // the cosine of 45 degrees
   static constexpr double window = 0.5, normal_window = 1. / 3; // of the radius
   static constexpr double spacing = 0.15;                       // of obstacles
-  static constexpr double touch = 0.15;        // of its radius, how far from its surface a ball touches a vertex
-  static constexpr double touching = 0.75;     // the cosine of the angle between its radius and the normal there
+  static constexpr double touch = 0.15; // of its radius, how far from its surface a ball touches a vertex
+  // the cosine of the angle between a ball's radius and the normal there; less, as long as normals are not averaged
+  static constexpr double touching = 0.5, touching_at_first = 0.25;
   static constexpr std::size_t most_near = 96; // vertices of a window
   static constexpr std::size_t witnesses = 4;  // that many balls are to be as large, where there are as many at all
 
@@ -215,7 +216,7 @@ private:
   /* Each ball counts at all vertices nearby that it touches, about: of those at a vertex the fourth largest remains.
    * What noise, or the steps of an image, make of a ball does not matter where others that touch are larger; and a few
    * that are too large do not either. */
-  void filter() {
+  void filter(double least_cosine) {
     std::vector<std::array<float, witnesses>> largest(size(), std::array<float, witnesses>{}); // descending
     Wall_neighborhood near(wall_, most_near);
     for (Index v = 0; v < size(); ++v) {
@@ -227,7 +228,7 @@ private:
         const Vector_3d to_center = center - wall_.point(w);
         const double distance = norm(to_center);
         // where the wall turns away, as into the neck of a sac, the ball does not touch it, however near it is
-        const bool touches = distance < (1 + touch) * r && dot(to_center, directions_[w]) > touching * distance;
+        const bool touches = distance < (1 + touch) * r && dot(to_center, directions_[w]) > least_cosine * distance;
         if (w == v || is_spike_[w] || touches)
           insert(float(r), largest[w]);
       });
