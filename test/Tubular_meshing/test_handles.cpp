@@ -138,12 +138,6 @@ TEST_P(Handles, Patches_become_planar) {
   }
 }
 
-TEST_P(Handles, Loops_of_the_lumen_are_kept_by_default) {
-  const Model model = tubular::make_tubular_model(GetParam().make());
-  const auto& graph = model.centerlines;
-  EXPECT_EQ(int(graph.branches().size()) - int(graph.nodes().size()) + 1, GetParam().genus);
-}
-
 // In another unit and direction: the same curves, but for rounding.
 TEST_P(Handles, Cuts_do_not_depend_on_unit_and_direction) {
   const Mesh mesh = GetParam().make();
