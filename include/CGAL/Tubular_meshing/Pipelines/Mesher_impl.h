@@ -122,7 +122,7 @@ public:
       };
       options_.size.size_requests.empty() ? remesh(metric) : remesh(refined(metric));
       stage("check");
-      internal::check_differences(mesh, *model_);
+      internal::check_differences(mesh, *model_, frame_.surface().surface);
       moves_wall_ = options_.preserve_volume;
       give_volume_to(mesh);
       mesh.region_names = {{labels::lumen, "lumen"}};
@@ -151,7 +151,7 @@ public:
         report_.wall.worst_place = frame_.from_frame(report_.wall.worst_place);
       }
       stage("check");
-      internal::check_differences(mesh, *model_);
+      internal::check_differences(mesh, *model_, frame_.surface().surface);
       return mesh;
     });
   }
@@ -286,7 +286,7 @@ private:
       internal::optimize_tetrahedra(filling, wall.surface, wall.patch, optimization);
     });
     stage("check");
-    internal::check_differences(mesh, *model_);
+    internal::check_differences(mesh, *model_, frame_.surface().surface);
     if (!keeps)
       give_volume_to(mesh);
     return mesh;
@@ -306,7 +306,7 @@ private:
       stage("optimization");
       internal::optimize_tetrahedra(mesh, s.surface, s.patch, options_.optimization);
       stage("check");
-      differences = internal::differences(mesh, *model_);
+      differences = internal::differences(mesh, *model_, frame_.surface().surface);
       if (differences.empty()) {
         give_volume_to(mesh);
         return mesh;
@@ -370,7 +370,7 @@ private:
     const auto radius = [&](const Point_3& p) { return size()(p) * points / (2 * CGAL_PI); };
     note_volume(internal::preserve_volume(mesh, s.surface, s.patch, radius, volume_options()));
     stage("check");
-    internal::check_differences(mesh, *model_);
+    internal::check_differences(mesh, *model_, frame_.surface().surface);
   }
 
   void check_layers_can_be_kept(Volume_mesher mesher) const {

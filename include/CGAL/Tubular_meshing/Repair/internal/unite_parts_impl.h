@@ -7,6 +7,7 @@
 #include <CGAL/Tubular_meshing/Repair/internal/unite_parts.h>
 #include <CGAL/Tubular_meshing/Repair/split_into_parts.h>
 #include <CGAL/Tubular_meshing/Rims/Opening_site.h>
+#include <CGAL/Tubular_meshing/base/cgal_compatibility.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 
 #include <CGAL/Bbox_3.h>
@@ -30,14 +31,13 @@ class Cap_visitor : public Polygon_mesh_processing::Corefinement::Default_visito
 
 public:
   static bool is_cap(const Surface& mesh, Face f) {
-    const auto map = mesh.property_map<Face, bool>(name());
-    return map.second && map.first[f];
+    const auto map = property_map_of<Face, bool>(mesh, name());
+    return map && (*map)[f];
   }
   static void mark(Surface& mesh, Face f, bool cap) { mesh.add_property_map<Face, bool>(name(), false).first[f] = cap; }
   static void forget(Surface& mesh) {
-    auto map = mesh.property_map<Face, bool>(name());
-    if (map.second)
-      mesh.remove_property_map(map.first);
+    if (auto map = property_map_of<Face, bool>(mesh, name()))
+      mesh.remove_property_map(*map);
   }
 
   void before_subface_creations(Face f, Surface& mesh) { is_cap_ = is_cap(mesh, f); }
