@@ -360,6 +360,8 @@ private:
     stage("volume");
     const Labelled_surface& s = frame_.surface();
     note_volume(internal::preserve_volume(mesh.surface, mesh.patch, s.surface, s.patch, volume_options()));
+    if (mesh.quads.wall_quads() > 0)
+      internal::measure_quads(mesh);
   }
 
   // To a valid mesh that has brought its boundary to the surface; it is still valid then.
