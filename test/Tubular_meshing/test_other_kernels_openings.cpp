@@ -83,9 +83,10 @@ Surface bifurcation() {
   tubular::generate_tubular_surface(tubular::y_bifurcation(), surface, params::points_per_circumference(8));
   for (auto v : surface.vertices()) {
     const auto& p = surface.point(v);
-    surface.point(v) = tubular::Point_3(float(p.x()), float(p.y()), float(p.z()));
+    surface.point(v) =
+        tubular::Point_3(other_graphs::rounded(p.x()), other_graphs::rounded(p.y()), other_graphs::rounded(p.z()));
   }
-  return surface;
+  return other_graphs::in_order(surface);
 }
 
 template <class Mesh> class Other_graph : public testing::Test {};
