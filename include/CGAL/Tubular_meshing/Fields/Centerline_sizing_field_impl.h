@@ -60,7 +60,7 @@ Centerline_sizing_field::Centerline_sizing_field(const Local_radius& local,
     internal::Size_octree::Sample result{{0, 0}, size};
     if (with_need) {
       const bool outside = squared_distance(p, d.point) > squared_distance(r.on_wall, d.point);
-      const double width = local.largest_width(p, 0.5 * leaf_per_radius, leaf_per_radius * radius);
+      const double width = local.largest_width(p, leaf_per_radius, leaf_per_radius * radius);
       result.need = {outside ? std::sqrt(squared_distance(p, r.on_wall)) : 0, requested.width(p, width, size)};
     }
     return result;

@@ -40,10 +40,11 @@ struct Shape_radius_options {
  * inside of it \cgalCite{ma2012}. Opposite is what lies within 45 degrees of the normal: the vertex's own
  * neighborhood, where noise and the steps of a segmented image decide, does not count, nor does a corner of the cross
  * section. Normals are averaged over a third of the radius. A ball counts at all vertices within half its radius that
- * it touches, within 15 % of its radius and of that of the vertex's own ball; of those at a vertex the fourth largest
- * remains, so that what a few vertices out of place say, or those between the steps of an image, matters not. Vertices that stand out like a spike, further from the
+ * it touches, within 15 %; of those at a vertex the fourth largest remains, so that what a few vertices out of place
+ * say, or those between the steps of an image, matters not. Vertices that stand out like a spike, further from the
  * plane of their neighbors than these are from their middle, do not stop a ball.
- * Caps are not part of the wall, and do not either.
+ * Caps are not part of the wall, and do not either. No ball is smaller than the longest edge at its vertex: what edges do
+ * not resolve is no shape.
  *
  * Built in O(n log n) for n triangles, less than 10 µs each; a query is O(log n), allocates nothing, and is safe from
  * several threads. Copies share the balls. Shapes scaled or turned give the same radii, scaled.

@@ -44,6 +44,9 @@ public:
     shrink(std::vector<char>(size(), 1), 0.98);
     filter(touching);
     smooth();
+    for (Index v = 0; v < size(); ++v) // what the edges of the wall do not resolve is no shape
+      if (radii_[v] > 0)
+        radii_[v] = (std::max)(radii_[v], longest_edge(v));
   }
 
   /* 0 where nothing lies opposite. */
@@ -228,8 +231,7 @@ private:
         const Vector_3d to_center = center - wall_.point(w);
         const double distance = norm(to_center);
         // where the wall turns away, as into the neck of a sac, the ball does not touch it, however near it is
-        const double reach = radii_[w] > 0 ? (std::min)(r, radii_[w]) : r; // so that it does not reach into a neck
-        const bool touches = distance < r + touch * reach && dot(to_center, directions_[w]) > least_cosine * distance;
+        const bool touches = distance < (1 + touch) * r && dot(to_center, directions_[w]) > least_cosine * distance;
         if (w == v || is_spike_[w] || touches)
           insert(float(r), largest[w]);
       });
