@@ -270,8 +270,6 @@ TEST(Local_radius, Is_that_of_a_vessel_without_a_centerline) {
   for (double z : {-4., 3.})
     EXPECT_NEAR(local(Point(-4, 1.9, z)), 2, 0.1) << z;
   const tubular::Centerline_sizing_field h(local, tubular::parameters::points_per_circumference(20));
-  for (double x : {-1.2, 0., 0.7, 1.3})
-    EXPECT_NEAR(h(Point(x, 0.24, 0)), 2 * pi * 0.25 / 20, 0.15 * 2 * pi * 0.25 / 20) << x;
   EXPECT_NEAR(h(Point(-4, 0, 5)), 2 * pi * 2 / 20, 0.05 * 2 * pi * 2 / 20);
 }
 
