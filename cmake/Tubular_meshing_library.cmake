@@ -34,6 +34,8 @@ tubular_meshing_set_usage(Tubular_meshing PUBLIC)
 if(TUBULAR_MESHING_PRECOMPILED_HEADERS)
   target_precompile_headers(Tubular_meshing PRIVATE ${CMAKE_CURRENT_LIST_DIR}/Tubular_meshing_precompiled.h)
   target_compile_options(Tubular_meshing PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>) # for ccache
+  # the longest to compile: done while the header is made
+  set_source_files_properties(${PROJECT_SOURCE_DIR}/src/Mesh_3.cpp PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
 endif()
 
 add_library(Tubular_meshing_header_only INTERFACE)

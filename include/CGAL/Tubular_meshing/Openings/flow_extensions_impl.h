@@ -15,11 +15,10 @@
 #include <CGAL/Tubular_meshing/Rims/planar_cap.h>
 #include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/base/Opening.h>
+#include <CGAL/Tubular_meshing/base/crossing_pairs.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 
-#include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/boost/graph/iterator.h>
-#include <CGAL/tags.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -151,11 +150,8 @@ private:
     std::sort(near.begin(), near.end());
     near.erase(std::unique(near.begin(), near.end()), near.end());
     faces.insert(faces.end(), near.begin(), near.end());
-    std::vector<std::pair<Face, Face>> crossings;
-    CGAL::Polygon_mesh_processing::self_intersections<CGAL::Parallel_if_available_tag>(faces, mesh_,
-                                                                                       std::back_inserter(crossings));
     std::size_t first = Extension_limit::none;
-    for (const auto& c : crossings)
+    for (const auto& c : crossing_pairs(faces, mesh_))
       for (Face f : {c.first, c.second}) {
         const auto owner = owner_.find(f);
         if (owner != owner_.end())

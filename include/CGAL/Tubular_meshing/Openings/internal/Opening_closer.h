@@ -10,16 +10,14 @@
 #include <CGAL/Tubular_meshing/Rims/planar_cap.h>
 #include <CGAL/Tubular_meshing/Rims/trim_by_plane.h>
 #include <CGAL/Tubular_meshing/Rims/wall_alignment.h>
+#include <CGAL/Tubular_meshing/base/crossing_pairs.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
-
-#include <CGAL/Polygon_mesh_processing/self_intersections.h>
 
 #include <Eigen/Dense>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <iterator>
 #include <string>
 #include <unordered_set>
 #include <utility>
@@ -183,22 +181,16 @@ private:
     all.insert(all.end(), site.cap.begin(), site.cap.end());
     const std::unordered_set<Face> cap(site.cap.begin(), site.cap.end());
     std::size_t of_cap = 0, of_wall = 0;
-    for (const auto& pair : intersections(all))
+    for (const auto& pair : crossing_pairs(all, mesh_))
       ++(cap.count(pair.first) || cap.count(pair.second) ? of_cap : of_wall);
     if (of_cap > 0)
       return false;
     if (of_wall == 0 || flattener == nullptr)
       return true; // trimming does not move the wall
     flattener->swap_positions();
-    const std::size_t before = intersections(wall).size();
+    const std::size_t before = crossing_pairs(wall, mesh_).size();
     flattener->swap_positions();
     return of_wall <= before;
-  }
-
-  std::vector<std::pair<Face, Face>> intersections(const std::vector<Face>& faces) const {
-    std::vector<std::pair<Face, Face>> pairs;
-    Polygon_mesh_processing::self_intersections(faces, mesh_, std::back_inserter(pairs));
-    return pairs;
   }
 
   // The faces connected to the rim within a ball that holds the cap.

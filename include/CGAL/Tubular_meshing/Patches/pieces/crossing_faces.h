@@ -5,26 +5,14 @@
 #define CGAL_TUBULAR_MESHING_PATCHES_PIECES_CROSSING_FACES_H
 
 #include <CGAL/Tubular_meshing/base/Kernel.h>
+#include <CGAL/Tubular_meshing/base/crossing_pairs.h>
 
-#include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/boost/graph/helpers.h>
-#include <CGAL/tags.h>
 
 #include <cstddef>
-#include <iterator>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Tubular_meshing::internal {
-
-typedef std::vector<std::pair<Face, Face>> Face_pairs;
-
-inline Face_pairs crossing_triangles(const Surface& triangles) {
-  Face_pairs pairs;
-  CGAL::Polygon_mesh_processing::self_intersections<CGAL::Parallel_if_available_tag>(triangles,
-                                                                                     std::back_inserter(pairs));
-  return pairs;
-}
 
 // With the diagonals from the first, or the second corners of the quads.
 inline void add_crossing_halves(const Surface& surface, std::size_t corner, Face_pairs& pairs) {
@@ -46,7 +34,7 @@ inline void add_crossing_halves(const Surface& surface, std::size_t corner, Face
     if (v.size() == 4)
       add(f, v[corner], v[2], v[3]);
   }
-  for (const auto& p : crossing_triangles(triangles))
+  for (const auto& p : crossing_pairs(triangles))
     pairs.emplace_back(origin[std::size_t(p.first)], origin[std::size_t(p.second)]);
 }
 
@@ -54,7 +42,7 @@ inline void add_crossing_halves(const Surface& surface, std::size_t corner, Face
  * face meets itself if these overlap, or if its diagonal is an edge already. O(n log n). */
 inline Face_pairs crossing_faces(const Surface& surface) {
   if (CGAL::is_triangle_mesh(surface))
-    return crossing_triangles(surface);
+    return crossing_pairs(surface);
   Face_pairs pairs;
   add_crossing_halves(surface, 0, pairs);
   add_crossing_halves(surface, 1, pairs);

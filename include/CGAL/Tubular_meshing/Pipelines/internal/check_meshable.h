@@ -5,18 +5,16 @@
 #define CGAL_TUBULAR_MESHING_PIPELINES_INTERNAL_CHECK_MESHABLE_H
 
 #include <CGAL/Tubular_meshing/base/Kernel.h>
+#include <CGAL/Tubular_meshing/base/crossing_pairs.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
-#include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/tags.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <iterator>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Tubular_meshing::internal {
@@ -24,17 +22,12 @@ namespace CGAL::Tubular_meshing::internal {
 /* What no mesher can do with: a surface in pieces, or one that intersects itself. Named here, with its place, rather
  * than by a mesher that fails or never ends. */
 inline void check_no_crossings(const CGAL::Surface_mesh<Point_3>& surface) {
-  namespace PMP = CGAL::Polygon_mesh_processing;
-  typedef Surface::Face_index Face;
-  std::vector<std::pair<Face, Face>> crossings;
-  PMP::self_intersections<CGAL::Parallel_if_available_tag>(surface, std::back_inserter(crossings));
-  if (!crossings.empty()) {
-    const auto first = *std::min_element(crossings.begin(), crossings.end());
+  const Face_pairs crossings = crossing_pairs(surface);
+  if (!crossings.empty())
     throw Input_error("The surface intersects itself: " + std::to_string(crossings.size()) +
                       " pairs of its triangles cross, one of them at " +
-                      place_of(surface.point(surface.target(surface.halfedge(first.first)))) +
+                      place_of(surface.point(surface.target(surface.halfedge(crossings.front().first)))) +
                       "; repair it there, or let repair_surface() do it.");
-  }
 }
 
 inline void check_one_piece(CGAL::Surface_mesh<Point_3>& surface) {

@@ -390,7 +390,7 @@ private:
       if (lost != nullptr)
         throw Input_error(what + " at the opening at " + coordinates(lost->center) +
                           ": cut the surface straight there, or clean it in another program.");
-    if (found.size() != ends.size() || !find_crossings(mesh_).empty())
+    if (found.size() != ends.size() || !crossing_pairs(mesh_).empty())
       throw Input_error(what + ": clean it in another program.");
     if (number_of_handles() != handles)
       throw Input_error(what + ", as vessels that are close to each other grow together: clean it in another program.");

@@ -8,8 +8,8 @@
 #include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Rims/Opening_site.h>
 #include <CGAL/Tubular_meshing/Repair/internal/fill_wall.h>
+#include <CGAL/Tubular_meshing/base/crossing_pairs.h>
 
-#include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/iterator.h>
 
@@ -45,22 +45,9 @@ inline bool is_folded(Surface::Edge_index e, const Surface& mesh) {
          cosine * cosine > 0.81 * m.squared_length() * n.squared_length(); // turns by more than 154 degrees
 }
 
-/* The pairs of faces that cross each other, in order. O(n log n), and more than all else that is done to a clean
- * surface. On one thread: CGAL's parallel version took twice the time on two cores. */
-inline std::vector<std::pair<Surface::Face_index, Surface::Face_index>> find_crossings(const Surface& mesh) {
-  typedef Surface::Face_index Face;
-  std::vector<std::pair<Face, Face>> pairs;
-  Polygon_mesh_processing::self_intersections(mesh, std::back_inserter(pairs));
-  for (auto& pair : pairs)
-    if (pair.second < pair.first)
-      std::swap(pair.first, pair.second);
-  std::sort(pairs.begin(), pairs.end());
-  return pairs;
-}
-
 inline Bad_faces find_bad_faces(const Surface& mesh) {
   Bad_faces bad;
-  const auto pairs = find_crossings(mesh);
+  const auto pairs = crossing_pairs(mesh);
   bad.crossings = pairs.size();
   if (!pairs.empty())
     bad.crossing = mesh.point(mesh.target(mesh.halfedge(pairs[0].first)));

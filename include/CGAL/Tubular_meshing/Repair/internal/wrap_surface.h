@@ -10,9 +10,8 @@
 #include <CGAL/Tubular_meshing/Repair/internal/alpha_wrap.h>
 #include <CGAL/Tubular_meshing/Rims/Rim_shape.h>
 #include <CGAL/Tubular_meshing/Rims/trim_by_plane.h>
+#include <CGAL/Tubular_meshing/base/crossing_pairs.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
-
-#include <CGAL/Polygon_mesh_processing/self_intersections.h>
 
 #include <algorithm>
 #include <array>
@@ -91,8 +90,7 @@ private:
     }
     // where two sheets are drawn onto each other, both go back
     for (int round = 0; round < 20; ++round) {
-      std::vector<std::pair<Face, Face>> pairs;
-      Polygon_mesh_processing::self_intersections(mesh, std::back_inserter(pairs));
+      const Face_pairs pairs = crossing_pairs(mesh);
       if (pairs.empty())
         return;
       std::vector<Face> faces;

@@ -7,14 +7,11 @@
 #include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/Child_process.h>
 #include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/base/Sentence.h>
-
-#include <CGAL/Polygon_mesh_processing/self_intersections.h>
+#include <CGAL/Tubular_meshing/base/crossing_pairs.h>
 
 #include <csignal>
 #include <cstring>
-#include <iterator>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Tubular_meshing::internal {
@@ -54,9 +51,7 @@ inline std::string what_went_wrong(const Child_ending& ending) {
 
 // Where the surface crosses itself, as a clause that begins with a colon; empty if it does not.
 inline Sentence where_it_crosses_itself(const Surface& surface) {
-  typedef Surface::Face_index Face;
-  std::vector<std::pair<Face, Face>> pairs;
-  Polygon_mesh_processing::self_intersections(surface, std::back_inserter(pairs));
+  const Face_pairs pairs = crossing_pairs(surface);
   if (pairs.empty())
     return "";
   const Vector_3d place(surface.point(surface.target(surface.halfedge(pairs.front().first))));

@@ -12,9 +12,8 @@
 #include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/boundary_recovery.h>
 #include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/failure_sentence.h>
 #include <CGAL/Tubular_meshing/Volume/internal/order_in_space.h>
+#include <CGAL/Tubular_meshing/base/crossing_pairs.h>
 #include <CGAL/Tubular_meshing/base/labels.h>
-
-#include <CGAL/Polygon_mesh_processing/self_intersections.h>
 
 #include <unistd.h>
 
@@ -73,7 +72,7 @@ inline Child_ending recover_in_child_process(const Boundary_recovery& recovery, 
 // surface that crosses itself, is not given to it.
 inline Child_ending recover_in_this_process(const Boundary_recovery& recovery, const Surface& surface,
                                             const Boundary_arrays& boundary, Recovered_boundary& recovered) {
-  if (Polygon_mesh_processing::does_self_intersect(surface))
+  if (!crossing_pairs(surface).empty())
     return {Child_ending::gave_up, crossing_facets_code};
   static std::mutex mutex;
   const std::lock_guard<std::mutex> lock(mutex);

@@ -5,18 +5,15 @@
 #define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_PYRAMIDS_CROWNED_SURFACE_H
 
 #include <CGAL/Tubular_meshing/Volume/internal/pyramids/Quad_crown.h>
+#include <CGAL/Tubular_meshing/base/crossing_pairs.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
-
-#include <CGAL/Polygon_mesh_processing/self_intersections.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <iterator>
 #include <limits>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Tubular_meshing::internal {
@@ -146,10 +143,8 @@ private:
   // The quads whose pyramids, `factor` times as high as they are, meet others among the faces, or triangles.
   template <class Faces> Quads meeting(const Faces& faces, double factor) {
     raise_to(factor);
-    std::vector<std::pair<Face, Face>> pairs;
-    Polygon_mesh_processing::self_intersections(faces, surface_, std::back_inserter(pairs));
     Quads quads;
-    for (const auto& pair : pairs)
+    for (const auto& pair : crossing_pairs({faces.begin(), faces.end()}, surface_))
       for (Face f : {pair.first, pair.second})
         if (std::size_t(f) >= triangles_)
           quads.push_back((std::size_t(f) - triangles_) / 4);
