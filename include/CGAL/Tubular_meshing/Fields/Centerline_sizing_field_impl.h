@@ -48,7 +48,7 @@ CGAL_TUBULAR_MESHING_INLINE
 Centerline_sizing_field::Centerline_sizing_field(const Local_radius& local,
                                                  const Centerline_sizing_field_options& options) {
   internal::check(options);
-  const double leaf_per_radius = 0.8;
+  const double leaf_per_radius = 0.8, leaf_off_tubes = 0.25; // there the radius changes within less
   const internal::Requested_sizes requested(options.size_requests);
   const auto sample = [&](const internal::Size_octree::Position& x, bool with_need) {
     const Point_3 p(x[0], x[1], x[2]);
@@ -60,7 +60,7 @@ Centerline_sizing_field::Centerline_sizing_field(const Local_radius& local,
     internal::Size_octree::Sample result{{0, 0}, size};
     if (with_need) {
       const bool outside = squared_distance(p, d.point) > squared_distance(r.on_wall, d.point);
-      const double width = local.largest_width(p, leaf_per_radius, leaf_per_radius * radius);
+      const double width = local.largest_width(p, leaf_off_tubes, leaf_per_radius * radius);
       result.need = {outside ? std::sqrt(squared_distance(p, r.on_wall)) : 0, requested.width(p, width, size)};
     }
     return result;

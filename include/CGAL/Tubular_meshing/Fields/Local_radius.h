@@ -27,8 +27,9 @@ namespace CGAL::Tubular_meshing {
  * A branch is plain at a point of the wall where the ball that touches there has its center near the centerline,
  * within 0.4 of the ball's radius, and a radius that is within 2/3 and 5/4 of the centerline's. Where the center is off
  * by 3/4, or the radius is less than half or more than 8/5 of the centerline's, the ball's radius counts alone; in
- * between the two pass over into each other. A branch is plain in any case where the wall is no further from the
- * centerline than 1.2 of its radius; from 1.6 on the ball counts as said. The centerline's radius on a plain branch is
+ * between the two pass over into each other. A branch is plain in any case where neither the wall nor the center is
+ * outside of the centerline's tube: no further from the centerline than 1.25 and 0.85 of its radius; from 1.7 or 1.05 on
+ * the ball counts as said. The centerline's radius on a plain branch is
  * kept as it is, since it is smoother than what vertices tell.
  *
  * A query is O(log n), takes about 10 µs, allocates nothing, and is safe from several threads. Copies share the data.
@@ -60,6 +61,7 @@ public:
     Centerline_field::Descriptors of_centerline; ///< nearest to the wall point
     double of_ball;                              ///< Shape_radius; 0 if nothing lies opposite
     double share_of_ball; ///< by where the ball's center is: 0 on a plain branch, 1 where the ball counts alone
+    double outside; ///< 0 where the wall and the ball's center are in the centerline's tube, 1 where one is outside
 
     /// The share of the ball's radius beside a radius of the centerline, from 0 to 1: the larger of that by the
     /// center's place and that by how much the radii differ.

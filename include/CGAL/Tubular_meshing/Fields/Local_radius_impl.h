@@ -65,11 +65,13 @@ private:
     r.on_wall = ball.on_wall;
     r.of_centerline = centerlines_.descriptors(ball.on_wall);
     r.of_ball = ball.radius;
-    r.share_of_ball = 0;
+    r.share_of_ball = r.outside = 0;
     if (!(ball.radius > 0))
       return r;
-    const double off = centerlines_.descriptors(ball.center).distance / ball.radius;
-    r.share_of_ball = internal::smooth_step(0.4, 0.75, off);
+    const Centerline_field::Descriptors of_center = centerlines_.descriptors(ball.center);
+    r.share_of_ball = internal::smooth_step(0.4, 0.75, of_center.distance / ball.radius);
+    r.outside = (std::max)(internal::smooth_step(1.25, 1.7, r.of_centerline.distance / r.of_centerline.radius),
+                           internal::smooth_step(0.85, 1.05, of_center.distance / of_center.radius));
     return r;
   }
 
@@ -137,7 +139,7 @@ CGAL_TUBULAR_MESHING_INLINE double Local_radius::Radii::share_against(double rad
   const double ratio = std::log(of_ball / radius_of_centerline);
   const double share = (std::max)({share_of_ball, smooth_step(std::log(1.25), std::log(1.6), ratio),
                                    smooth_step(std::log(1.5), std::log(2.), -ratio)});
-  return share * smooth_step(1.2, 1.6, of_centerline.distance / of_centerline.radius);
+  return share * outside;
 }
 
 CGAL_TUBULAR_MESHING_INLINE Local_radius::Radii Local_radius::radii(const Point_3& x) const {

@@ -43,6 +43,7 @@ public:
     collect_obstacles(true);
     shrink(std::vector<char>(size(), 1), 0.98);
     filter(touching);
+    give_mouths_to_necks();
     smooth();
     for (Index v = 0; v < size(); ++v) // what the edges of the wall do not resolve is no shape
       if (radii_[v] > 0 && !is_spike_[v])
@@ -55,10 +56,11 @@ public:
   const std::vector<Vector_3d>& directions() const { return directions_; }
 
 private:
-  static constexpr double facing = 0.70710678118654752;         // the cosine of 45 degrees
-  static constexpr double window = 0.5, normal_window = 1. / 3; // of the radius
-  static constexpr double spacing = 0.15;                       // of obstacles
-  static constexpr double touch = 0.15; // of its radius, how far from its surface a ball touches a vertex
+  static constexpr double facing = 0.70710678118654752; // the cosine of 45 degrees
+  static constexpr double window = 0.5;                 // of the radius
+  static constexpr double spacing = 0.2;                // of obstacles, of the radius
+  // how far from its surface a ball touches a vertex, of its radius or that of the largest ball beside the vertex
+  static constexpr double touch = 0.15;
   // the cosine of the angle between a ball's radius and the normal there; less, as long as normals are not averaged
   static constexpr double touching = 0.5, touching_at_first = 0.25;
   static constexpr std::size_t most_near = 96; // vertices of a window
@@ -111,7 +113,7 @@ private:
 
   void average_normals() {
     const std::vector<Vector_3d> before = directions_;
-    for_each_window(normal_window, [&](Index v, Wall_neighborhood& near, double radius) {
+    for_each_window([&](Index v, Wall_neighborhood& near, double radius) {
       Vector_3d sum;
       near.for_each(v, radius, [&](Index w, double weight) { sum += (is_spike_[w] ? 0. : weight) * before[w]; });
       if (squared_norm(sum) > 0)
@@ -131,12 +133,20 @@ private:
       }
   }
 
-  // To the vertices that are not chosen, from the first of their neighbours that is.
+  // To the vertices that are not chosen, the mean of their neighbours that are.
   void spread_to_neighbours() {
-    for (Index v = 0; v < size(); ++v)
-      for (const Index* w = wall_.neighbors_begin(v); !chosen_[v] && w != wall_.neighbors_end(v); ++w)
-        if (chosen_[*w])
-          radii_[v] = (std::max)(radii_[v], radii_[*w]);
+    for (Index v = 0; v < size(); ++v) {
+      if (chosen_[v])
+        continue;
+      double sum = 0, count = 0;
+      for (const Index* w = wall_.neighbors_begin(v); w != wall_.neighbors_end(v); ++w)
+        if (chosen_[*w] && radii_[*w] > 0) {
+          sum += std::log(radii_[*w]);
+          ++count;
+        }
+      if (count > 0)
+        radii_[v] = std::exp(sum / count);
+    }
   }
 
   /* Of the chosen vertices, and, where facets are large against the lumen, of points on them: they may have no vertex
@@ -220,6 +230,7 @@ private:
    * What noise, or the steps of an image, make of a ball does not matter where others that touch are larger; and a few
    * that are too large do not either. */
   void filter(double least_cosine) {
+    const std::vector<double> nearby = largest_nearby();
     std::vector<std::array<float, witnesses>> largest(size(), std::array<float, witnesses>{}); // descending
     Wall_neighborhood near(wall_, most_near);
     for (Index v = 0; v < size(); ++v) {
@@ -231,17 +242,32 @@ private:
         const Vector_3d to_center = center - wall_.point(w);
         const double distance = norm(to_center);
         // where the wall turns away, as into the neck of a sac, the ball does not touch it, however near it is
-        const bool touches = distance < (1 + touch) * r && dot(to_center, directions_[w]) > least_cosine * distance;
+        const bool touches =
+            distance < r + touch * (std::min)(r, nearby[w]) && dot(to_center, directions_[w]) > least_cosine * distance;
         if (w == v || is_spike_[w] || touches)
           insert(float(r), largest[w]);
       });
     }
-    for (Index v = 0; v < size(); ++v) {
-      std::size_t k = witnesses - 1;
-      while (k > 0 && largest[v][k] == 0)
-        --k;
-      radii_[v] = largest[v][k];
-    }
+    for (Index v = 0; v < size(); ++v)
+      radii_[v] = last_of(largest[v]);
+  }
+
+  /* The largest radius among the nearest vertices, as far as neighbours' neighbours: more than what noise makes of
+   * single balls, but not what the balls of a sac, which pass by the vertices of its neck, are. */
+  std::vector<double> largest_nearby() const {
+    std::vector<double> result(size(), 0.);
+    const auto distance = [&](Index v) { return (std::max)(window * radii_[v], 2.02 * longest_edge(v)); };
+    for_each_window(distance, [&](Index v, Wall_neighborhood& near, double reach) {
+      near.for_each(v, reach, [&](Index w, double) { result[v] = (std::max)(result[v], radii_[w]); });
+    });
+    return result;
+  }
+
+  static double last_of(const std::array<float, witnesses>& descending) {
+    std::size_t k = witnesses - 1;
+    while (k > 0 && descending[k] == 0)
+      --k;
+    return descending[k];
   }
 
   static void insert(float radius, std::array<float, witnesses>& descending) {
@@ -264,35 +290,57 @@ private:
     return result;
   }
 
-  void smooth() {
+  /* Where a neck opens into a sac, balls of either touch the wall, and all sizes between. What is a neck's by half of an
+   * edge is the neck's. */
+  void give_mouths_to_necks() {
     const std::vector<double> before = radii_;
-    for_each_window(window, [&](Index v, Wall_neighborhood& near, double radius) {
+    for (Index w = 0; w < size(); ++w) {
+      const Index *begin = wall_.neighbors_begin(w), *end = wall_.neighbors_end(w);
+      const double r = before[w];
+      const auto alike = [&](Index v) { return before[v] > 0.87 * r && before[v] < 1.15 * r; };
+      if (!(r > 0) || std::count_if(begin, end, alike) + 2 < end - begin)
+        continue;
+      for (const Index* v = begin; v != end; ++v)
+        if (!alike(*v) && before[*v] > r / 0.7)
+          radii_[*v] = (std::min)(radii_[*v], r);
+    }
+  }
+
+  // Smoothed radii are not larger than they were: the mouth of a neck does not widen it.
+  void smooth() {
+    std::vector<double> smoothed = radii_;
+    for_each_window([&](Index v, Wall_neighborhood& near, double radius) {
       double sum = 0, weights = 0;
       near.for_each(v, radius, [&](Index w, double weight) {
-        if (before[w] > 0) {
-          sum += weight * std::log(before[w]);
+        if (radii_[w] > 0) {
+          sum += weight * std::log(radii_[w]);
           weights += weight;
         }
       });
       if (weights > 0)
-        radii_[v] = std::exp(sum / weights);
+        smoothed[v] = (std::min)(std::exp(sum / weights), radii_[v]);
     });
+    radii_ = std::move(smoothed);
   }
 
-  // Calls visit(v, neighborhood, radius) for all vertices, the radius being a part of that of the ball.
-  template <class Visit> void for_each_window(double part, const Visit& visit) {
-    const std::vector<double> radii = radii_; // visit() changes them
+  // Calls visit(v, neighborhood, distance(v)) for all vertices.
+  template <class Distance, class Visit> void for_each_window(const Distance& distance, const Visit& visit) const {
     for_each_range(
         size(), threads_,
         [&](std::size_t first, std::size_t last) {
           Wall_neighborhood near(wall_, most_near);
-          for (std::size_t i = first; i < last; ++i) {
-            const Index v = Index(i);
-            visit(v, near, (std::max)(part * radii[v], 1.01 * longest_edge(v)));
-          }
+          for (std::size_t i = first; i < last; ++i)
+            visit(Index(i), near, distance(Index(i)));
         },
         1024);
   }
+
+  template <class Visit> void for_each_window(const Visit& visit) const {
+    for_each_window([&](Index v) { return window_of(v); }, visit);
+  }
+
+  // As far as the neighbours at least.
+  double window_of(Index v) const { return (std::max)(window * radii_[v], 1.01 * longest_edge(v)); }
 
   Bbox_3 wall_bbox() const {
     Bbox_3 box;
