@@ -53,7 +53,8 @@ struct Size_requests {
 /*! \ingroup PkgTubularMeshingFields
  * The sizes at the points of a surface as a request.
  * \param points, triangles the surface
- * \param sizes one a point */
+ * \param sizes one a point
+ * \param requests they are added to these */
 inline void request_sizes(const std::vector<Point_3>& points, const std::vector<std::array<std::size_t, 3>>& triangles,
                           const std::vector<double>& sizes, Size_requests& requests) {
   for (const auto& t : triangles)
