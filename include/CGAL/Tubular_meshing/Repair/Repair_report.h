@@ -27,6 +27,7 @@ enum class Surface_defect {
   islands,             ///< components other than the largest, removed
   needle_triangles,    ///< triangles of (nearly) no area, collapsed or flipped away
   pinholes,            ///< holes of the wall, small against the local radius, filled
+  spikes,              ///< vertices thrown far out of the wall around them, put back into it
   self_intersections,  ///< triangles that cross each other, smoothed or replaced
   folds,               ///< edges at which the surface turns back on itself, smoothed or replaced
   handles,             ///< where vessels split and rejoin, or touch and are fused: reported only
@@ -47,6 +48,7 @@ inline std::string name_of(Surface_defect defect) {
                                       "islands",
                                       "needle_triangles",
                                       "pinholes",
+                                      "spikes",
                                       "self_intersections",
                                       "folds",
                                       "handles",
