@@ -71,6 +71,9 @@ Repair_report repair_mesh(Surface& mesh, const Repair_surface_options& options);
  *   than half the local radius (half the way to the opposite wall), or few edges; cracks are filled as well. A hole
  *   that touches an opening in a point is distinguished from it, and filled by itself. A larger hole in the wall, one
  * that is round and plane as if it had been cut, and one that may be an opening as well, are refused;
+ * - vertices that were thrown out of the wall, making spikes into the lumen or outward, are put back into it. A spike is
+ *   sharper than a cone 1.25 times as high as wide, and stands on a wall that turns back what the spike turns: pointed
+ *   ends, carinas, stenoses, creases and coarse walls are none;
  * - triangles that cross, or fold back on their neighbours by more than 154 degrees, are smoothed or replaced by a
  *   patch that continues the wall; at a rim they are removed. If that loses or adds an opening, it is taken back;
  * - where this fails, the surface, its ends closed, is replaced by an alpha wrap (CGAL's Alpha_wrap_3) with alpha a

@@ -29,10 +29,14 @@ struct Moved_spikes {
  *
  * What tells such a vertex is the sum of the angles of its triangles, which depends neither on how fine nor on how
  * stretched these are: a full turn wherever the wall is plane, curved in one direction or creased, more at a saddle (a
- * carina, a stenosis), 5/8 of it on a cone 1.25 times as high as wide. On real and generated vessels it stays above 3/4.
+ * carina, a stenosis), 5/8 of it on a cone 1.25 times as high as wide. On real and generated vessels it stays above
+ * 3/4. Vertices thrown beside each other share what they lack: those of less than 7/8 that are connected are judged
+ * together. They are a spike if one of them is below 5/8, or if they lack 100 degrees on average; the corners of a voxel
+ * lack 90.
+ *
  * A pointed end of a vessel, or the corner of a coarse one, may be as sharp; but the wall around a spike turns back what
- * the spike turns, by the theorem of Gauss and Bonnet, while what is convex goes on as it is. So a connected set of
- * sharp vertices is a spike only if the excess of the angles around is at least half of what they lack.
+ * the spike turns, by the theorem of Gauss and Bonnet, while what is convex goes on as it is. So it is a spike only if
+ * the excess of the angles around is at least 0.4 of what it lacks.
  *
  * All vertices of spikes are then freed at once, and take the place that continues the wall around them. O(n). */
 class Spike_mover {
@@ -76,7 +80,7 @@ public:
         continue;
       const bool on_rim = mesh_.is_border(v);
       lack_[std::size_t(v)] = (on_rim ? CGAL_PI : 2 * CGAL_PI) - sum_of_angles(v);
-      if (!on_rim && lack_[std::size_t(v)] > 3 * CGAL_PI / 4) {
+      if (!on_rim && lack_[std::size_t(v)] > CGAL_PI / 4) {
         is_sharp_[std::size_t(v)] = true;
         sharp.push_back(v);
       }
@@ -86,7 +90,7 @@ public:
     for (Vertex v : sharp)
       if (!visited[std::size_t(v)]) {
         const std::vector<Vertex> set = connected(v, visited);
-        if (is_turned_back_around(set))
+        if (is_spike(set))
           spikes.insert(spikes.end(), set.begin(), set.end());
       }
     std::sort(spikes.begin(), spikes.end());
@@ -118,20 +122,24 @@ private:
     return set;
   }
 
-  bool is_turned_back_around(const std::vector<Vertex>& set) const {
-    double lack = 0, excess = 0;
+  bool is_spike(const std::vector<Vertex>& set) const {
+    double lack = 0, most = 0, excess = 0;
     std::vector<Vertex> around;
     for (Vertex v : set) {
       lack += lack_[std::size_t(v)];
+      most = (std::max)(most, lack_[std::size_t(v)]);
       for (Vertex w : CGAL::vertices_around_target(mesh_.halfedge(v), mesh_))
         if (!is_sharp_[std::size_t(w)])
           around.push_back(w);
     }
+    const double degree = CGAL_PI / 180, mean = lack / double(set.size());
+    if (!(most > 135 * degree ? mean > 80 * degree : lack > 135 * degree && mean > 100 * degree))
+      return false;
     std::sort(around.begin(), around.end());
     around.erase(std::unique(around.begin(), around.end()), around.end());
     for (Vertex w : around)
       excess -= lack_[std::size_t(w)];
-    return excess > 0.5 * lack;
+    return excess > 0.4 * lack;
   }
 
   Surface& mesh_;
