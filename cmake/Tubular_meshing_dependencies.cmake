@@ -7,6 +7,7 @@
 include(CMakeFindDependencyMacro)
 option(TUBULAR_MESHING_WITH_TETGEN "Use TetGen (AGPL), where it is found, for fill_with_tetgen()" ON)
 option(TUBULAR_MESHING_WITH_LEMON "Use LEMON, where it is found, for recombine_triangles()" ON)
+option(TUBULAR_MESHING_WITH_LZMA "Use liblzma, where it is found, to read VTK files that it has compressed" ON)
 option(TUBULAR_MESHING_WITH_TBB "Use oneTBB, where it is found, to run on several threads" ON)
 
 find_dependency(CGAL 5.5)
@@ -62,5 +63,21 @@ if(TUBULAR_MESHING_WITH_LEMON)
                    INTERFACE_COMPILE_DEFINITIONS CGAL_TUBULAR_MESHING_WITH_LEMON)
     endif()
     list(APPEND Tubular_meshing_dependency_targets Tubular_meshing_lemon)
+  endif()
+endif()
+
+if(TUBULAR_MESHING_WITH_LZMA)
+  find_path(LZMA_INCLUDE_DIR lzma.h)
+  find_library(LZMA_LIBRARY lzma)
+  mark_as_advanced(LZMA_INCLUDE_DIR LZMA_LIBRARY)
+  if(LZMA_INCLUDE_DIR AND LZMA_LIBRARY)
+    if(NOT TARGET Tubular_meshing_lzma)
+      add_library(Tubular_meshing_lzma UNKNOWN IMPORTED)
+      set_target_properties(
+        Tubular_meshing_lzma
+        PROPERTIES IMPORTED_LOCATION "${LZMA_LIBRARY}" INTERFACE_INCLUDE_DIRECTORIES "${LZMA_INCLUDE_DIR}"
+                   INTERFACE_COMPILE_DEFINITIONS CGAL_TUBULAR_MESHING_WITH_LZMA)
+    endif()
+    list(APPEND Tubular_meshing_dependency_targets Tubular_meshing_lzma)
   endif()
 endif()

@@ -88,7 +88,8 @@ def row_of(entry):
     if found["excludes"]:
         notes.append("not with " + found["excludes"].strip().replace(" --", ", --"))
     meaning = "; ".join([meaning] + notes)
-    names = ", ".join("`" + name + "`" for name in found["names"].split(","))
+    # of a flag and its negation, CLI11 adds the value that the latter stands for
+    names = ", ".join("`" + name.replace("{false}", "") + "`" for name in found["names"].split(","))
     value = TYPES.get(found["type"], "") if found["names"].startswith("-") else ""
     return [names + value, marked_up(meaning), marked_up(default)]
 

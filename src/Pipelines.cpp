@@ -3,3 +3,4 @@
 
 #include <CGAL/Tubular_meshing/Pipelines/Mesher_impl.h>
 #include <CGAL/Tubular_meshing/Pipelines/Tubular_model_impl.h>
+#include <CGAL/Tubular_meshing/Pipelines/join_parts_impl.h>

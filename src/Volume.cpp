@@ -6,3 +6,4 @@
 #include <CGAL/Tubular_meshing/Volume/fill_keeping_boundary_impl.h>
 #include <CGAL/Tubular_meshing/Volume/fill_with_pyramids_and_tetrahedra_impl.h>
 #include <CGAL/Tubular_meshing/Volume/optimize_tetrahedra_impl.h>
+#include <CGAL/Tubular_meshing/Volume/preserve_volume_impl.h>

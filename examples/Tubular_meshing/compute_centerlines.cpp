@@ -37,7 +37,7 @@ namespace {
 struct Options {
   std::string surface, output, seeds, inlet;
   std::vector<std::string> outlets;
-  bool loops = false, whole = false;
+  bool no_loops = false, whole = false;
 };
 
 std::vector<Point_3> seeds_of(const Options& o) {
@@ -71,7 +71,7 @@ Graph centerlines_between_seeds(const Options& o, Surface& surface, const std::v
     tubular::close_openings(surface, openings, patch);
   }
   Graph graph;
-  tubular::compute_centerlines(surface, seeds, graph, tubular::parameters::loops(o.loops));
+  tubular::compute_centerlines(surface, seeds, graph, tubular::parameters::loops(!o.no_loops));
   return graph;
 }
 
@@ -82,7 +82,7 @@ Graph centerlines_between_openings(const Options& o, Surface& surface) {
   const auto patch = surface.add_property_map<Surface::Face_index, int>("f:patch", 0).first;
   tubular::close_openings(surface, openings, patch);
   Graph graph;
-  tubular::compute_centerlines(surface, patch, openings, graph, tubular::parameters::loops(o.loops));
+  tubular::compute_centerlines(surface, patch, openings, graph, tubular::parameters::loops(!o.no_loops));
   return graph;
 }
 
@@ -125,7 +125,7 @@ int main(int argc, char* argv[]) {
   app.add_option("--seeds", o.seeds, "file with a point a line, the source first, instead of --inlet and --outlet")
       ->excludes(outlets)
       ->excludes(inlet);
-  app.add_flag("--loops", o.loops, "keep every branch where vessels split and rejoin");
+  app.add_flag("--no-loops", o.no_loops, "follow shortest paths alone where vessels split and rejoin");
   app.add_flag("--whole", o.whole, "write each line in one piece, without the cell arrays");
   return command_line::run_tool(app, argc, argv, [&] { run(o); });
 }

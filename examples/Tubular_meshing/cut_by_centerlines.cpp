@@ -31,7 +31,7 @@ namespace {
 struct Options {
   std::string surface, output;
   double aspect_ratio = 4;
-  bool loops = false;
+  bool no_loops = false;
 };
 
 const char* name_of(tubular::Patch_kind kind) {
@@ -83,13 +83,13 @@ void run(const Options& o) {
   Surface surface;
   tubular::IO::read_surface(o.surface, surface);
   tubular::repair_surface(surface);
-  Model model = tubular::make_tubular_model(surface, tubular::parameters::loops(o.loops));
+  Model model = tubular::make_tubular_model(surface, tubular::parameters::loops(!o.no_loops));
   Cut cut = cut_model(o, model);
   std::vector<Point_3> seeds(1, model.openings.front().center); // the inlet comes first
   const int rounds = 4;                                         // blind vessels may branch off blind vessels
   for (int i = 0; i < rounds && add_seeds(cut, seeds); ++i) {
     std::printf("%zu vessels end blind; computing the centerlines anew, with seeds there\n", seeds.size() - 1);
-    model = tubular::make_tubular_model(surface, tubular::parameters::loops(o.loops).seeds(seeds));
+    model = tubular::make_tubular_model(surface, tubular::parameters::loops(!o.no_loops).seeds(seeds));
     cut = cut_model(o, model);
   }
   print(cut);
@@ -106,7 +106,7 @@ int main(int argc, char* argv[]) {
   app.add_option("-o,--output", o.output, "surface with the numbers of the patches: .vtp .vtk .ply .msh")->required();
   app.add_option("--aspect-ratio", o.aspect_ratio, "largest length over mean diameter of a patch")
       ->capture_default_str();
-  app.add_flag("--loops", o.loops, "keep every branch where vessels split and rejoin");
+  app.add_flag("--no-loops", o.no_loops, "follow shortest paths alone where vessels split and rejoin");
   CLI11_PARSE(app, argc, argv);
   try {
     run(o);

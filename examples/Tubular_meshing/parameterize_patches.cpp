@@ -39,7 +39,7 @@ struct Options {
   std::string surface, output;
   double aspect_ratio = 4;
   int threads = 0;
-  bool loops = false;
+  bool no_loops = false;
 };
 
 double median_stretch_ratio(const Map& map) {
@@ -87,7 +87,7 @@ void run(const Options& o) {
   Surface surface;
   tubular::IO::read_surface(o.surface, surface);
   tubular::repair_surface(surface);
-  auto model = tubular::make_tubular_model(surface, tubular::parameters::loops(o.loops));
+  auto model = tubular::make_tubular_model(surface, tubular::parameters::loops(!o.no_loops));
   const auto cut = tubular::cut_by_centerlines(model.surface, model.centerlines, model.patch,
                                                tubular::parameters::aspect_ratio(o.aspect_ratio));
   const std::vector<Map> maps =
@@ -110,7 +110,7 @@ int main(int argc, char* argv[]) {
   app.add_option("--threads", o.threads, "threads that map patches; 0: all cores")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
-  app.add_flag("--loops", o.loops, "keep every branch where vessels split and rejoin");
+  app.add_flag("--no-loops", o.no_loops, "follow shortest paths alone where vessels split and rejoin");
   app.footer(command_line::exit_statuses());
   return command_line::run_tool(app, argc, argv, [&] { run(o); });
 }

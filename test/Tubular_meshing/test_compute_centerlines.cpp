@@ -128,7 +128,7 @@ TEST(Compute_centerlines, Noisy_surface) {
   expect_close_to_truth(s, 24, 0.03);
 }
 
-TEST(Compute_centerlines, Loop_keeps_all_branches_if_asked_to) {
+TEST(Compute_centerlines, Loop_keeps_all_branches_unless_asked_not_to) {
   const auto s = tubular::willis_loop();
   expect_close_to_truth(s, 24, 0, true);
   EXPECT_EQ(centerlines_of(surface_of(s), &s.nodes[s.inlet]).branches().size(), 2 * s.number_of_openings() - 3);
@@ -165,7 +165,8 @@ TEST(Compute_centerlines, Ends_are_the_centres_of_the_caps_and_the_root_is_the_i
 TEST(Compute_centerlines, Points_stand_for_the_spheres_that_touch_next_to_them) {
   const Mesh torus = make_torus(120, 48);
   Graph graph;
-  tubular::compute_centerlines(torus, std::vector<Point>{Point(4, 0, 0), Point(0, 4, 0)}, graph);
+  const std::vector<Point> ends = {Point(4, 0, 0), Point(0, 4, 0)};
+  tubular::compute_centerlines(torus, ends, graph, tubular::parameters::loops(false));
   ASSERT_EQ(graph.branches().size(), 1u);
   for (const Point& p : graph.points())
     EXPECT_NEAR(std::hypot(std::hypot(p.x(), p.y()) - 3, p.z()), 0, 0.02);

@@ -31,6 +31,12 @@ TEST_F(IO, Damage_is_an_input_error_or_harmless) {
   c.lines = {{0, 1, 2}};
   for (const char* name : {"s.stl", "s.off", "s.obj", "s.ply", "s.vtp", "s.vtk", "s.msh"})
     TM::IO::write_surface(path(name), s);
+  Surface labelled = s;
+  TM::Face_patch_map patch = labelled.add_property_map<Surface::Face_index, int>("f:patch", 1).first;
+  patch[*labelled.faces().begin()] = 2;
+  for (const char* name : {"sl.stl", "sl.obj", "sl.ply", "sl.vtp", "sl.vtk", "sl.msh"})
+    TM::IO::write_surface(path(name), labelled,
+                          TM::parameters::face_patch_map(patch).patch_names(TM::Label_names{{1, "wall"}, {2, "in"}}));
   for (const char* name : {"m.vtu", "m.msh", "m.mesh"})
     TM::IO::write_mesh(path(name), m);
   fs::remove(path("m.sol"));
@@ -39,6 +45,14 @@ TEST_F(IO, Damage_is_an_input_error_or_harmless) {
 
   const auto survives = [&](const std::string& name, const std::string& bytes) {
     const std::string file = make("x" + name, bytes);
+    if (name[0] != 'c')
+      try {
+        const TM::IO::Surface_data data = TM::IO::read_surface_data(file);
+        EXPECT_TRUE(data.labels.empty() || data.labels.label.size() == data.triangles.size());
+        for (const auto& a : data.point_arrays)
+          EXPECT_EQ(a.second.size(), data.points.size());
+      } catch (const TM::Input_error&) {
+      }
     try {
       if (name[0] == 's') {
         Surface back;

@@ -14,7 +14,7 @@
 #include <CGAL/Tubular_meshing/Repair/repair_surface.h>
 #include <CGAL/Tubular_meshing/Quality/shape_measures.h>
 #include <CGAL/Tubular_meshing/Pipelines/make_mesh.h>
-#include <CGAL/Tubular_meshing/Patches/internal/remeshing/crossing_faces.h>
+#include <CGAL/Tubular_meshing/Patches/pieces/crossing_faces.h>
 #include <CGAL/Tubular_meshing/Quads/quadrangulate_patches.h>
 #include <CGAL/Tubular_meshing/Quads/internal/unstructured/Patch_quadrangulator.h>
 

@@ -75,8 +75,6 @@ bool is_same(const Mesh& a, const Mesh& b) {
 std::string word_for(const std::string& defect, int severity) {
   if (severity < 2)
     return defect == "touching walls" ? "cross" : "";
-  if (defect == "pinholes")
-    return "hole";
   if (defect == "self-intersections" || defect == "touching walls")
     return "cross";
   if (defect == "folds")

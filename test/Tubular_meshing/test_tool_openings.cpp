@@ -113,7 +113,8 @@ TEST_F(Tool, Takes_points_for_the_ends_of_a_surface_without_any) {
                                 Arguments{"--seeds", make("seeds.txt", "# from, to\n0,0,-4\n\n 0 0 4\n")}}) {
     succeed(common + ends);
     const Json report = json_in(out("r.json"));
-    EXPECT_TRUE(report["openings"].empty());
+    ASSERT_EQ(report["openings"].size(), 2u); // cut open there
+    EXPECT_LT(report["openings"][0]["center"][2].get<double>(), 0);
     EXPECT_EQ(report["branches"].size(), 1u);
     EXPECT_EQ(report["boundary_euler"], 2);
     expect_by_patches(report);
@@ -123,18 +124,82 @@ TEST_F(Tool, Takes_points_for_the_ends_of_a_surface_without_any) {
   EXPECT_TRUE(meshes[0] == meshes[1]);
 }
 
-TEST_F(Tool, Keeps_all_branches_of_a_loop_where_asked_to) {
+// --- ends, and what may be one ---
+
+TEST_F(Tool, Cuts_round_ends_of_a_closed_surface) {
+  const Arguments common = {make("cigar.off", cigar()), "-o", out("mesh.vtu"), "--report", out("r.json"), "-n", "10"};
+  const Outcome outcome = succeed(common);
+  const Json report = json_in(out("r.json"));
+  EXPECT_EQ(report["openings"].size(), 2u);
+  ASSERT_EQ(report["round_ends"].size(), 2u);
+  EXPECT_TRUE(report["round_ends"][0]["cut"]);
+  EXPECT_NE(outcome.out.find("2 round ends were cut open"), std::string::npos) << outcome.out;
+  const Arguments kept = common + Arguments{"--keep-end", "0,0,4"};
+  EXPECT_EQ(run(kept).status, input);
+  succeed(kept + Arguments{"--allow-single-opening"});
+  EXPECT_EQ(json_in(out("r.json"))["openings"].size(), 1u);
+}
+
+TEST_F(Tool, Meshes_a_vessel_with_one_opening_where_allowed) {
+  const Arguments common = {
+      make("bag.off", half_of(sphere_off(), 4)), "-o", out("mesh.vtu"), "--report", out("r.json"), "-n", "10"};
+  EXPECT_EQ(run(common).status, input);
+  succeed(common + Arguments{"--allow-single-opening"});
+  EXPECT_EQ(json_in(out("r.json"))["openings"].size(), 1u);
+  succeed(common + Arguments{"--cut-ends"});
+  EXPECT_EQ(json_in(out("r.json"))["openings"].size(), 2u);
+}
+
+TEST_F(Tool, Takes_a_hole_as_large_as_the_vessel_for_an_opening_unless_it_is_to_be_filled) {
+  const Arguments common = {
+      make("window.off", tube_with_a_window()), "-o", out("mesh.vtu"), "--report", out("r.json"), "-n", "10"};
+  const Outcome outcome = succeed(common);
+  EXPECT_NE(outcome.out.find("--fill"), std::string::npos) << outcome.out;
+  EXPECT_EQ(json_in(out("r.json"))["openings"].size(), 3u);
+  succeed(common + Arguments{"--fill", "1,0,3"});
+  EXPECT_EQ(json_in(out("r.json"))["openings"].size(), 2u);
+  const Outcome refused = run(common + Arguments{"--openings", "2"});
+  EXPECT_EQ(refused.status, input);
+  EXPECT_NE(refused.err.find("3 openings, not 2"), std::string::npos) << refused.err;
+  succeed(common + Arguments{"--openings", "3"});
+}
+
+TEST_F(Tool, Meshes_all_vessels_of_a_file) {
+  const Sample two = two_tubes(4);
+  const Arguments common = {make("two.off", two.surface), "-o", out("mesh.vtu"), "--report", out("r.json"), "-n", "10"};
+  for (const Arguments& lines : {Arguments{}, Arguments{"-c", make("two.vtk", two.lines)}}) {
+    succeed(common + lines);
+    const Json report = json_in(out("r.json"));
+    ASSERT_EQ(report["openings"].size(), 4u);
+    EXPECT_EQ(report["openings"][2]["name"], "inlet_2");
+    EXPECT_EQ(report["openings"][3]["name"], "outlet_2");
+    EXPECT_EQ(report["openings_of_parts"], Json({2, 2}));
+    EXPECT_EQ(report["boundary_euler"], 4);
+  }
+  succeed(common + Arguments{"--parts", "largest"});
+  EXPECT_EQ(json_in(out("r.json"))["openings"].size(), 2u);
+  EXPECT_EQ(run(common + Arguments{"--parts", "0"}).status, usage);
+  succeed(common + Arguments{"-t", "mixed", "--wall", "0.2"});
+  EXPECT_EQ(json_in(out("r.json"))["openings"].size(), 4u);
+}
+
+TEST_F(Tool, Keeps_all_branches_of_a_loop_unless_asked_not_to) {
   const Sample s = sample_of(tubular::willis_loop());
   const Arguments common = {make("loop.off", s.surface), "-n", "10", "-o", out("mesh.vtu"), "--report", out("r.json")};
   succeed(common + Arguments{"-c", make("lines.vtk", s.lines)});
   const Json given = json_in(out("r.json"));
   succeed(common + Arguments{"--loops"});
+  const std::string mesh = bytes_of(out("mesh.vtu"));
+  succeed(common);
   const Json computed = json_in(out("r.json"));
+  EXPECT_EQ(computed["loops"], true);
+  EXPECT_TRUE(bytes_of(out("mesh.vtu")) == mesh);
   EXPECT_EQ(computed["branches"].size(), given["branches"].size());
   EXPECT_EQ(computed["boundary_euler"], given["boundary_euler"]);
   EXPECT_LT(computed["boundary_euler"], 2);
-  succeed(common);
+  succeed(common + Arguments{"--no-loops"});
   EXPECT_LT(json_in(out("r.json"))["branches"].size(), given["branches"].size());
+  EXPECT_EQ(json_in(out("r.json"))["loops"], false);
 }
 
 TEST_F(Tool, Extends_the_openings) {

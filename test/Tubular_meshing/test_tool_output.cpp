@@ -3,6 +3,7 @@
 
 // What the command-line tool writes: meshes, the report, nothing else; all of it, or none.
 
+#include "test_surfaces.h"
 #include "test_tool_helpers.h"
 #include "test_tool_report.h"
 
@@ -142,7 +143,7 @@ TEST_F(Tool, Says_by_what_a_mesh_was_made) {
 
 // --- where meshing by patches fails ---
 
-// A handle on the wall of a tube, through which no centerline runs: its patch is no sphere with holes.
+// A handle on the wall of a tube, through which a centerline runs or not.
 std::string tube_with_a_handle_off() {
   const int around = 16, rows = 16, steps = 8, lower = 4, upper = 10; // the handle's ends are holes in these two rows
   std::vector<Point> points;
@@ -191,14 +192,41 @@ std::string tube_with_a_handle_off() {
   return off.str() + faces.str();
 }
 
+TEST_F(Tool, Meshes_a_handle_by_patches) {
+  NEEDS_FILLING();
+  const Arguments arguments = {make("handle.off", tube_with_a_handle_off()), "-n", "16", "--report", out("r.json")};
+  for (const Arguments& loops : {Arguments{"--no-loops"}, Arguments{}}) {
+    succeed(arguments + loops + Arguments{"-o", out("mesh.vtu")});
+    const Json report = json_in(out("r.json"));
+    expect_report_of(report, mesh_in(out("mesh.vtu")));
+    expect_by_patches(report);
+    EXPECT_EQ(report["boundary_euler"], 0);
+    if (!loops.empty()) {
+      EXPECT_EQ(report["patches"]["handle_cuts"], 1);
+    }
+    for (const Arguments& type : {Arguments{"-t", "mixed", "--wall", "0.1"}, Arguments{"--boundary-layer-prisms", "2"}})
+      succeed(arguments + loops + type + Arguments{"-o", out("other.vtu")});
+    succeed(arguments + loops + Arguments{"-t", "surface", "-o", out("surface.vtp")});
+  }
+}
+
+// A closed surface, and so short that nothing cuts it.
+std::string sphere_off() {
+  std::ostringstream off;
+  off.precision(17);
+  off << test_surfaces::make_sphere(20, 40); // Surface_mesh writes OFF
+  return off.str();
+}
+
 TEST_F(Tool, Says_where_and_why_Mesh_3_took_over) {
   NEEDS_FILLING();
-  const std::string input_file = make("handle.off", tube_with_a_handle_off());
-  const Arguments arguments = {input_file, "-n", "16", "--report", out("r.json"), "--threads", "1"};
+  const std::string input_file = make("sphere.off", sphere_off());
+  const Arguments arguments = {input_file, "--inlet",  "0,0,-1",      "--outlet",  "0,0,1", "-n",
+                               "16",       "--report", out("r.json"), "--threads", "1"};
   const Outcome outcome = succeed(arguments + Arguments{"-o", out("mesh.vtu"), "--write-surface", out("s.vtp")});
   const Json report = json_in(out("r.json"));
   expect_report_of(report, mesh_in(out("mesh.vtu")));
-  EXPECT_EQ(report["boundary_euler"], 0);
+  EXPECT_EQ(report["boundary_euler"], 2);
   ASSERT_EQ(report["fallbacks"].size(), 1u);
   const std::string sentence = report["fallbacks"][0];
   EXPECT_TRUE(is_a_sentence(sentence)) << sentence;
@@ -216,7 +244,7 @@ TEST_F(Tool, Says_where_and_why_Mesh_3_took_over) {
                                    Arguments{"-t", "surface", "-o", out("surface.vtp")}}) {
     const Outcome failed = run(arguments + options);
     EXPECT_EQ(failed.status, meshing) << failed.err;
-    expect_one_sentence(failed, {"patch"});
+    expect_one_sentence(failed, {"closed surface"});
   }
 }
 

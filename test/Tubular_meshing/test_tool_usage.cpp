@@ -83,6 +83,7 @@ TEST_F(Tool, Tells_its_version_and_its_options) {
                              "--outlet",
                              "--seeds",
                              "--loops",
+                             "--no-loops",
                              "--repair",
                              "--smooth",
                              "--flow-extensions",

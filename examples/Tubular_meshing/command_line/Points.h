@@ -7,7 +7,9 @@
 #include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
@@ -25,18 +27,31 @@ inline bool parse_number(const std::string& word, double& number) {
   return end == word.c_str() + word.size() && !word.empty();
 }
 
-// Three finite numbers, apart by commas or blanks.
-inline bool parse_point(std::string text, Point_3& point) {
+// So many finite numbers, apart by commas or blanks.
+template <std::size_t N> bool parse_numbers(std::string text, std::array<double, N>& numbers) {
   for (char& c : text)
     c = c == ',' ? ' ' : c;
   std::istringstream words(text);
   std::string word;
-  double x[3];
-  for (double& coordinate : x)
-    if (!(words >> word) || !parse_number(word, coordinate) || !std::isfinite(coordinate))
+  for (double& x : numbers)
+    if (!(words >> word) || !parse_number(word, x) || !std::isfinite(x))
       return false;
-  point = Point_3(x[0], x[1], x[2]);
   return !(words >> word);
+}
+
+inline bool parse_point(const std::string& text, Point_3& point) {
+  std::array<double, 3> x;
+  if (!parse_numbers(text, x))
+    return false;
+  point = Point_3(x[0], x[1], x[2]);
+  return true;
+}
+
+// Of text that was found to be them.
+template <std::size_t N> std::array<double, N> numbers_of(const std::string& text) {
+  std::array<double, N> numbers = {};
+  parse_numbers(text, numbers);
+  return numbers;
 }
 
 // Of text that was found to be one.

@@ -8,6 +8,9 @@
 
 #include <CLI/CLI.hpp>
 
+#include <array>
+#include <cmath>
+#include <cstddef>
 #include <limits>
 #include <sstream>
 #include <string>
@@ -35,6 +38,39 @@ inline CLI::Validator is_point() {
   const auto check = [](std::string& text) {
     CGAL::Tubular_meshing::Point_3 ignored;
     return parse_point(text, ignored) ? std::string() : "\"" + text + "\" is not a point X,Y,Z of finite numbers";
+  };
+  return CLI::Validator(check, "");
+}
+
+// A comma makes it a point.
+inline CLI::Validator is_point_or_name() {
+  const auto check = [](std::string& text) {
+    CGAL::Tubular_meshing::Point_3 ignored;
+    return parse_point(text, ignored) || (!text.empty() && text.find(',') == text.npos)
+               ? std::string()
+               : "\"" + text + "\" is not a point X,Y,Z of finite numbers, nor a name";
+  };
+  return CLI::Validator(check, "");
+}
+
+// So many numbers, the last of which is a factor that sizes are divided by, and the one before it above 0 or an index.
+template <std::size_t N> CLI::Validator is_refinement(const char* form) {
+  const auto check = [=](std::string& text) {
+    std::array<double, N> x;
+    const bool good = parse_numbers(text, x) && x[N - 1] > 0 && x[N - 1] <= 100 &&
+                      (N > 2 ? x[N - 2] > 0 : x[N - 2] >= 0 && x[N - 2] < 1e9 && x[N - 2] == std::floor(x[N - 2]));
+    return good ? std::string() : "\"" + text + "\" is not " + form + ", with a factor above 0 and at most 100";
+  };
+  return CLI::Validator(check, "");
+}
+
+// NAME=NEW; both have a letter at least.
+inline CLI::Validator is_renaming() {
+  const auto check = [](std::string& text) {
+    const std::size_t sign = text.find('=');
+    return sign != text.npos && sign > 0 && sign + 1 < text.size() && text.find('"') == text.npos
+               ? std::string()
+               : "\"" + text + "\" is not NAME=NEW";
   };
   return CLI::Validator(check, "");
 }

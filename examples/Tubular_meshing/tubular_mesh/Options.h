@@ -25,13 +25,23 @@ struct Options {
   std::string wall_elements = "auto";
   int boundary_layer_prisms = 0;
   std::string repair = "auto";
-  bool smooth = false, loops = false;
+  bool smooth = false, loops = false, no_loops = false;
   double flow_extensions = 0;
-  std::string inlet, seeds;
+  std::string inlet, seeds; // the inlet: a point, or the name of an end
+  std::string faces;        // the cell array that says which face is which end; empty: one with a known name
+  std::vector<std::string> renames;
   std::vector<std::string> outlets;
+  std::vector<std::string> filled_holes, blind_ends; // points
+  bool cut_ends = false, single_opening = false;
+  int openings = 0;          // that there have to be; 0: not said
+  std::string parts = "all"; // or largest, or a number
   double points_per_circumference = 20;
+  double elements = 0; // that the mesh is to have; 0: as many as come
+  std::vector<std::string> refined_balls, refined_branches;
+  std::string size_array;
   double min_size = 0, max_size = (std::numeric_limits<double>::infinity)(), gradation = 1.3;
   std::string report, surface_output, centerlines_output;
+  bool preserve_volume = true;
   int threads = 0;
   bool verbose = false, quiet = false;
 

@@ -6,7 +6,11 @@
 
 #include "Options.h"
 
+#include <CGAL/Tubular_meshing/Centerlines/Centerline_graph.h>
+#include <CGAL/Tubular_meshing/Fields/Size_requests.h>
 #include <CGAL/Tubular_meshing/Layers/Layer_report.h>
+#include <CGAL/Tubular_meshing/Openings/Round_end_report.h>
+#include <CGAL/Tubular_meshing/Openings/labelled_ends.h>
 #include <CGAL/Tubular_meshing/Patches/Remeshed_surface.h>
 #include <CGAL/Tubular_meshing/Pipelines/Mesher.h>
 #include <CGAL/Tubular_meshing/Pipelines/Tubular_model.h>
@@ -14,6 +18,8 @@
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/base/Opening.h>
 
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,11 +30,25 @@ struct Flow_extensions {
   std::vector<double> lengths;
 };
 
-/* What was asked for, and what came of it. */
+/* Points that the user names, of one vessel. */
+struct Named_points {
+  std::optional<CGAL::Tubular_meshing::Point_3> inlet;
+  std::vector<CGAL::Tubular_meshing::Point_3> ends; ///< that have to be open, the inlet first; empty if not said
+  std::vector<CGAL::Tubular_meshing::Point_3> blind_ends;
+};
+
+/* What was asked for, and what came of it: of a vessel, or of all. */
 struct Run {
   Options options;
   std::string version;
+  Named_points points;
+  CGAL::Tubular_meshing::Centerline_polylines lines; ///< if they were given
+  std::vector<std::string> notes;                    ///< a sentence each
+  std::vector<CGAL::Tubular_meshing::Round_end_report> round_ends;
+  std::vector<std::size_t> openings_of_parts; ///< how many each vessel has
   CGAL::Tubular_meshing::Repair_report repairs;
+  CGAL::Tubular_meshing::Labelled_ends labels;
+  CGAL::Tubular_meshing::Size_requests sizes;
   Flow_extensions extensions;
   CGAL::Tubular_meshing::Tubular_model model;
   CGAL::Tubular_meshing::Remeshed_surface surface; ///< as it was meshed by patches; else empty

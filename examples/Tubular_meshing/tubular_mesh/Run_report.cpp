@@ -9,8 +9,11 @@
 #include <CGAL/Tubular_meshing/Patches/metric_surface_report.h>
 #include <CGAL/Tubular_meshing/Quality/boundary_layer_report.h>
 #include <CGAL/Tubular_meshing/Quality/branch_resolution.h>
+#include <CGAL/Tubular_meshing/Quality/lumen_measures.h>
 #include <CGAL/Tubular_meshing/Quality/quality_report.h>
 #include <CGAL/Tubular_meshing/Quality/validity_report.h>
+
+#include <CGAL/Polygon_mesh_processing/measure.h>
 
 #include <nlohmann/json.hpp>
 
@@ -45,7 +48,26 @@ Json repairs(const tubular::Repair_report& report) {
   return list;
 }
 
-Json openings(const tubular::Tubular_model& model, const tubular::Mixed_mesh& mesh) {
+// What became of the labels of the input.
+Json labels(const tubular::Labelled_ends& ends) {
+  Json list = Json::array();
+  for (const auto& l : ends.labels)
+    list.push_back({{"label", l.label},
+                    {"name", l.name.empty() ? Json() : Json(l.name)},
+                    {"meaning", l.count > 0 ? "opening" : "wall"},
+                    {"openings", l.count},
+                    {"understood", l.is_understood()},
+                    {"reason", l.is_understood() ? Json() : Json(l.reason)}});
+  return {{"source", ends.source}, {"labels", list}};
+}
+
+double area_of(const tubular::Lumen_measures& measures, int patch) {
+  const auto found = measures.opening_area.find(patch);
+  return found == measures.opening_area.end() ? 0 : found->second;
+}
+
+Json openings(const tubular::Tubular_model& model, const tubular::Mixed_mesh& mesh,
+              const tubular::Lumen_measures& measures) {
   std::map<int, std::size_t> triangles, quads;
   for (int label : mesh.triangles.label)
     ++triangles[label];
@@ -58,11 +80,15 @@ Json openings(const tubular::Tubular_model& model, const tubular::Mixed_mesh& me
                   {"center", vector_of(o.center)},
                   {"normal", vector_of(o.normal)},
                   {"area", o.area},
+                  {"mesh_area", area_of(measures, o.patch)},
                   {"perimeter", o.perimeter},
                   {"radius", o.radius},
                   {"triangles", triangles[o.patch]},
                   {"quads", quads[o.patch]}};
     entry["branch"] = o.branch == tubular::Opening::no_branch ? Json() : Json(o.branch);
+    const auto id = model.patch_ids.id.find(o.patch);
+    if (!model.patch_ids.empty() && id != model.patch_ids.id.end())
+      entry["label"] = id->second;
     list.push_back(entry);
   }
   return list;
@@ -97,14 +123,34 @@ Json qualities(const tubular::Quality_report& quality) {
   return q;
 }
 
+// Whether the centerlines were to keep all branches where vessels rejoin, or have them.
+bool keeps_loops(const Run& run) {
+  const tubular::Centerline_graph& graph = run.model.centerlines;
+  return run.options.loops ||
+         (run.options.centerlines.empty() && !run.options.no_loops && graph.branches().size() >= graph.nodes().size());
+}
+
+// That of the surface that was meshed, and of the mesh's lumen; how the latter came to it.
+Json volumes(const Run& run, const tubular::Lumen_measures& measures) {
+  const double input = CGAL::to_double(CGAL::Polygon_mesh_processing::volume(run.model.surface));
+  return {{"input", input},
+          {"mesh", measures.volume},
+          {"relative_difference", input > 0 ? measures.volume / input - 1 : 0},
+          {"preserved", run.options.preserve_volume},
+          {"before", run.meshing.volume.volume_before > 0 ? Json(run.meshing.volume.volume_before) : Json()},
+          {"largest_shift", run.meshing.volume.largest_shift},
+          {"vertices_held_back", run.meshing.volume.held_back}};
+}
+
 Json description_of(const Run& run) {
   const tubular::Mixed_mesh& mesh = run.mesh;
   const tubular::Validity_report validity = tubular::validity_report(mesh);
   const tubular::Quality_report quality = tubular::quality_report(mesh);
+  const tubular::Lumen_measures measures = tubular::lumen_measures(mesh, run.model.openings.size());
   return {{"program", std::string("tubular_mesh ") + run.version},
           {"input", run.options.surface},
           {"centerlines", run.options.centerlines.empty() ? Json() : Json(run.options.centerlines)},
-          {"loops", run.options.loops},
+          {"loops", keeps_loops(run)},
           {"repairs", repairs(run.repairs)},
           {"flow_extensions", run.extensions.lengths},
           {"output", run.options.output},
@@ -118,11 +164,37 @@ Json description_of(const Run& run) {
             {"prisms", mesh.prisms.size()},
             {"hexahedra", mesh.hexahedra.size()}}},
           {"facets", {{"triangles", mesh.triangles.size()}, {"quads", mesh.quads.size()}}},
-          {"valid", validity.is_valid()},
+          {"valid", validity.is_valid_in((std::max)(run.openings_of_parts.size(), std::size_t(1)))},
           {"boundary_euler", validity.boundary_euler},
           {"quality", qualities(quality)},
-          {"openings", openings(run.model, mesh)},
+          {"volume", volumes(run, measures)},
+          {"openings", openings(run.model, mesh, measures)},
           {"branches", branches(run.model, mesh)}};
+}
+
+// The round ends of vessels, cut open or not.
+void add_round_ends(Json& report, const std::vector<tubular::Round_end_report>& ends) {
+  Json list = Json::array();
+  for (const auto& end : ends)
+    list.push_back({{"cut", end.is_cut},
+                    {"center", vector_of(end.center)},
+                    {"radius", end.radius},
+                    {"reason", end.is_cut ? Json() : Json(end.reason)}});
+  report["round_ends"] = list;
+}
+
+void print_round_ends(const Json& ends) {
+  long cut = 0;
+  for (const auto& end : ends)
+    cut += end["cut"].get<bool>();
+  if (cut > 0)
+    std::printf("ends: %ld round %s cut open, by planes across the vessels\n", cut, cut == 1 ? "end was" : "ends were");
+  for (const auto& end : ends)
+    if (!end["cut"].get<bool>())
+      std::printf("note: the round end at (%g, %g, %g), of radius %g, stays closed (%s); --outlet opens it\n",
+                  end["center"][0].get<double>(), end["center"][1].get<double>(), end["center"][2].get<double>(),
+                  end["radius"].get<double>(), end["reason"].get<std::string>().c_str());
+  std::printf("\n");
 }
 
 // How the surface was cut, and its patches were mapped.
@@ -145,6 +217,8 @@ void add_patches(Json& report, const tubular::Remeshed_surface& surface) {
                        {"fallbacks", r.number_of_fallbacks()},
                        {"refined", r.refined_patches},
                        {"problems", r.problems}};
+  if (r.handle_cuts > 0)
+    report["patches"]["handle_cuts"] = r.handle_cuts;
 }
 
 // Of a surface of quads.
@@ -175,6 +249,8 @@ void print_patches(const Json& p) {
               p["largest_aspect_ratio"].get<double>());
   std::printf("%ld not mapped conformally, %ld meshed finer than asked for\n", p["fallbacks"].get<long>(),
               p["refined"].get<long>());
+  if (p.contains("handle_cuts"))
+    std::printf("%ld cuts round handles of the wall\n", p["handle_cuts"].get<long>());
   for (const auto& problem : p["problems"])
     std::printf("note: %s\n", problem.get<std::string>().c_str());
 }
@@ -268,12 +344,66 @@ void print_surface_in_its_metric(const Json& q) {
                   100 * q[part]["share_of_unit_edges"].get<double>());
 }
 
+std::string text_of(const Json& label) {
+  return label["name"].is_null() ? std::to_string(label["label"].get<int>()) : label["name"].get<std::string>();
+}
+
+// The first of those that are wanted.
+template <class Wanted> std::string list_of_labels(const Json& labels, const Wanted& is_wanted) {
+  std::string list;
+  std::size_t number = 0;
+  const std::size_t most = 12;
+  for (const auto& l : labels)
+    if (is_wanted(l) && ++number <= most)
+      list += (list.empty() ? "" : ", ") + text_of(l);
+  return (list.empty() ? "none" : list) + (number > most ? ", …" : "");
+}
+
+// One line for all labels that are not understood for the same reason.
+void print_labels(const Json& l) {
+  const auto meaning = [&](const char* wanted) {
+    return list_of_labels(l["labels"], [&](const Json& label) { return label["meaning"] == wanted; });
+  };
+  std::printf("labels: %s; wall: %s; ends: %s\n", l["source"].get<std::string>().c_str(), meaning("wall").c_str(),
+              meaning("opening").c_str());
+  std::map<std::string, std::size_t> reasons;
+  for (const auto& label : l["labels"])
+    if (!label["understood"])
+      ++reasons[label["reason"].get<std::string>()];
+  for (const auto& reason : reasons)
+    std::printf("note: label%s %s%s %s, and is taken for wall there\n", reason.second > 1 ? "s" : "",
+                list_of_labels(l["labels"], [&](const Json& label) { return label["reason"] == reason.first; }).c_str(),
+                reason.second > 1 ? ": each" : "", reason.first.c_str());
+  std::printf("\n");
+}
+
+void print_volume(const Json& v) {
+  std::printf("\nvolume: %.6g, that of the surface: %.6g (%+.2f %%)\n", v["mesh"].get<double>(),
+              v["input"].get<double>(), 100 * v["relative_difference"].get<double>());
+  if (v["vertices_held_back"] > 0)
+    std::printf("note: to keep the volume %ld vertices should have moved further; cells would have turned over, or the "
+                "wall met itself\n",
+                v["vertices_held_back"].get<long>());
+}
+
 void print_summary(const Json& r, bool verbose) {
   print_counts(r);
+  if (r.contains("labels"))
+    print_labels(r["labels"]);
+  if (r.contains("notes")) {
+    for (const auto& note : r["notes"])
+      std::printf("note: %s\n", note.get<std::string>().c_str());
+    std::printf("\n");
+  }
   for (const auto& repair : r["repairs"])
-    std::printf("repair: %s\n", repair["sentence"].get<std::string>().c_str());
+    std::printf("repair: %s%s\n", repair["sentence"].get<std::string>().c_str(),
+                repair["defect"] == "possible_openings" ? " (--fill X,Y,Z)" : "");
   if (!r["repairs"].empty())
     std::printf("\n");
+  if (r.contains("round_ends"))
+    print_round_ends(r["round_ends"]);
+  if (r.contains("openings_of_parts"))
+    std::printf("%ld vessels, meshed each by itself\n\n", long(r["openings_of_parts"].size()));
   for (const auto& fallback : r["fallbacks"])
     std::printf("note: %s\n\n", fallback.get<std::string>().c_str());
   std::printf("%-22s %8s %8s %8s\n", "quality", "min", "1 %", "mean");
@@ -305,18 +435,21 @@ void print_summary(const Json& r, bool verbose) {
     print_patches(r["patches"]);
   if (r.contains("quads"))
     print_quads(r["quads"]);
-  std::printf("\n%-12s %6s %10s %12s %12s\n", "opening", "patch", "facets", "radius", "area");
+  print_volume(r["volume"]);
+  std::printf("\n%-12s %6s %10s %12s %12s %12s\n", "opening", "patch", "facets", "radius", "area", "in the mesh");
   for (const auto& o : r["openings"])
-    std::printf("%-12s %6d %10ld %12.5g %12.5g\n", o["name"].get<std::string>().c_str(), o["patch"].get<int>(),
-                o["triangles"].get<long>() + o["quads"].get<long>(), o["radius"].get<double>(),
-                o["area"].get<double>());
+    std::printf("%-12s %6d %10ld %12.5g %12.5g %12.5g\n", o["name"].get<std::string>().c_str(), o["patch"].get<int>(),
+                o["triangles"].get<long>() + o["quads"].get<long>(), o["radius"].get<double>(), o["area"].get<double>(),
+                o["mesh_area"].get<double>());
   for (const auto& o : r["openings"])
     if (o["branch"].is_null())
-      std::printf("note: no centerline leads to %s; the mesh size there is that of the nearest branch\n",
+      std::printf("note: no centerline leads to %s; the mesh size there is that of the lumen's shape\n",
                   o["name"].get<std::string>().c_str());
-  if (r["centerlines"].is_null() && !r["loops"] && r["boundary_euler"] < 2)
-    std::printf("note: vessels split and rejoin; where no centerline runs the mesh size is that of the nearest branch, "
-                "unless --loops keeps them all\n");
+  const long pieces = r.contains("openings_of_parts") ? long(r["openings_of_parts"].size()) : 1;
+  if (r["centerlines"].is_null() && !r["loops"] && r["boundary_euler"] < 2 * pieces)
+    std::printf(
+        "note: vessels split and rejoin; one that no centerline follows is no branch of its own: all of them are kept "
+        "without --no-loops\n");
   if (verbose) {
     print_branches(r["branches"]);
     for (const auto& m : measures())
@@ -339,6 +472,14 @@ struct Run_report::Content {
 Run_report::Run_report(const Run& run)
     : content_(new Content{description_of(run)}) {
   Json& report = content_->json;
+  if (!run.labels.empty())
+    report["labels"] = labels(run.labels);
+  if (!run.round_ends.empty())
+    add_round_ends(report, run.round_ends);
+  if (run.openings_of_parts.size() > 1)
+    report["openings_of_parts"] = run.openings_of_parts;
+  if (!run.notes.empty())
+    report["notes"] = run.notes;
   if (run.surface.surface.number_of_faces() > 0)
     add_patches(report, run.surface);
   if (run.surface.quads.wall_quads() > 0)

@@ -88,11 +88,32 @@ inline void declare_metric_options(CLI::App& app, Options& o) {
       ->group(group);
 }
 
+inline CLI::Validator is_number_of_parts() {
+  return CLI::Validator(
+      [](std::string& text) {
+        const bool is_number = !text.empty() && text.size() < 7 &&
+                               text.find_first_not_of("0123456789") == std::string::npos && std::stoi(text) > 0;
+        return text == "all" || text == "largest" || is_number ? std::string()
+                                                               : "\"" + text + "\" is not all, largest, or a number";
+      },
+      "");
+}
+
 inline void declare_surface_options(CLI::App& app, Options& o) {
   app.add_option("--repair", o.repair,
                  "off, auto: repair what is wrong, or wrap: replace the surface by one wrapped around it")
       ->capture_default_str()
       ->check(CLI::IsMember({"off", "auto", "wrap"}).description(""));
+  app.add_option("--parts", o.parts,
+                 "vessels to mesh, where the surface has several: all, the largest, or a number of them, by area")
+      ->capture_default_str()
+      ->check(is_number_of_parts());
+  app.add_option("--fill", o.filled_holes,
+                 "X,Y,Z (repeatable): the loop of the border nearest to this point is a hole, not an opening: it is "
+                 "filled")
+      ->expected(1)
+      ->take_all()
+      ->check(command_line::is_point());
   app.add_flag("--smooth", o.smooth, "smooth staircase noise off the surface, keeping its volume");
   app.add_option("--flow-extensions", o.flow_extensions,
                  "extend each opening by a straight tube of this length, in radii of the opening")
@@ -102,12 +123,14 @@ inline void declare_surface_options(CLI::App& app, Options& o) {
 inline void declare_centerline_options(CLI::App& app, Options& o) {
   auto* lines = app.add_option("-c,--centerlines", o.centerlines,
                                "centerlines, if they are not to be computed: .vtk .vtp (VMTK) or .msh (Gmsh)");
-  app.add_option("--inlet", o.inlet,
-                 "X,Y,Z: the opening nearest to this point is the inlet (default: the one at the centerlines' common "
-                 "start, else the largest)")
-      ->check(command_line::is_point());
+  app.add_option(
+         "--inlet", o.inlet,
+         "X,Y,Z or NAME: the opening nearest to this point, or of this name or number in the surface's file, is "
+         "the inlet (default: one whose name begins with inlet, else the one at the centerlines' common start, "
+         "else the largest)")
+      ->check(command_line::is_point_or_name());
   auto* outlets = app.add_option("--outlet", o.outlets,
-                                 "X,Y,Z (repeatable): where vessels end without an opening or a flat cap; with --inlet")
+                                 "X,Y,Z (repeatable): where vessels end; a round end is cut open there; with --inlet")
                       ->expected(1)
                       ->take_all()
                       ->check(command_line::is_point())
@@ -116,9 +139,53 @@ inline void declare_centerline_options(CLI::App& app, Options& o) {
       ->excludes("--inlet")
       ->excludes(outlets)
       ->excludes(lines);
-  app.add_flag("--loops", o.loops, "keep every branch where vessels split and rejoin")->excludes(lines);
+  app.add_flag("--cut-ends", o.cut_ends,
+               "cut vessels open that end in domes (by itself where a closed surface has no other end)");
+  app.add_option("--keep-end", o.blind_ends, "X,Y,Z (repeatable): the round end nearest to this point stays closed")
+      ->expected(1)
+      ->take_all()
+      ->check(command_line::is_point());
+  app.add_option("--openings", o.openings, "number of openings that there have to be; with others nothing is meshed")
+      ->check(CLI::Range(1, 1000000));
+  app.add_flag("--allow-single-opening", o.single_opening,
+               "mesh vessels that have one opening, and end blind otherwise");
+  auto* loops = app.add_flag("--loops", o.loops,
+                             "keep every branch where vessels split and rejoin, as is done by default where they do")
+                    ->excludes(lines);
+  app.add_flag("--no-loops", o.no_loops, "follow shortest paths alone where vessels split and rejoin")
+      ->excludes(lines)
+      ->excludes(loops);
   for (const char* ends : {"--centerlines", "--outlet", "--seeds"})
     app.get_option("--flow-extensions")->excludes(app.get_option(ends));
+}
+
+inline void declare_size_options(CLI::App& app, Options& o) {
+  app.add_option("--elements", o.elements,
+                 "about how many cells (of a surface, faces) the mesh is to have, within a tenth: N is found for it")
+      ->check(in_range(10, 1e10))
+      ->excludes("--points-per-circumference");
+  app.add_option("--refine", o.refined_balls,
+                 "X,Y,Z,RADIUS,FACTOR (repeatable): in this ball mesh sizes are divided by the factor")
+      ->expected(1)
+      ->take_all()
+      ->check(command_line::is_refinement<5>("X,Y,Z,RADIUS,FACTOR"));
+  app.add_option("--refine-branch", o.refined_branches,
+                 "K,FACTOR (repeatable): the same in branch K, as -v and --report number them, from 0")
+      ->expected(1)
+      ->take_all()
+      ->check(command_line::is_refinement<2>("K,FACTOR"));
+  app.add_option("--size-array", o.size_array,
+                 "point array of the surface: the mesh size there, in place of h; where it is not above 0, h");
+}
+
+inline void declare_name_options(CLI::App& app, Options& o) {
+  app.add_option("--faces", o.faces,
+                 "cell array of the surface whose integers say which face is the wall and which are ends (default: "
+                 "ModelFaceID, CapID, CellEntityIds or patch; solids of .stl, groups of .obj and .msh)");
+  app.add_option("--rename", o.renames, "NAME=NEW (repeatable): name a patch otherwise")
+      ->expected(1)
+      ->take_all()
+      ->check(command_line::is_renaming());
 }
 
 inline void declare_options(CLI::App& app, Options& o, const std::string& version) {
@@ -126,7 +193,7 @@ inline void declare_options(CLI::App& app, Options& o, const std::string& versio
                   "centerlines.\nLengths are in the unit of the surface.");
   app.footer(std::string(command_line::exit_statuses()) + "\nNothing is written unless all of it is whole.");
   app.set_version_flag("--version", version);
-  app.add_option("surface", o.surface, "surface: .stl .off .obj .ply .vtp .vtk .msh")->required();
+  app.add_option("surface", o.surface, "surface: .stl .off .obj .ply .vtp .vtu .vtk .msh .mesh")->required();
   app.add_option("-o,--output", o.output,
                  "mesh to write: .vtu .msh .mesh .inp; a surface: .stl .vtp .msh .ply .off .obj .vtk")
       ->required();
@@ -149,18 +216,22 @@ inline void declare_options(CLI::App& app, Options& o, const std::string& versio
   app.add_option("--gradation", o.gradation, "largest ratio of the sizes of neighbours")
       ->capture_default_str()
       ->check(in_range(1, 1e4));
+  declare_size_options(app, o);
+  app.add_flag("--preserve-volume,!--no-preserve-volume", o.preserve_volume,
+               "move the wall outward by so much that mesh and openings have the surface's volume and areas, not those "
+               "of facets inside of it (default: yes)");
   declare_mesher_options(app, o);
   declare_layer_options(app, o);
   declare_metric_options(app, o);
   declare_surface_options(app, o);
   declare_centerline_options(app, o);
+  declare_name_options(app, o);
   app.add_option("--report", o.report, "write the summary to this .json file");
   app.add_option("--write-surface", o.surface_output,
                  "write the closed, labelled surface, as it is meshed by the parametric mesher, else as it came: .stl "
                  ".vtp .msh .ply .off .obj .vtk");
   app.add_option("--write-centerlines", o.centerlines_output, "write the branches and their radii: .vtp .vtk");
-  app.add_option("--threads", o.threads,
-                 "number of threads, on which results do not depend (default: all cores)")
+  app.add_option("--threads", o.threads, "number of threads, on which results do not depend (default: all cores)")
       ->check(CLI::Range(0, 1024));
   auto* verbose = app.add_flag("-v,--verbose", o.verbose, "say more: the branches, a histogram of the quality");
   app.add_flag("-q,--quiet", o.quiet, "print errors only")->excludes(verbose);

@@ -5,6 +5,8 @@
 
 #include "Run_report.h"
 #include "Stage_clock.h"
+#include "parts.h"
+#include "renames.h"
 #include "stages.h"
 
 #include <CGAL/Tubular_meshing/IO/write_centerlines.h>
@@ -16,14 +18,20 @@
 #include <cstdio>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace tubular = CGAL::Tubular_meshing;
 
 namespace {
 
-void write_surface(tubular::IO::Output_file& file, const tubular::Remeshed_surface& surface) {
-  const auto labels = tubular::parameters::face_patch_map(surface.patch).surface_patch_map(surface.patch_of_face);
+// Names are written where they came with the input, or were given.
+void write_surface(tubular::IO::Output_file& file, const tubular::Remeshed_surface& surface,
+                   const tubular::Tubular_model& model) {
+  const auto labels = tubular::parameters::face_patch_map(surface.patch)
+                          .surface_patch_map(surface.patch_of_face)
+                          .patch_names(model.patch_names)
+                          .patch_ids(model.patch_ids);
   if (surface.metrics.empty())
     return tubular::IO::write_surface(file, surface.surface, labels);
   typedef tubular::Surface::Vertex_index Vertex;
@@ -39,13 +47,15 @@ void write(const Run& run, Run_report& report, Stage_clock& clock) {
     files.emplace_back(new tubular::IO::Output_file(name));
     return *files.back();
   };
-  o.makes_surface_only() ? write_surface(open(o.output), run.surface)
+  o.makes_surface_only() ? write_surface(open(o.output), run.surface, run.model)
                          : tubular::IO::write_mesh(open(o.output), run.mesh);
   if (!o.surface_output.empty() && run.surface.surface.number_of_faces() > 0)
-    write_surface(open(o.surface_output), run.surface);
+    write_surface(open(o.surface_output), run.surface, run.model);
   else if (!o.surface_output.empty())
     tubular::IO::write_surface(open(o.surface_output), run.model.surface,
-                               tubular::parameters::face_patch_map(run.model.patch));
+                               tubular::parameters::face_patch_map(run.model.patch)
+                                   .patch_names(run.model.patch_names)
+                                   .patch_ids(run.model.patch_ids));
   if (!o.centerlines_output.empty())
     tubular::IO::write_centerlines(open(o.centerlines_output), run.model.centerlines);
   clock.finish();
@@ -66,11 +76,18 @@ void execute(const Options& options, const std::string& version) {
   Run run;
   run.options = options;
   run.version = version;
-  tubular::Surface surface = read_surface(run, clock);
-  extend_openings(run, surface, clock);
-  prepare_model(run, surface, clock);
-  make_mesh(run, clock);
-  add_wall(run, clock);
+  std::vector<Part> parts = split(run, read_surface(run, clock));
+  for (Part& part : parts) {
+    cut_ends(part.run, part.surface, clock);
+    extend_openings(part.run, part.surface, clock);
+    prepare_model(part.run, part.surface, clock);
+  }
+  check_number_of_openings(run, parts);
+  distribute_branches(run, parts);
+  rename_patches(run, parts);
+  make_meshes(parts, clock);
+  join(run, std::move(parts));
+  rename_wall_patches(run);
   clock.begin("report");
   Run_report report(run);
   clock.begin("write");

@@ -6,16 +6,24 @@
 #include "../command_line/Points.h"
 
 #include <CGAL/Tubular_meshing/Centerlines/Centerline_field.h>
+#include <CGAL/Tubular_meshing/Centerlines/Wall_distance.h>
+#include <CGAL/Tubular_meshing/Fields/Local_radius.h>
 #include <CGAL/Tubular_meshing/IO/read_centerlines.h>
 #include <CGAL/Tubular_meshing/IO/read_surface.h>
 #include <CGAL/Tubular_meshing/Layers/extrude_wall.h>
+#include <CGAL/Tubular_meshing/Openings/cut_round_ends.h>
 #include <CGAL/Tubular_meshing/Openings/flow_extensions.h>
+#include <CGAL/Tubular_meshing/Openings/labelled_ends.h>
 #include <CGAL/Tubular_meshing/Openings/openings.h>
 #include <CGAL/Tubular_meshing/Patches/surface_to_mixed_mesh.h>
+#include <CGAL/Tubular_meshing/Pipelines/Element_target.h>
+#include <CGAL/Tubular_meshing/Repair/carry_labels.h>
 #include <CGAL/Tubular_meshing/Repair/repair_surface.h>
+#include <CGAL/Tubular_meshing/base/exceptions.h>
+#include <CGAL/Tubular_meshing/base/labels.h>
 
-#include <array>
 #include <cstddef>
+#include <deque>
 #include <string>
 #include <vector>
 
@@ -38,41 +46,79 @@ tubular::Volume_mesher volume_mesher(const Options& o) {
                                      : tubular::Volume_mesher::mesh_3;
 }
 
-// Where the centerlines that are to be computed begin and end, beside the openings.
-std::vector<Point_3> seeds_of(const Options& o) {
-  if (!o.seeds.empty())
-    return command_line::read_points(o.seeds);
-  std::vector<Point_3> seeds;
-  if (o.outlets.empty())
-    return seeds;
-  seeds.push_back(point_of(o.inlet));
-  for (const std::string& p : o.outlets)
-    seeds.push_back(point_of(p));
-  return seeds;
+// The inlet's name, where it is not given by a point.
+std::string name_of_inlet(const Options& o) {
+  Point_3 point;
+  return command_line::parse_point(o.inlet, point) ? std::string() : o.inlet;
+}
+
+std::vector<Point_3> points_of(const std::vector<std::string>& texts) {
+  std::vector<Point_3> points;
+  for (const std::string& text : texts)
+    points.push_back(point_of(text));
+  return points;
+}
+
+// Without the inlet, where it has a name.
+Named_points named_points(const Options& o) {
+  Named_points points;
+  Point_3 inlet;
+  if (command_line::parse_point(o.inlet, inlet))
+    points.inlet = inlet;
+  points.blind_ends = points_of(o.blind_ends);
+  points.ends = o.seeds.empty() ? points_of(o.outlets) : command_line::read_points(o.seeds);
+  return points;
+}
+
+// The inlet, which a label may name, comes before the outlets.
+void begin_at_inlet(Run& run) {
+  Named_points& points = run.points;
+  if (!points.inlet && run.labels.inlet != tubular::Labelled_ends::none)
+    points.inlet = run.labels.ends[run.labels.inlet].center;
+  if (!run.options.outlets.empty() && points.inlet)
+    points.ends.insert(points.ends.begin(), *points.inlet);
+}
+
+// That are openings whatever their size.
+std::vector<Point_3> points_at_openings(const Named_points& points) {
+  std::vector<Point_3> all = points.ends;
+  if (points.inlet)
+    all.push_back(*points.inlet);
+  return all;
+}
+
+std::size_t number_of_parts(const Options& o) {
+  return o.parts == "all" ? 0 : o.parts == "largest" ? 1 : std::size_t(std::stoul(o.parts));
 }
 
 tubular::Tubular_model with_computed_centerlines(const Run& run, const tubular::Surface& surface) {
-  const auto np = tubular::parameters::loops(run.options.loops).seeds(seeds_of(run.options));
+  const auto np = tubular::parameters::loops(!run.options.no_loops)
+                      .seeds(run.points.ends)
+                      .blind_ends(run.points.blind_ends)
+                      .single_opening(run.options.single_opening)
+                      .labelled_ends(run.labels);
   if (!run.extensions.openings.empty()) // the inlet has moved
     return tubular::make_tubular_model(surface, np.inlet(run.extensions.openings.front().center));
-  if (!run.options.inlet.empty())
-    return tubular::make_tubular_model(surface, np.inlet(point_of(run.options.inlet)));
+  if (run.points.inlet)
+    return tubular::make_tubular_model(surface, np.inlet(*run.points.inlet));
   return tubular::make_tubular_model(surface, np);
 }
 
-tubular::Tubular_model with_given_centerlines(const Run& run, const tubular::Surface& surface,
-                                              const tubular::Centerline_polylines& lines) {
-  if (run.options.inlet.empty())
-    return tubular::make_tubular_model(surface, lines);
-  return tubular::make_tubular_model(surface, lines, tubular::parameters::inlet(point_of(run.options.inlet)));
+tubular::Tubular_model with_given_centerlines(const Run& run, const tubular::Surface& surface) {
+  const auto np = tubular::parameters::labelled_ends(run.labels);
+  if (!run.points.inlet)
+    return tubular::make_tubular_model(surface, run.lines, np);
+  return tubular::make_tubular_model(surface, run.lines, np.inlet(*run.points.inlet));
 }
 
 // All that meshers take: each type of mesh reads what matters to it.
-auto mesher_parameters(const Options& o, Stage_clock& clock) {
+auto mesher_parameters(const Run& run, Stage_clock& clock) {
+  const Options& o = run.options;
   return tubular::parameters::points_per_circumference(o.points_per_circumference)
       .min_size(o.min_size)
       .max_size(o.max_size)
       .gradation(o.gradation)
+      .size_requests(run.sizes)
       .surface_mesher(o.meshes_patches() ? tubular::Surface_mesher::parametric : tubular::Surface_mesher::mesh_3)
       .volume_mesher(volume_mesher(o))
       .in_child_process(true)
@@ -82,6 +128,7 @@ auto mesher_parameters(const Options& o, Stage_clock& clock) {
       .growth(o.growth)
       .smoothing_ratio(o.smoothing_ratio)
       .curvature_points(o.curvature_points)
+      .preserve_volume(o.preserve_volume)
       .number_of_threads(o.threads)
       .observer([&clock](const char* stage) { clock.begin(stage); });
 }
@@ -93,57 +140,64 @@ tubular::Surface_elements surface_elements(const Options& o) {
 }
 
 // The surface as a mesh that has no cells, for the report.
-tubular::Mixed_mesh without_cells(const tubular::Remeshed_surface& surface, std::size_t number_of_openings) {
+tubular::Mixed_mesh without_cells(const tubular::Remeshed_surface& surface, const tubular::Tubular_model& model) {
   tubular::Mixed_mesh mesh;
   tubular::surface_to_mixed_mesh(surface, mesh);
-  mesh.patch_names = tubular::lumen_patch_names(int(number_of_openings));
+  mesh.patch_names = tubular::patch_names(model);
+  mesh.patch_ids = model.patch_ids;
   return mesh;
 }
 
-} // namespace
-
-tubular::Surface read_surface(Run& run, Stage_clock& clock) {
-  clock.begin("read");
-  std::vector<Point_3> points;
-  std::vector<std::array<std::size_t, 3>> triangles;
-  tubular::IO::read_triangle_soup(run.options.surface, points, triangles);
-  clock.begin("repair");
-  tubular::Surface surface;
-  run.repairs =
-      tubular::repair_surface(points, triangles, surface,
-                              tubular::parameters::repair_mode(repair_mode(run.options)).smooth(run.options.smooth));
-  return surface;
+// The surface is opened where its labels say that vessels end; they say which end is which.
+void open_labelled_ends(Run& run, const tubular::IO::Surface_data& data, tubular::Surface& surface) {
+  const std::string inlet = name_of_inlet(run.options);
+  if (!inlet.empty() && data.labels.empty())
+    throw tubular::Parameter_error("No end of the surface is called \"" + inlet +
+                                   "\": its file has no names or numbers of faces; give a point, X,Y,Z.");
+  if (data.labels.empty())
+    return;
+  tubular::Face_patch_map label = surface.add_property_map<tubular::Surface::Face_index, int>("f:input_label", 0).first;
+  tubular::carry_labels(data.points, data.triangles, data.labels.label, surface, label);
+  tubular::Labelled_ends_options options;
+  options.label_names = data.labels.names;
+  options.label_source = data.labels.source;
+  options.wall_label = data.labels.wall;
+  options.inlet_name = inlet;
+  run.labels = tubular::internal::open_labelled_ends(surface, label, options);
+  run.labels.array = data.labels.array;
+  surface.remove_property_map(label);
 }
 
-void extend_openings(Run& run, tubular::Surface& surface, Stage_clock& clock) {
-  const Options& o = run.options;
-  if (!(o.flow_extensions > 0))
-    return;
-  clock.begin("flow extensions");
-  run.extensions.openings = o.inlet.empty()
-                                ? tubular::find_openings(surface)
-                                : tubular::find_openings(surface, tubular::parameters::inlet(point_of(o.inlet)));
-  run.extensions.lengths = tubular::add_flow_extensions(surface, run.extensions.openings,
-                                                        tubular::parameters::extension_length(o.flow_extensions));
-}
-
-void prepare_model(Run& run, const tubular::Surface& surface, Stage_clock& clock) {
-  if (run.options.centerlines.empty()) {
-    clock.begin("centerlines");
-    run.model = with_computed_centerlines(run, surface);
-    return;
+// Sizes that are asked for by place, by branch, and by an array of the surface's file.
+tubular::Size_requests size_requests(const Options& o, const tubular::IO::Surface_data& data) {
+  tubular::Size_requests sizes;
+  for (const std::string& text : o.refined_balls) {
+    const auto x = command_line::numbers_of<5>(text);
+    sizes.balls.push_back({Point_3(x[0], x[1], x[2]), x[3], x[4]});
   }
-  tubular::Centerline_polylines lines;
-  tubular::IO::read_centerlines(run.options.centerlines, lines);
-  clock.begin("branches, openings");
-  run.model = with_given_centerlines(run, surface, lines);
+  for (const std::string& text : o.refined_branches) {
+    const auto x = command_line::numbers_of<2>(text);
+    sizes.branches.push_back({std::size_t(x[0]), x[1]});
+  }
+  if (o.size_array.empty())
+    return sizes;
+  const auto array = data.point_arrays.find(o.size_array);
+  if (array == data.point_arrays.end()) {
+    std::string known;
+    for (const auto& a : data.point_arrays)
+      known += (known.empty() ? "" : ", ") + a.first;
+    throw tubular::Input_error("The surface has no point array \"" + o.size_array + "\" of one number a point" +
+                               (known.empty() ? ", nor any other." : "; it has " + known + "."));
+  }
+  tubular::request_sizes(data.points, data.triangles, array->second, sizes);
+  return sizes;
 }
 
-void make_mesh(Run& run, Stage_clock& clock) {
-  tubular::Mesher mesher(run.model, mesher_parameters(run.options, clock));
+void make_mesh(Run& run, tubular::Mesher& mesher) {
   if (run.options.makes_surface_only()) {
     run.surface = mesher.surface(surface_elements(run.options));
-    run.mesh = without_cells(run.surface, run.model.openings.size());
+    run.meshing = mesher.report();
+    run.mesh = without_cells(run.surface, run.model);
     return;
   }
   run.mesh = run.options.is_anisotropic() ? mesher.anisotropic()
@@ -158,8 +212,11 @@ void add_wall(Run& run, Stage_clock& clock) {
   if (!o.has_wall())
     return;
   clock.begin("wall");
+  const tubular::Local_radius radius(tubular::Centerline_field(run.model.centerlines),
+                                     tubular::Wall_distance(run.model.surface, run.model.patch, tubular::labels::wall),
+                                     tubular::parameters::number_of_threads(o.threads));
   const auto or_as_the_wall = [](auto given, auto of_the_wall) { return given > 0 ? given : of_the_wall; };
-  run.wall = tubular::extrude_wall(run.mesh, tubular::Centerline_field(run.model.centerlines),
+  run.wall = tubular::extrude_wall(run.mesh, radius,
                                    tubular::parameters::wall_thickness(o.wall.thickness)
                                        .wall_layers(o.wall.number)
                                        .wall_growth(o.wall.growth)
@@ -168,4 +225,111 @@ void add_wall(Run& run, Stage_clock& clock) {
                                        .second_wall_layers(or_as_the_wall(o.second_wall.number, o.wall.number))
                                        .second_wall_growth(or_as_the_wall(o.second_wall.growth, o.wall.growth))
                                        .number_of_threads(o.threads));
+}
+
+std::size_t number_of_elements(const Run& run) {
+  return run.options.makes_surface_only() ? std::size_t(run.surface.surface.number_of_faces())
+                                          : run.mesh.number_of_cells();
+}
+
+} // namespace
+
+tubular::Surface read_surface(Run& run, Stage_clock& clock) {
+  const Options& o = run.options;
+  clock.begin("read");
+  const tubular::IO::Surface_data data = tubular::IO::read_surface_data(o.surface, o.faces);
+  run.notes = data.notes;
+  run.points = named_points(o);
+  clock.begin("repair");
+  tubular::Surface surface;
+  run.repairs = tubular::repair_surface(data.points, data.triangles, surface,
+                                        tubular::parameters::repair_mode(repair_mode(o))
+                                            .smooth(o.smooth)
+                                            .number_of_parts(number_of_parts(o))
+                                            .filled_holes(points_of(o.filled_holes))
+                                            .kept_openings(points_at_openings(run.points)));
+  open_labelled_ends(run, data, surface);
+  begin_at_inlet(run);
+  run.sizes = size_requests(o, data);
+  if (!o.centerlines.empty())
+    tubular::IO::read_centerlines(o.centerlines, run.lines);
+  return surface;
+}
+
+void cut_ends(Run& run, tubular::Surface& surface, Stage_clock& clock) {
+  const Options& o = run.options;
+  if (o.cut_ends) {
+    clock.begin("ends");
+    run.round_ends = tubular::cut_round_ends(
+        surface, tubular::parameters::ends_to_cut(run.points.ends).blind_ends(run.points.blind_ends));
+  } else if (o.flow_extensions > 0) { // else the model does it
+    clock.begin("ends");
+    run.round_ends = tubular::open_round_ends(surface, run.points.ends, run.points.blind_ends);
+  } else
+    return;
+  if (!run.points.ends.empty()) { // there are openings at all of them now
+    run.points.inlet = run.points.ends.front();
+    run.points.ends.clear();
+  }
+}
+
+void extend_openings(Run& run, tubular::Surface& surface, Stage_clock& clock) {
+  const Options& o = run.options;
+  if (!(o.flow_extensions > 0))
+    return;
+  clock.begin("flow extensions");
+  run.extensions.openings = run.points.inlet
+                                ? tubular::find_openings(surface, tubular::parameters::inlet(*run.points.inlet))
+                                : tubular::find_openings(surface);
+  const std::vector<std::size_t> end_of = run.labels.match(run.extensions.openings);
+  run.extensions.lengths = tubular::add_flow_extensions(surface, run.extensions.openings,
+                                                        tubular::parameters::extension_length(o.flow_extensions));
+  for (std::size_t i = 0; i < end_of.size(); ++i)
+    if (end_of[i] != tubular::Labelled_ends::none)
+      run.labels.ends[end_of[i]].center = run.extensions.openings[i].center;
+}
+
+void prepare_model(Run& run, const tubular::Surface& surface, Stage_clock& clock) {
+  const bool are_given = !run.lines.lines.empty();
+  clock.begin(are_given ? "branches, openings" : "centerlines");
+  run.model = are_given ? with_given_centerlines(run, surface) : with_computed_centerlines(run, surface);
+  const auto& ends = run.model.round_ends;
+  run.round_ends.insert(run.round_ends.end(), ends.begin(), ends.end());
+}
+
+void make_meshes(std::vector<Part>& parts, Stage_clock& clock) {
+  std::deque<tubular::Mesher> meshers;
+  for (Part& part : parts)
+    meshers.emplace_back(part.run.model, mesher_parameters(part.run, clock));
+  const auto make_all = [&] {
+    std::size_t elements = 0;
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+      make_mesh(parts[k].run, meshers[k]);
+      add_wall(parts[k].run, clock);
+      elements += number_of_elements(parts[k].run);
+    }
+    return elements;
+  };
+  const Options& o = parts.front().run.options;
+  if (o.elements == 0) {
+    make_all();
+    return;
+  }
+  double estimate = 0;
+  for (tubular::Mesher& mesher : meshers)
+    estimate += mesher.estimated_number_of_tetrahedra();
+  const auto first =
+      o.is_anisotropic() ? tubular::Element_target::first_points_of_layers : tubular::Element_target::first_points;
+  const double power = o.makes_surface_only() ? 2
+                       : o.is_anisotropic()   ? tubular::Element_target::power_of_layers
+                                              : 3;
+  tubular::Element_target target(o.elements, first(o.elements, o.points_per_circumference, estimate), power);
+  for (;;) {
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+      parts[k].run.options.points_per_circumference = target.points();
+      meshers[k].set_points_per_circumference(target.points());
+    }
+    if (target.add(make_all()))
+      return;
+  }
 }

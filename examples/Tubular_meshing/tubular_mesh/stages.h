@@ -6,23 +6,24 @@
 
 #include "Run.h"
 #include "Stage_clock.h"
+#include "parts.h"
 
-#include <string>
+#include <vector>
 
 /* The stages of a run, in their order; each reads what the ones before it left in the run. */
 
-// The surface of the file, repaired.
+// The surface of the file, repaired, and open where labels say that vessels end.
 CGAL::Tubular_meshing::Surface read_surface(Run& run, Stage_clock& clock);
+
+// Cuts round ends open where that cannot wait for the model.
+void cut_ends(Run& run, CGAL::Tubular_meshing::Surface& surface, Stage_clock& clock);
 
 void extend_openings(Run& run, CGAL::Tubular_meshing::Surface& surface, Stage_clock& clock);
 
 // The surface with its openings, and its centerlines, given or computed.
 void prepare_model(Run& run, const CGAL::Tubular_meshing::Surface& surface, Stage_clock& clock);
 
-// The surface mesh alone, or the cells of the lumen.
-void make_mesh(Run& run, Stage_clock& clock);
-
-// The walls around it.
-void add_wall(Run& run, Stage_clock& clock);
+// Of each vessel the surface mesh alone, or the cells of the lumen and the walls around it.
+void make_meshes(std::vector<Part>& parts, Stage_clock& clock);
 
 #endif // TUBULAR_MESH_STAGES_H

@@ -94,6 +94,10 @@ public:
    * \throws Input_error if there is no such node */
   void direct_from(size_type node);
 
+  /*! The same for several components: each that contains one of the nodes is directed away from it; the first is the
+   * root. \throws Input_error if there is no such node, or none at all */
+  void direct_from(const std::vector<size_type>& nodes);
+
   /// Whether indices, directions, lengths and links of all parts agree with each other. O(n).
   bool is_consistent() const;
 

@@ -54,12 +54,21 @@ CGAL_TUBULAR_MESHING_INLINE void Centerline_graph::set_radii(std::vector<double>
 }
 
 CGAL_TUBULAR_MESHING_INLINE void Centerline_graph::direct_from(size_type node) {
-  if (node >= nodes_.size())
-    throw Input_error("The centerlines have no node " + std::to_string(node) + "; they have " +
-                      std::to_string(nodes_.size()) + ".");
-  root_ = node;
+  direct_from(std::vector<size_type>(1, node));
+}
+
+CGAL_TUBULAR_MESHING_INLINE void Centerline_graph::direct_from(const std::vector<size_type>& nodes) {
+  if (nodes.empty())
+    throw Input_error("There is no node from which the centerlines are to be directed.");
+  for (size_type node : nodes)
+    if (node >= nodes_.size())
+      throw Input_error("The centerlines have no node " + std::to_string(node) + "; they have " +
+                        std::to_string(nodes_.size()) + ".");
+  root_ = nodes.front();
   std::vector<bool> node_found(nodes_.size(), false), branch_done(branches_.size(), false);
-  direct_component(node, node_found, branch_done);
+  for (size_type node : nodes)
+    if (!node_found[node])
+      direct_component(node, node_found, branch_done);
   for (size_type other : nodes_by_eligibility())
     if (!node_found[other])
       direct_component(other, node_found, branch_done);

@@ -12,6 +12,7 @@
 #include <CGAL/Named_function_parameters.h>
 
 #include <array>
+#include <cstddef>
 #include <memory>
 #include <vector>
 
@@ -79,6 +80,21 @@ public:
 
   /// The point of the wall that is nearest to `x`.
   Point_3 closest_point(const Point_3& x) const;
+
+  /// A point of the wall, and the triangle it is on.
+  struct Place {
+    Point_3 point;
+    std::size_t triangle;
+  };
+
+  /// The point of the wall that is nearest to `x`, with its triangle.
+  Place closest_place(const Point_3& x) const;
+
+  /// The number of the wall's triangles, those without an area left out.
+  std::size_t number_of_triangles() const;
+
+  /// The corners of a triangle, in the order in which they were given.
+  std::array<Point_3, 3> triangle(std::size_t i) const;
 
   /// The box of the wall.
   CGAL::Bbox_3 bbox() const;

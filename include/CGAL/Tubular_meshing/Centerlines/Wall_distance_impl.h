@@ -8,8 +8,11 @@
 #include <CGAL/Tubular_meshing/base/Nearest_tree.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <utility>
+#include <vector>
 
 namespace CGAL::Tubular_meshing {
 
@@ -39,6 +42,23 @@ CGAL_TUBULAR_MESHING_INLINE double Wall_distance::operator()(const Point_3& x) c
 CGAL_TUBULAR_MESHING_INLINE Point_3 Wall_distance::closest_point(const Point_3& x) const {
   const internal::Double_kernel::Point_3 p = impl_->tree.nearest(internal::to_double_point(x)).point;
   return Point_3(p.x(), p.y(), p.z());
+}
+
+CGAL_TUBULAR_MESHING_INLINE Wall_distance::Place Wall_distance::closest_place(const Point_3& x) const {
+  const auto found = impl_->tree.nearest(internal::to_double_point(x));
+  // a point whose coordinates are not numbers has no nearest triangle: any will do
+  const std::size_t i = found.index < impl_->tree.size() ? found.index : 0;
+  return Place{Point_3(found.point.x(), found.point.y(), found.point.z()), i};
+}
+
+CGAL_TUBULAR_MESHING_INLINE std::size_t Wall_distance::number_of_triangles() const {
+  return impl_->tree.size();
+}
+
+CGAL_TUBULAR_MESHING_INLINE std::array<Point_3, 3> Wall_distance::triangle(std::size_t i) const {
+  const auto& t = impl_->tree.shape(i);
+  const auto point = [&](int k) { return Point_3(t[k].x(), t[k].y(), t[k].z()); };
+  return {point(0), point(1), point(2)};
 }
 
 CGAL_TUBULAR_MESHING_INLINE CGAL::Bbox_3 Wall_distance::bbox() const {

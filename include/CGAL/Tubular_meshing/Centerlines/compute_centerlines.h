@@ -25,13 +25,13 @@ namespace CGAL::Tubular_meshing {
  * The options of compute_centerlines(): its named parameters.
  */
 struct Compute_centerlines_options {
-  bool loops = false;           ///< whether vessels that split and rejoin keep all their branches
+  bool loops = true;            ///< whether vessels that split and rejoin keep all their branches
   double merge_tolerance = 0.1; ///< see build_centerline_graph()
 
   Compute_centerlines_options() = default;
   template <class NamedParameters>
   explicit Compute_centerlines_options(const NamedParameters& np)
-      : loops(internal::choose(np, internal_np::loops, false))
+      : loops(internal::choose(np, internal_np::loops, true))
       , merge_tolerance(internal::choose(np, internal_np::merge_tolerance, 0.1)) {}
 };
 
@@ -93,9 +93,9 @@ void compute_centerlines(const Surface& surface, const std::vector<Point_3>& end
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{loops}
  *     \cgalParamDescription{whether vessels that split and rejoin keep all their branches, not only those on a shortest
- *       path}
+ *       path. On a surface of genus 0, whose lumen has no loops, it makes no difference}
  *     \cgalParamType{`bool`}
- *     \cgalParamDefault{`false`}
+ *     \cgalParamDefault{`true`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{merge_tolerance}
  *     \cgalParamDescription{see build_centerline_graph()}

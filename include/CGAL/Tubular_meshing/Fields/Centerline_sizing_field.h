@@ -6,6 +6,8 @@
 
 #include <CGAL/Tubular_meshing/Centerlines/Centerline_field.h>
 #include <CGAL/Tubular_meshing/Centerlines/Wall_distance.h>
+#include <CGAL/Tubular_meshing/Fields/Local_radius.h>
+#include <CGAL/Tubular_meshing/Fields/Size_requests.h>
 #include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/base/config.h>
 #include <CGAL/Tubular_meshing/base/parameters.h>
@@ -33,6 +35,7 @@ struct Centerline_sizing_field_options {
   double min_size = 0;
   double max_size = (std::numeric_limits<double>::infinity)();
   double gradation = 1.3;
+  Size_requests size_requests;
   int number_of_threads = 0;
 
   Centerline_sizing_field_options() = default;
@@ -41,6 +44,7 @@ struct Centerline_sizing_field_options {
     min_size = internal::choose(np, internal_np::min_size, min_size);
     max_size = internal::choose(np, internal_np::max_size, max_size);
     gradation = internal::choose(np, internal_np::gradation, gradation);
+    size_requests = internal::choose(np, internal_np::size_requests, size_requests);
     number_of_threads = internal::choose(np, internal_np::number_of_threads, number_of_threads);
   }
 };
@@ -50,12 +54,14 @@ struct Centerline_sizing_field_options {
  * The mesh size that gives every vessel the same number of points round its circumference: h = 2 π r / N, r the local
  * radius, growing no faster from one element to the next than the gradation allows.
  *
- * The radius is that of the centerline at the nearest wall point, or that wall point's own distance to the centerline
- * where this is larger: the sac of an aneurysm is meshed at its own size, not at that of the vessel it sits on.
+ * The radius is the Local_radius at the nearest wall point. On a plain branch this is the radius of the centerline, or
+ * that wall point's own distance to the centerline where this is larger. Elsewhere it is that of the largest ball in
+ * the lumen that touches the wall there: the sac of an aneurysm, its neck, and a communicating vessel that no
+ * centerline follows have N points round themselves, not round the vessel that the nearest centerline is in.
  *
  * The field is sampled once, on an octree whose leaves are as large as the local radius allows; afterwards it depends
  * on nothing that it was built from, and copies share it. Building takes O(n log n) in the number n of leaves, which is
- * proportional to the length of the tree over its radius; a query takes about 0.1 µs, allocates nothing, and is safe
+ * proportional to the length of the tree over its radius, and in that of the wall's triangles; a query takes about 0.1 µs, allocates nothing, and is safe
  * from several threads.
  *
  * \cgalModels `MeshDomainField_3`, so it can be given to `Mesh_criteria_3` as it is.
@@ -91,6 +97,11 @@ public:
    *     \cgalParamType{`double`}
    *     \cgalParamDefault{1.3}
    *   \cgalParamNEnd
+   *   \cgalParamNBegin{size_requests}
+   *     \cgalParamDescription{where the mesh is to be finer or coarser, and sizes given on the surface}
+   *     \cgalParamType{Size_requests}
+   *     \cgalParamDefault{none}
+   *   \cgalParamNEnd
    *   \cgalParamNBegin{number_of_threads}
    *     \cgalParamDescription{0 takes all cores}
    *     \cgalParamType{`int`}
@@ -108,6 +119,16 @@ public:
   /*! The same, with options in a struct. */
   Centerline_sizing_field(const Centerline_field& centerlines, const Wall_distance& wall,
                           const Centerline_sizing_field_options& options);
+
+  /*! By a local radius that is there already, as other fields or layers share it.
+   * \throws Parameter_error as above */
+  template <class NamedParameters = CGAL::parameters::Default_named_parameters>
+  explicit Centerline_sizing_field(const Local_radius& radius,
+                                   const NamedParameters& np = CGAL::parameters::default_values())
+      : Centerline_sizing_field(radius, Centerline_sizing_field_options(np)) {}
+
+  /*! The same, with options in a struct. */
+  Centerline_sizing_field(const Local_radius& radius, const Centerline_sizing_field_options& options);
 
   /// The mesh size at a point, a length in the unit of the surface.
   FT operator()(const Point_3& p) const { return size(p.x(), p.y(), p.z()); }

@@ -5,6 +5,7 @@
 #define CGAL_TUBULAR_MESHING_FIELDS_CENTERLINE_SIZING_FIELD_IMPL_H
 
 #include <CGAL/Tubular_meshing/Fields/Centerline_sizing_field.h>
+#include <CGAL/Tubular_meshing/Fields/Local_radius.h>
 #include <CGAL/Tubular_meshing/Fields/internal/Size_octree.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 
@@ -28,24 +29,43 @@ inline void check(const Centerline_sizing_field_options& o) {
                           ": give the largest ratio of the sizes of neighboring elements, at least 1; 1.3 is usual.");
 }
 
+inline Shape_radius_options on_threads(int number_of_threads) {
+  Shape_radius_options options;
+  options.number_of_threads = number_of_threads;
+  return options;
+}
+
 } // namespace internal
 
 CGAL_TUBULAR_MESHING_INLINE
 Centerline_sizing_field::Centerline_sizing_field(const Centerline_field& centerlines, const Wall_distance& wall,
+                                                 const Centerline_sizing_field_options& options)
+    : Centerline_sizing_field(
+          (internal::check(options), Local_radius(centerlines, wall, internal::on_threads(options.number_of_threads))),
+          options) {}
+
+CGAL_TUBULAR_MESHING_INLINE
+Centerline_sizing_field::Centerline_sizing_field(const Local_radius& local,
                                                  const Centerline_sizing_field_options& options) {
   internal::check(options);
   const double leaf_per_radius = 0.8;
-  const auto sample = [&](const internal::Size_octree::Position& x) {
-    const Point_3 p(x[0], x[1], x[2]), on_wall = wall.closest_point(p);
-    const auto d = centerlines.descriptors(on_wall);
-    const double radius = (std::max)(d.radius, d.distance);
-    const double size = (std::min)(
-        (std::max)(2 * CGAL_PI * radius / options.points_per_circumference, options.min_size), options.max_size);
-    const bool outside = squared_distance(p, d.point) > squared_distance(on_wall, d.point);
-    return internal::Size_octree::Sample{
-        {outside ? std::sqrt(squared_distance(p, on_wall)) : 0, leaf_per_radius * radius}, size};
+  const internal::Requested_sizes requested(options.size_requests);
+  const auto sample = [&](const internal::Size_octree::Position& x, bool with_need) {
+    const Point_3 p(x[0], x[1], x[2]);
+    const Local_radius::Radii r = local.radii(p);
+    const auto& d = r.of_centerline;
+    const double radius = r.combined((std::max)(d.radius, d.distance));
+    const double wanted = requested(p, r.on_wall, d.branch, 2 * CGAL_PI * radius / options.points_per_circumference);
+    const double size = (std::min)((std::max)(wanted, options.min_size), options.max_size);
+    internal::Size_octree::Sample result{{0, 0}, size};
+    if (with_need) {
+      const bool outside = squared_distance(p, d.point) > squared_distance(r.on_wall, d.point);
+      const double width = local.largest_width(p, leaf_per_radius, leaf_per_radius * radius);
+      result.need = {outside ? std::sqrt(squared_distance(p, r.on_wall)) : 0, requested.width(p, width, size)};
+    }
+    return result;
   };
-  octree_ = std::make_shared<const internal::Size_octree>(wall.bbox(), sample, options.gradation - 1,
+  octree_ = std::make_shared<const internal::Size_octree>(local.bbox(), sample, options.gradation - 1,
                                                           options.number_of_threads);
 }
 

@@ -25,6 +25,7 @@ enum class Sag_shape {
 struct Generate_tubular_surface_options {
   double points_per_circumference = 24;
   bool capped_ends = false;
+  bool round_ends = false;
   double noise = 0; ///< of the radius
   unsigned noise_seed = 0;
   double sag = 0; ///< of the radius
@@ -35,6 +36,7 @@ struct Generate_tubular_surface_options {
   explicit Generate_tubular_surface_options(const NamedParameters& np)
       : points_per_circumference(internal::choose(np, internal_np::points_per_circumference, 24.))
       , capped_ends(internal::choose(np, internal_np::capped_ends, false))
+      , round_ends(internal::choose(np, internal_np::round_ends, false))
       , noise(internal::choose(np, internal_np::noise, 0.))
       , noise_seed(internal::choose(np, internal_np::noise_seed, 0u))
       , sag(internal::choose(np, internal_np::sag, 0.))
@@ -71,6 +73,12 @@ Surface generate_tubular_surface(const Tubular_skeleton& skeleton, const Generat
  *   \cgalParamNEnd
  *   \cgalParamNBegin{capped_ends}
  *     \cgalParamDescription{whether ends are closed by planar triangulated caps}
+ *     \cgalParamType{`bool`}
+ *     \cgalParamDefault{`false`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{round_ends}
+ *     \cgalParamDescription{whether ends are closed by half balls around the end nodes, as those of segmented vessels
+ *       are; then there are no openings, and `capped_ends` and `sag` have nothing to do}
  *     \cgalParamType{`bool`}
  *     \cgalParamDefault{`false`}
  *   \cgalParamNEnd

@@ -43,13 +43,14 @@ public:
 
   Surface& mesh() { return mesh_; }
 
-  void make_open_surface(double points_per_circumference) {
+  void make_surface(double points_per_circumference, bool round_ends) {
     // Cells smaller than the radius leave no tube and no gap between tubes unseen; the remeshing does the rest.
     Tetrahedra_marcher(function_, Tubular_octree(function_, 0.9), mesh_);
     Tubular_remesher remesher(function_, ends_, points_per_circumference, mesh_);
     remesher.clean_up_slivers();
     mesh_.collect_garbage();
-    trim_ends(remesher);
+    if (!round_ends)
+      trim_ends(remesher);
     for (int pass = 0; pass < 6; ++pass) {
       mesh_.collect_garbage();
       remesher.pass();
@@ -177,12 +178,12 @@ CGAL_TUBULAR_MESHING_INLINE Surface generate_tubular_surface(const Tubular_skele
   check_range(options.sag, 0, 0.5, "the sag, a fraction of the radius,");
 
   Tubular_surface_generator generator(skeleton);
-  generator.make_open_surface(options.points_per_circumference);
+  generator.make_surface(options.points_per_circumference, options.round_ends);
   if (options.noise > 0)
     generator.add_noise(options.noise, options.noise_seed);
-  if (options.capped_ends)
+  if (options.capped_ends && !options.round_ends)
     generator.cap_ends();
-  if (options.sag > 0)
+  if (options.sag > 0 && !options.round_ends)
     generator.sag_ends(options.sag, options.sag_shape);
   return std::move(generator.mesh());
 }

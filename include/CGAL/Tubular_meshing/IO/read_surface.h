@@ -5,6 +5,7 @@
 #define CGAL_TUBULAR_MESHING_IO_READ_SURFACE_H
 
 #include <CGAL/Tubular_meshing/base/Kernel.h>
+#include <CGAL/Tubular_meshing/base/Surface_labels.h>
 #include <CGAL/Tubular_meshing/base/Triangle_soup.h>
 #include <CGAL/Tubular_meshing/base/config.h>
 #include <CGAL/Tubular_meshing/base/convert_surface.h>
@@ -13,13 +14,27 @@
 
 #include <array>
 #include <cstddef>
+#include <map>
 #include <string>
 #include <vector>
 
 namespace CGAL::Tubular_meshing::IO {
 
+/*! \ingroup PkgTubularMeshingIO
+ *
+ * All that a surface file tells: triangles, as read_triangle_soup() has them; which face is which end; values at its
+ * points. */
+struct Surface_data {
+  std::vector<Point_3> points;
+  std::vector<std::array<std::size_t, 3>> triangles;
+  Surface_labels labels;                                   ///< of the triangles
+  std::map<std::string, std::vector<double>> point_arrays; ///< those of one number a point
+  std::vector<std::string> notes;                          ///< a sentence for each kind of thing that was skipped
+};
+
 namespace internal {
 
+Surface_data read_surface_data(const std::string& file, const std::string& label_array);
 Tubular_meshing::internal::Triangle_soup read_triangle_soup(const std::string& file);
 void read_surface(const std::string& file, Surface& surface);
 
@@ -52,6 +67,25 @@ void read_triangle_soup(const std::string& file, std::vector<Point>& points,
   for (const std::array<double, 3>& p : soup.points)
     points.push_back(Point(p[0], p[1], p[2]));
   triangles.swap(soup.triangles);
+}
+
+/*! \ingroup PkgTubularMeshingIO
+ *
+ * reads the triangles of a surface with their labels, and the arrays at its points.
+ *
+ * Labels are, in this order: the cell array that is asked for; the solids of an ASCII STL file, the groups (`g`, `o`)
+ * of an OBJ file, the physical groups of an MSH file, if there are two at least; a cell array (in PLY files a property
+ * of faces) of two integers at least with one of the names `ModelFaceID` (SimVascular), `CapID` and `CellEntityIds`
+ * (VMTK; the wall is 0 or 1), `patch` (this package; the wall is 1), `gmsh:physical` and `medit:ref` (meshio).
+ *
+ * \param file the name of the file, see read_triangle_soup() for the formats
+ * \param label_array the name of the cell array that is to be the labels; empty: as above
+ *
+ * \exception Input_error as read_triangle_soup() does; if there is no cell array of the name that is asked for, or not
+ *   all of its values are integers
+ */
+inline Surface_data read_surface_data(const std::string& file, const std::string& label_array = "") {
+  return internal::read_surface_data(file, label_array);
 }
 
 /*! \ingroup PkgTubularMeshingIO

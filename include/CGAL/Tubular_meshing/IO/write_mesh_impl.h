@@ -6,6 +6,7 @@
 
 #include <CGAL/Tubular_meshing/IO/write_mesh.h>
 #include <CGAL/Tubular_meshing/IO/internal/Input_file.h>
+#include <CGAL/Tubular_meshing/IO/internal/check_names.h>
 #include <CGAL/Tubular_meshing/IO/internal/write_inp.h>
 #include <CGAL/Tubular_meshing/IO/internal/write_medit.h>
 #include <CGAL/Tubular_meshing/IO/internal/write_msh.h>
@@ -15,14 +16,6 @@
 namespace CGAL::Tubular_meshing::IO {
 
 namespace internal {
-
-inline void check_names(const Label_names& names, const std::string& file) {
-  for (const auto& n : names)
-    for (char c : n.second)
-      if (c == '"' || (c >= 0 && c < ' '))
-        throw Output_error("The file " + quoted(file) + " cannot be written: the name of label " +
-                           std::to_string(n.first) + " contains a quotation mark or a control character; rename it.");
-}
 
 // What every writer relies on.
 inline void check_mesh(const Mixed_mesh& mesh, const std::string& file) {

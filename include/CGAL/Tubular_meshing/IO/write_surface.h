@@ -7,6 +7,7 @@
 #include <CGAL/Tubular_meshing/IO/Output_file.h>
 #include <CGAL/Tubular_meshing/base/config.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
+#include <CGAL/Tubular_meshing/base/labels.h>
 #include <CGAL/Tubular_meshing/base/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -41,6 +42,8 @@ struct Labelled_faces {
   std::vector<std::int32_t> patch;         // one a face, or none
   std::vector<std::int32_t> surface_patch; // likewise
   std::vector<double> metric;              // six a point: xx, xy, xz, yy, yz, zz; or none
+  Label_names patch_names;                 // or none
+  Patch_ids patch_ids;
 };
 
 void write_surface(Output_file& file, const Labelled_faces& surface);
@@ -67,6 +70,8 @@ Labelled_faces labelled_faces(const TriangleMesh& mesh, const NamedParameters& n
                                           get_const_property_map(CGAL::vertex_point, mesh));
 
   Labelled_faces surface;
+  surface.patch_names = Tubular_meshing::internal::choose(np, internal_np::patch_names, surface.patch_names);
+  surface.patch_ids = Tubular_meshing::internal::choose(np, internal_np::patch_ids, surface.patch_ids);
   std::unordered_map<typename Graph::vertex_descriptor, std::size_t> number;
   number.reserve(num_vertices(mesh));
   for (auto v : vertices(mesh)) {
@@ -125,6 +130,19 @@ void write_surface(Output_file& file, const TriangleMesh& mesh,
  *   \cgalParamNBegin{face_patch_map}
  *     \cgalParamDescription{the label of the patch of each face, which is written as cell array `patch` (.vtp, .vtk),
  * face property `patch` (.ply) or physical group (.msh)} \cgalParamType{a readable property map from faces to `int`}
+ *     \cgalParamDefault{none}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{patch_names}
+ *     \cgalParamDescription{the names of these labels, which are written as field data (.vtp, .vtk), comments (.ply),
+ *       groups (.obj), physical groups (.msh) or solids (.stl, which then is ASCII, and keeps coordinates); an .off file
+ *       has no place for them}
+ *     \cgalParamType{`Label_names`}
+ *     \cgalParamDefault{none; in .msh files wall, inlet, outlet_1, …}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{patch_ids}
+ *     \cgalParamDescription{the numbers that patches had in a cell array of the input, which is written beside `patch`
+ *       (.vtp, .vtk)}
+ *     \cgalParamType{`Patch_ids`}
  *     \cgalParamDefault{none}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{surface_patch_map}

@@ -8,6 +8,8 @@
 #include <CGAL/Tubular_meshing/IO/internal/Byte_cursor.h>
 #include <CGAL/Tubular_meshing/IO/internal/Input_file.h>
 #include <CGAL/Tubular_meshing/IO/internal/Number_writer.h>
+#include <CGAL/Tubular_meshing/IO/internal/name_fields.h>
+#include <CGAL/Tubular_meshing/IO/internal/check_names.h>
 #include <CGAL/Tubular_meshing/IO/internal/Polygon_soup.h>
 #include <CGAL/Tubular_meshing/IO/internal/write_msh.h>
 #include <CGAL/Tubular_meshing/IO/internal/write_polydata.h>
@@ -17,18 +19,22 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <map>
 #include <set>
+#include <string>
+#include <vector>
 
 namespace CGAL::Tubular_meshing::IO {
 
 namespace internal {
 
-inline std::vector<Index_triangle> triangles_of(const Labelled_faces& surface) {
+inline std::vector<Index_triangle> triangles_of(const std::vector<Index_face>& faces,
+                                                const std::vector<Coordinates>& points) {
   std::vector<Index_triangle> result;
-  for (const Index_face& f : surface.faces) {
+  for (const Index_face& f : faces) {
     const std::array<std::size_t, 4>& c = f.corners;
     const auto squared_length = [&](std::size_t i, std::size_t j) {
-      const Coordinates d = minus(surface.points[c[j]], surface.points[c[i]]);
+      const Coordinates d = minus(points[c[j]], points[c[i]]);
       return dot(d, d);
     };
     const std::size_t first = f.number_of_corners == 3 || squared_length(0, 2) <= squared_length(1, 3) ? 0 : 1;
@@ -42,7 +48,7 @@ inline std::vector<Index_triangle> triangles_of(const Labelled_faces& surface) {
 // Binary, in single precision, as the format is. It has triangles alone: quads are split by their shorter diagonals.
 inline void write_stl(Output_file& file, const Labelled_faces& surface) {
   const bool swapped = !host_is_little_endian();
-  const std::vector<Index_triangle> triangles = triangles_of(surface);
+  const std::vector<Index_triangle> triangles = triangles_of(surface.faces, surface.points);
   Number_writer out(file);
   std::string header = "binary STL written by Tubular_meshing";
   header.resize(80, ' ');
@@ -58,6 +64,49 @@ inline void write_stl(Output_file& file, const Labelled_faces& surface) {
       for (double x : surface.points[v])
         out.bytes(static_cast<float>(x), swapped);
     out.bytes(std::uint16_t(0), swapped);
+  }
+  out.flush();
+}
+
+inline bool has_names(const Labelled_faces& surface) {
+  return !surface.patch_names.empty() && !surface.patch.empty();
+}
+
+inline std::string name_of_patch(const Labelled_faces& surface, std::int32_t patch) {
+  const auto name = surface.patch_names.find(patch);
+  return name == surface.patch_names.end() ? "patch_" + std::to_string(patch) : name->second;
+}
+
+// The faces of each patch, in the order of the labels.
+inline std::map<std::int32_t, std::vector<std::size_t>> faces_by_patch(const std::vector<std::int32_t>& patch) {
+  std::map<std::int32_t, std::vector<std::size_t>> faces;
+  for (std::size_t i = 0; i < patch.size(); ++i)
+    faces[patch[i]].push_back(i);
+  return faces;
+}
+
+// Binary files have no names: a solid a patch.
+inline void write_stl_solids(Output_file& file, const Labelled_faces& surface) {
+  Number_writer out(file);
+  for (const auto& patch : faces_by_patch(surface.patch)) {
+    Labelled_faces part;
+    for (std::size_t f : patch.second)
+      part.faces.push_back(surface.faces[f]);
+    const std::string name = name_of_patch(surface, patch.first);
+    out << "solid " << name << '\n';
+    for (const Index_triangle& t : triangles_of(part.faces, surface.points)) {
+      const Coordinates& p = surface.points[t[0]];
+      const Coordinates n = cross(minus(surface.points[t[1]], p), minus(surface.points[t[2]], p));
+      const double length = std::sqrt(dot(n, n));
+      out << "facet normal";
+      for (double x : n)
+        out << ' ' << (length > 0 ? x / length : 0.);
+      out << "\nouter loop\n";
+      for (std::size_t v : t)
+        out << "vertex " << surface.points[v][0] << ' ' << surface.points[v][1] << ' ' << surface.points[v][2] << '\n';
+      out << "endloop\nendfacet\n";
+    }
+    out << "endsolid " << name << '\n';
   }
   out.flush();
 }
@@ -80,19 +129,34 @@ inline void write_obj(Output_file& file, const Labelled_faces& surface) {
   Number_writer out(file);
   for (const Coordinates& p : surface.points)
     out << "v " << p[0] << ' ' << p[1] << ' ' << p[2] << '\n';
-  for (const Index_face& f : surface.faces) {
+  const auto write_face = [&](const Index_face& f) {
     out << 'f';
     for (std::size_t v : f)
       out << ' ' << v + 1;
     out << '\n';
-  }
+  };
+  if (has_names(surface))
+    for (const auto& patch : faces_by_patch(surface.patch)) {
+      std::string name = name_of_patch(surface, patch.first);
+      std::replace(name.begin(), name.end(), ' ', '_'); // a blank would end it
+      out << "g " << name << '\n';
+      for (std::size_t f : patch.second)
+        write_face(surface.faces[f]);
+    }
+  else
+    for (const Index_face& f : surface.faces)
+      write_face(f);
   out.flush();
 }
 
 inline void write_ply(Output_file& file, const Labelled_faces& surface) {
   const bool swapped = !host_is_little_endian();
   Number_writer out(file);
-  out << "ply\nformat binary_little_endian 1.0\nelement vertex " << surface.points.size()
+  out << "ply\nformat binary_little_endian 1.0\n";
+  if (has_names(surface))
+    for (const auto& n : surface.patch_names)
+      out << "comment patch " << n.first << ' ' << n.second << '\n';
+  out << "element vertex " << surface.points.size()
       << "\nproperty double x\nproperty double y\nproperty double z\nelement face " << surface.faces.size()
       << "\nproperty list uchar int vertex_indices\n"
       << (surface.patch.empty() ? "" : "property int patch\n")
@@ -127,6 +191,10 @@ inline Polydata polydata_of(const Labelled_faces& surface) {
   }
   if (!surface.patch.empty())
     data.cell_arrays.push_back({"patch", surface.patch});
+  if (!surface.patch.empty() && !surface.patch_ids.empty())
+    data.cell_arrays.push_back({surface.patch_ids.array, ids_of(surface.patch, surface.patch_ids)});
+  if (has_names(surface))
+    data.names = surface.patch_names;
   if (!surface.surface_patch.empty())
     data.cell_arrays.push_back({"surface_patch", surface.surface_patch});
   return data;
@@ -157,14 +225,15 @@ inline void write_msh_surface(Output_file& file, const Labelled_faces& surface) 
   }
   if (!surface.metric.empty())
     mesh.point_arrays.push_back({metric_array_name, 6, surface.metric});
-  mesh.patch_names = names_of_patches(surface.patch);
+  mesh.patch_names = has_names(surface) ? surface.patch_names : names_of_patches(surface.patch);
   Msh_writer(file, mesh).write_4_1();
 }
 
 CGAL_TUBULAR_MESHING_INLINE void write_surface(Output_file& file, const Labelled_faces& surface) {
   const std::string ext = extension_of(file.name());
+  check_names(surface.patch_names, file.name());
   if (ext == "stl")
-    write_stl(file, surface);
+    has_names(surface) ? write_stl_solids(file, surface) : write_stl(file, surface);
   else if (ext == "off")
     write_off(file, surface);
   else if (ext == "obj")

@@ -9,6 +9,7 @@
 #include <CGAL/Tubular_meshing/Openings/internal/order_openings.h>
 #include <CGAL/Tubular_meshing/Openings/openings.h>
 #include <CGAL/Tubular_meshing/Rims/Opening_site.h>
+#include <CGAL/Tubular_meshing/Rims/crease_ends.h>
 #include <CGAL/Tubular_meshing/Rims/flat_ends.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 
@@ -46,6 +47,14 @@ inline std::vector<Centerline_ends::End> match_to_graph(const Surface& surface, 
     std::vector<Opening_site> extended = sites;
     for (auto& flat_end : finder.find(criteria))
       extended.push_back(std::move(flat_end));
+    ends.match(extended, sites.size(), inside_out);
+    ends.keep_matched(extended, sites.size());
+    sites.swap(extended);
+  }
+  if (!ends.all_matched()) {
+    std::vector<Opening_site> extended = sites;
+    for (auto& creased_end : find_crease_ends(surface, inside_out, sites))
+      extended.push_back(std::move(creased_end));
     ends.match(extended, sites.size(), inside_out);
     ends.keep_matched(extended, sites.size());
     sites.swap(extended);
@@ -88,9 +97,12 @@ CGAL_TUBULAR_MESHING_INLINE std::vector<Opening> find_any_openings(const Surface
   std::vector<Centerline_ends::End> ends;
   if (options.centerline_graph)
     ends = match_to_graph(surface, *options.centerline_graph, inside_out, sites);
-  if (ends.empty())
+  if (ends.empty()) {
     for (auto& flat_end : Flat_end_finder(surface, inside_out).find(certain_flat_end()))
       sites.push_back(std::move(flat_end));
+    for (auto& creased_end : find_crease_ends(surface, inside_out, sites))
+      sites.push_back(std::move(creased_end));
+  }
   if (sites.empty())
     return {};
 
@@ -111,7 +123,8 @@ CGAL_TUBULAR_MESHING_INLINE std::vector<Opening> find_openings(const Surface& su
   std::vector<Opening> openings = find_any_openings(surface, options);
   if (openings.empty())
     throw Input_error("The surface is closed and has no flat ends, so that nothing can flow through it: open it where "
-                      "vessels begin and end, cap these ends flat, or give the points (seeds) at which they are.");
+                      "vessels begin and end, cap these ends flat, have round ends cut open, or give the points "
+                      "(seeds) at which they are.");
   return openings;
 }
 

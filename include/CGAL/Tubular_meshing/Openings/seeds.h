@@ -23,9 +23,12 @@ std::vector<Opening> find_openings_or_seeds(const Surface& surface, const std::v
                                             Find_openings_options options);
 
 /* The ends of the lines, each with the label of the faces around it; the source comes first: the first seed, or what it
- * stands for, else the inlet. */
+ * stands for, else the inlet. One end is an error, unless it will do. */
 std::vector<std::pair<Point_3, int>> ends_of_lines(const std::vector<Opening>& openings,
-                                                   const std::vector<Point_3>& seeds);
+                                                   const std::vector<Point_3>& seeds, bool one_will_do = false);
+
+/* Of a closed surface, the point of the wall to which the way from an opening is longest. O(n log n). */
+Point_3 farthest_point(const Surface& surface, const Face_patch_map& patch, int opening);
 
 /* For each opening the free end of the centerlines that lies at its centre, where lines were computed to lead to it. */
 std::vector<std::size_t> nodes_at(const Centerline_graph& graph, const std::vector<Opening>& openings);

@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_OPENINGS_SEEDS_IMPL_H
 #define CGAL_TUBULAR_MESHING_OPENINGS_SEEDS_IMPL_H
 
+#include <CGAL/Tubular_meshing/Openings/internal/Tip_finder.h>
 #include <CGAL/Tubular_meshing/Openings/internal/order_openings.h>
 #include <CGAL/Tubular_meshing/Openings/seeds.h>
 #include <CGAL/Tubular_meshing/Rims/Opening_site.h>
@@ -35,8 +36,8 @@ inline bool lies_at(const Point_3& seed, const Opening& opening) {
   return (seed - opening.center).squared_length() <= reach * reach;
 }
 
-CGAL_TUBULAR_MESHING_INLINE std::vector<std::pair<Point_3, int>> ends_of_lines(const std::vector<Opening>& openings,
-                                                                               const std::vector<Point_3>& seeds) {
+CGAL_TUBULAR_MESHING_INLINE std::vector<std::pair<Point_3, int>>
+ends_of_lines(const std::vector<Opening>& openings, const std::vector<Point_3>& seeds, bool one_will_do) {
   std::vector<std::pair<Point_3, int>> ends;
   for (const Opening& o : openings)
     ends.emplace_back(o.center, o.patch);
@@ -46,18 +47,27 @@ CGAL_TUBULAR_MESHING_INLINE std::vector<std::pair<Point_3, int>> ends_of_lines(c
       if (i == 0)
         std::rotate(ends.begin(), ends.end() - 1, ends.end());
     }
-  if (ends.size() < 2)
+  if (ends.size() < 2 && !one_will_do)
     throw Input_error("The vessels have one end only, at " + coordinates(ends.front().first) +
-                      ", so that nothing can flow through them: open the surface where they end, or give the points "
-                      "(seeds) at which they do.");
+                      ", so that nothing can flow through them: open the surface where they end, give the points "
+                      "(seeds) at which they do, have round ends cut open, or allow a single opening.");
   return ends;
+}
+
+CGAL_TUBULAR_MESHING_INLINE Point_3 farthest_point(const Surface& surface, const Face_patch_map& patch, int opening) {
+  std::vector<Surface::Vertex_index> source;
+  for (auto f : surface.faces())
+    if (patch[f] == opening)
+      for (auto v : CGAL::vertices_around_face(surface.halfedge(f), surface))
+        source.push_back(v);
+  return surface.point(Tip_finder(surface).farthest_from(source));
 }
 
 CGAL_TUBULAR_MESHING_INLINE std::vector<std::size_t> nodes_at(const Centerline_graph& graph,
                                                               const std::vector<Opening>& openings) {
   std::vector<std::size_t> ends, found;
   for (std::size_t n = 0; n < graph.nodes().size(); ++n)
-    if (graph.nodes()[n].is_end())
+    if (graph.nodes()[n].is_end() || n == graph.root()) // several may leave a wide inlet
       ends.push_back(n);
   for (const Opening& o : openings) {
     const auto away = [&](std::size_t n) {

@@ -48,7 +48,8 @@ Indexed_patch make_indexed_patch(const Surface& surface, const std::vector<Surfa
  *
  * A patch of a Surface_cut as an Indexed_patch, whose loop i is `patch.loops[i]`. Loops begin with their curve's first
  * vertex, whatever their direction is: edge i of a curve is edge i of the loop that has the patch on the curve's left,
- * and edge n − 1 − i, the other way round, of the loop that has it on the right.
+ * and edge n − 1 − i, the other way round, of the loop that has it on the right. Where the patch is on both sides of a
+ * curve, it is open there: the curve's vertices are there twice, those on its right after all others.
  */
 Indexed_patch make_indexed_patch(const Surface& surface, const Surface_patch& patch,
                                  const std::vector<Cut_curve>& curves,

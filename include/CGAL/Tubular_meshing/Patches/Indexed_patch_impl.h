@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -72,6 +73,30 @@ CGAL_TUBULAR_MESHING_INLINE Indexed_patch make_indexed_patch(const Surface& surf
   return patch;
 }
 
+namespace internal {
+
+/* Opens a patch along a curve that has it on both sides: its triangles on the curve's right get vertices of their own,
+ * from `first` on in the curve's order. O(n log n) in the triangles at the curve. */
+inline void open_along(const Surface& surface, const std::vector<Face>& faces, const Cut_curve& curve, int first,
+                       Indexed_patch& patch) {
+  const std::size_t n = curve.halfedges.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    patch.points.push_back(surface.point(curve.vertices[i]));
+    const Halfedge last = surface.opposite(curve.halfedges[(i + n - 1) % n]);
+    for (Halfedge h = surface.opposite(curve.halfedges[i]);; h = surface.opposite(surface.next(h))) {
+      const auto f = std::size_t(std::lower_bound(faces.begin(), faces.end(), surface.face(h)) - faces.begin());
+      std::size_t corner = 0; // triangles begin at the target of their face's halfedge
+      for (Halfedge g = surface.halfedge(faces[f]); g != h; g = surface.next(g))
+        ++corner;
+      patch.triangles[f][corner] = first + int(i);
+      if (surface.next(h) == last)
+        break;
+    }
+  }
+}
+
+} // namespace internal
+
 CGAL_TUBULAR_MESHING_INLINE Indexed_patch make_indexed_patch(const Surface& surface, const Surface_patch& patch,
                                                              const std::vector<Cut_curve>& curves,
                                                              std::vector<Surface::Vertex_index>* vertices) {
@@ -79,10 +104,20 @@ CGAL_TUBULAR_MESHING_INLINE Indexed_patch make_indexed_patch(const Surface& surf
   std::vector<Vertex> own;
   Indexed_patch result = make_indexed_patch(surface, patch.faces, &own);
   result.loops.clear();
+  const std::size_t n = own.size();
   for (const Patch_loop& loop : patch.loops) {
+    const Cut_curve& curve = curves[loop.curve];
     std::vector<int> along;
-    for (Vertex v : curves[loop.curve].vertices)
-      along.push_back(int(std::lower_bound(own.begin(), own.end(), v) - own.begin()));
+    if (!loop.forward && curve.left_patch == curve.right_patch) {
+      const int first = int(own.size());
+      internal::open_along(surface, patch.faces, curve, first, result);
+      own.insert(own.end(), curve.vertices.begin(), curve.vertices.end());
+      along.resize(curve.vertices.size());
+      std::iota(along.begin(), along.end(), first);
+    } else {
+      for (Vertex v : curve.vertices)
+        along.push_back(int(std::lower_bound(own.begin(), own.begin() + std::ptrdiff_t(n), v) - own.begin()));
+    }
     if (!loop.forward)
       std::reverse(along.begin() + 1, along.end());
     result.loops.push_back(along);

@@ -25,6 +25,7 @@ struct Patch_report {
   std::map<Parameterization_method, std::size_t> methods; ///< number of patches mapped by each method
   double largest_aspect_ratio = 0;                        ///< of a patch: length over mean diameter
   std::size_t moved_cuts = 0;        ///< disks that were moved or tilted, as they did not close where they were wanted
+  std::size_t handle_cuts = 0;       ///< cuts round handles of the wall through which no disk goes
   std::size_t refined_patches = 0;   ///< patches and caps meshed finer than asked for, as they met themselves or others
   std::vector<std::string> problems; ///< what the cut could not do, a sentence each
 
@@ -52,6 +53,7 @@ inline Patch_report patch_report(const Surface_cut& cut, const std::vector<Patch
   for (const auto& map : maps)
     ++report.methods[map.method()];
   report.moved_cuts = cut.moved_cuts;
+  report.handle_cuts = cut.handle_cuts;
   for (const auto& problem : cut.problems)
     report.problems.push_back(problem.message());
   return report;

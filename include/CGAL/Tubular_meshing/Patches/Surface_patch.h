@@ -15,8 +15,9 @@ namespace CGAL::Tubular_meshing {
 
 /*! \ingroup PkgTubularMeshingPatches
  *
- * A closed curve of the cut surface on which patches end: a cut across a branch, or the rim of an opening. The patches
- * on its two sides know it by the same index.
+ * A closed curve of the cut surface on which patches end: a cut across a branch, a cut round a handle, or the rim of an
+ * opening. The patches on its two sides know it by the same index. One patch may be on both sides, and then has the
+ * curve twice: as two loops.
  *
  * Seen from outside, `left_patch` is on the left of one who walks along it. On the left of a cut is the part of the
  * branch that is nearer to the branch's source. On the left of a rim is the wall, on its right the cap.
@@ -28,7 +29,8 @@ struct Cut_curve {
   std::vector<Surface::Vertex_index> vertices;    ///< `vertices[i]` is the source of `halfedges[i]`
   std::size_t left_patch = none;
   std::size_t right_patch = none; ///< `none` for a rim
-  std::size_t branch = none;      ///< of the centerline graph; `none` for the rim of an opening without a branch
+  std::size_t branch = none;      ///< of the centerline graph; `none` for a cut round a handle, and for the rim of an
+                                  ///< opening without a branch
   double abscissa = 0;            ///< on the branch
   int opening = 0;                ///< for a rim, the label of its cap's facets; 0 for a cut
 
@@ -49,7 +51,7 @@ enum class Patch_kind {
 struct Patch_loop {
   std::size_t curve;     ///< index of the Cut_curve
   bool forward;          ///< whether the patch is on the curve's left
-  std::size_t neighbour; ///< the patch on the other side; `Cut_curve::none` if that is a cap
+  std::size_t neighbour; ///< the patch on the other side, or the same; `Cut_curve::none` if that is a cap
 };
 
 /*! \ingroup PkgTubularMeshingPatches
@@ -80,7 +82,7 @@ struct Surface_patch {
 struct Cut_problem {
   enum Kind {
     too_long,       ///< a patch whose aspect ratio is greater than wanted, as no disk divides it
-    wrong_topology, ///< a patch that is no sphere with holes, or that lies on both sides of a cut
+    wrong_topology, ///< a patch that is no sphere with holes
     no_centerline   ///< a patch with a vessel that ends blind, longer than wide, or that joins branches, but has no
                     ///< centerline: give compute_centerlines() a seed there
   };
@@ -109,8 +111,9 @@ struct Surface_cut {
   Face_patch_map
       patch_of_face; ///< the face's index in `patches`, −1 on caps: property map `f:surface_patch` of the surface
   std::vector<Surface_patch> patches;
-  std::vector<Cut_curve> curves; ///< cuts, along the centerlines, then rims
+  std::vector<Cut_curve> curves; ///< cuts, along the centerlines, then cuts round handles, then rims
   std::vector<Cut_problem> problems;
+  std::size_t handle_cuts = 0;              ///< curves round handles through which no disk goes
   std::size_t moved_cuts = 0;               ///< disks that were moved off the place wanted, or tilted, to close
   std::vector<std::size_t> merged_branches; ///< whole parts of junctions: too short for a cut, or no disk closes
 

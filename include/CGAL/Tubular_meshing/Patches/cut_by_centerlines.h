@@ -40,6 +40,9 @@ Surface_cut cut_by_centerlines(Surface& surface, const Centerline_graph& graph, 
  *   the surface that goes round the centerline; the curve is followed from triangle to triangle, and only triangles on
  *   it are divided. Where it passes an edge within a quarter of an end, it goes through the vertex instead, so that no
  *   slivers arise. Vertices do not move, and new ones are on edges: the shape stays what it is.
+ * - *Handles.* A patch of positive genus that is left is cut round its handles until it is planar: along level curves of
+ *   harmonic functions, which are smooth and never part the patch, \cgalCite{erickson2005} finding the handles. It then
+ *   lies on both sides of the curve.
  * - *When it cannot.* A disk is refused if its curve runs over a cap, meets another cut, or goes round other
  *   centerlines than its own. It is then moved along the branch, or tilted, until it is not. What fails still is
  *   listed in the result, with its place.
@@ -51,7 +54,8 @@ Surface_cut cut_by_centerlines(Surface& surface, const Centerline_graph& graph, 
  * The result does not depend on the unit, the position or the direction of the surface, but for rounding.
  *
  * O(n log n) in the sizes of the surface and the graph, for search trees, and O(sections) for the disks tried, about a
- * dozen for each cut: no cut looks at the whole surface.
+ * dozen for each cut: no cut looks at the whole surface. A cut round a handle takes O(n log n) in the size of its patch,
+ * and one sparse linear system.
  *
  * \param surface a closed triangle mesh, turned outwards: that of a Tubular_model. Its faces are divided; garbage, if
  *   it has some, is collected before, which changes descriptors. Gets the property map `f:surface_patch`.

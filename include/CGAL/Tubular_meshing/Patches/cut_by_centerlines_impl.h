@@ -8,6 +8,7 @@
 #include <CGAL/Tubular_meshing/Patches/internal/cut/Blind_vessel_finder.h>
 #include <CGAL/Tubular_meshing/Patches/internal/cut/Cut_surface.h>
 #include <CGAL/Tubular_meshing/Patches/internal/cut/Disk_cutter.h>
+#include <CGAL/Tubular_meshing/Patches/internal/cut/Handle_cutter.h>
 #include <CGAL/Tubular_meshing/Patches/internal/cut/Junction_cutter.h>
 #include <CGAL/Tubular_meshing/Patches/internal/cut/Patch_labeller.h>
 #include <CGAL/Tubular_meshing/Patches/internal/cut/Piece_divider.h>
@@ -65,14 +66,17 @@ public:
       tubes_.divide(b);
     pieces_.open_cycles();
     pieces_.divide_long_pieces();
+    Handle_cutter handles(surface_);
+    handles.run();
 
     Surface_cut result;
-    Patch_labeller labeller(surface_, cutter_, result);
+    Patch_labeller labeller(surface_, cutter_, handles.cuts(), result);
     labeller.label();
     for (size_type b : junctions_.merged())
       if (cutter_.cuts_of(b).empty())
         result.merged_branches.push_back(b);
     result.moved_cuts = junctions_.number_of_moved() + tubes_.number_of_moved() + pieces_.number_of_cuts();
+    result.handle_cuts = handles.cuts().size();
     report_patches(labeller, result);
     report_blind_vessels(result);
     return result;
@@ -92,7 +96,7 @@ private:
       const auto report = [&](Cut_problem::Kind kind) {
         result.problems.push_back(Cut_problem{kind, middle(b), b, i});
       };
-      if (!is_known || !p.is_sphere_with_holes() || is_on_both_sides(p, i) || labeller.has_half_a_piece(i))
+      if (!is_known || !p.is_sphere_with_holes() || labeller.has_half_a_piece(i))
         report(Cut_problem::wrong_topology);
       else if (labeller.has_several_pieces(i))
         report(Cut_problem::no_centerline);
@@ -105,13 +109,6 @@ private:
     for (const auto& vessel : Blind_vessel_finder(surface_, graph_).find())
       result.problems.push_back(Cut_problem{Cut_problem::no_centerline, surface_.mesh().point(vessel.tip),
                                             vessel.branch, size_type(result.patch_of_face[vessel.face])});
-  }
-
-  static bool is_on_both_sides(const Surface_patch& patch, size_type number) {
-    for (const Patch_loop& l : patch.loops)
-      if (l.neighbour == number)
-        return true;
-    return false;
   }
 
   Cut_surface surface_;

@@ -8,6 +8,7 @@
 #include <CGAL/Tubular_meshing/Patches/Remeshed_surface.h>
 #include <CGAL/Tubular_meshing/Pipelines/Mesher_options.h>
 #include <CGAL/Tubular_meshing/Pipelines/Tubular_model.h>
+#include <CGAL/Tubular_meshing/Volume/preserve_volume.h>
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/base/config.h>
 #include <CGAL/Tubular_meshing/base/parameters.h>
@@ -26,6 +27,7 @@ struct Mesher_report {
   std::vector<std::string> fallbacks; ///< a sentence each time another way was taken than the one chosen, and why
   Layer_report boundary_layer;        ///< where layers inside the lumen had to be thinner
   Layer_report wall;                  ///< likewise those of a mixed mesh's wall
+  Preserve_volume_report volume;      ///< how the mesh got the volume of the surface; all zero if it did not
 };
 
 /*! \ingroup PkgTubularMeshingPipelines
@@ -45,6 +47,17 @@ struct Mesher_report {
  *     \cgalParamDescription{N: the mesh size is h = 2 π r / N, see Centerline_sizing_field}
  *     \cgalParamType{double}
  *     \cgalParamDefault{20}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{number_of_elements}
+ *     \cgalParamDescription{of a mesh, its cells, or of a surface its faces: N is found so that there are as many, but
+ *       for a tenth, see Element_target; 0: N is `points_per_circumference`}
+ *     \cgalParamType{double}
+ *     \cgalParamDefault{0}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{size_requests}
+ *     \cgalParamDescription{where the mesh is to be finer or coarser, and sizes given on the surface}
+ *     \cgalParamType{Size_requests}
+ *     \cgalParamDefault{none}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{surface_mesher}
  *     \cgalParamDescription{how isotropic meshes are made}
@@ -67,6 +80,13 @@ struct Mesher_report {
  *     \cgalParamType{double}
  *     \cgalParamDefault{0}
  *   \cgalParamNEnd
+ *   \cgalParamNBegin{preserve_volume}
+ *     \cgalParamDescription{whether the wall's vertices move so that the mesh has the volume of the surface, branch by
+ *       branch, and its openings have their areas, see preserve_volume(); else
+ *       they are on the surface, and the mesh is smaller}
+ *     \cgalParamType{bool}
+ *     \cgalParamDefault{`true`}
+ *   \cgalParamNEnd
  *   \cgalParamNBegin{number_of_threads}
  *     \cgalParamDescription{0: all cores. Results do not depend on it}
  *     \cgalParamType{int}
@@ -87,7 +107,8 @@ struct Mesher_report {
  * About O(n log n) in the sizes of the surface and of the result, but for the linear systems of the parameterization,
  * which take O(n^1.5) in those of patches.
  *
- * \throws Parameter_error if a parameter is out of its range
+ * \throws Parameter_error if a parameter is out of its range, a branch to refine is not there, or a ball to refine in
+ *   lies outside of the lumen
  * \throws Meshing_error if no valid mesh comes out, or the mesh would not fit into memory. Its places are in the frame
  *   of the model that was given; its stage() is the one that failed
  */
@@ -123,6 +144,15 @@ public:
 
   const Tubular_model& model() const;
 
+  /*! Changes N, for the meshes to come. The number of points on circles of curvature, of a metric, changes in
+   * proportion.
+   * \throws Parameter_error from the next mesh on, if it is less than 3 */
+  void set_points_per_circumference(double points);
+  double points_per_circumference() const;
+
+  /// About how many tetrahedra an isotropic mesh has.
+  double estimated_number_of_tetrahedra();
+
   /*! Isotropic tetrahedra of mesh size h (section 3.1 of the paper): region labels::lumen; patches wall, inlet,
    * outlet_1, …. The surface is meshed by patches and filled, its triangles kept; where a patch cannot be mapped or
    * meshed, or the lumen cannot be filled, Mesh_3 makes the mesh instead, and the report says so. */
@@ -140,7 +170,7 @@ public:
   Mixed_mesh mixed();
 
   /*! The surface alone (sections 2.4, 2.5): closed, conforming, free of self-intersections, its vertices on the model's
-   * surface. */
+   * surface, or, unless `preserve_volume` is false, next to it, so that it encloses the same volume. */
   Remeshed_surface surface(Surface_elements elements = Surface_elements::triangles);
 
   /// Takes over the surface mesh that the last volume mesh was made from and kept; empty if there is none.

@@ -5,15 +5,22 @@
 #define CGAL_TUBULAR_MESHING_PIPELINES_MESHER_IMPL_H
 
 #include <CGAL/Tubular_meshing/Centerlines/Centerline_field.h>
+#include <CGAL/Tubular_meshing/Centerlines/Wall_distance.h>
 #include <CGAL/Tubular_meshing/Fields/Centerline_metric_field.h>
 #include <CGAL/Tubular_meshing/Fields/Centerline_sizing_field.h>
+#include <CGAL/Tubular_meshing/Fields/Local_radius.h>
+#include <CGAL/Tubular_meshing/Fields/Refined_metric_field.h>
 #include <CGAL/Tubular_meshing/Layers/append_mesh.h>
-#include <CGAL/Tubular_meshing/Layers/local_radius.h>
+#include <CGAL/Tubular_meshing/Volume/preserve_volume.h>
+#include <CGAL/Tubular_meshing/Pipelines/Element_target.h>
 #include <CGAL/Tubular_meshing/Pipelines/Mesher.h>
 #include <CGAL/Tubular_meshing/Pipelines/internal/Model_in_its_frame.h>
 #include <CGAL/Tubular_meshing/Pipelines/internal/check_mesh_of_model.h>
+#include <CGAL/Tubular_meshing/Pipelines/internal/check_requests.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 
+#include <cmath>
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <string>
@@ -21,6 +28,14 @@
 #include <vector>
 
 namespace CGAL::Tubular_meshing {
+
+namespace internal {
+
+inline std::size_t number_of_cells(const Mixed_mesh& mesh) {
+  return mesh.number_of_cells();
+}
+
+} // namespace internal
 
 class Mesher::Impl {
 public:
@@ -30,16 +45,45 @@ public:
       , frame_(*model_) {
     frame_.scale_lengths(options_.size);
     frame_.scale_lengths(options_.metric);
+    internal::check_requests(options_.size.size_requests, *model_);
+    options_.size.size_requests = frame_.in_frame(std::move(options_.size.size_requests));
   }
 
   const Tubular_model& model() const { return *model_; }
   const Mesher_report& report() const { return report_; }
   Remeshed_surface take_kept_surface() { return std::exchange(kept_, Remeshed_surface()); }
 
+  double points() const { return options_.size.points_per_circumference; }
+  void set_points(double points) {
+    options_.metric.curvature_points *= points / options_.size.points_per_circumference;
+    options_.metric.points_per_circumference *= points / options_.size.points_per_circumference;
+    options_.size.points_per_circumference = points;
+    size_.reset();
+  }
+
+  double estimated_number_of_tetrahedra() { return size().estimated_number_of_tetrahedra(); }
+
+  /* Makes a mesh; again with other N, until it has the number of elements that is wanted. The number goes with a power
+   * of N; `first` gives the N to begin with. */
+  template <class Make, class Count, class First>
+  auto fitted(const Make& make, const Count& count, double power, const First& first) {
+    if (options_.number_of_elements == 0)
+      return make();
+    Element_target target(options_.number_of_elements,
+                          first(options_.number_of_elements, points(), estimated_number_of_tetrahedra()), power);
+    for (;;) {
+      set_points(target.points());
+      auto mesh = make();
+      if (target.add(count(mesh)))
+        return mesh;
+    }
+  }
+
   /* Runs what makes a mesh in the frame, and brings the mesh back from there, or the places of what is thrown. */
   template <class Make> auto made(const Make& make) {
     report_ = Mesher_report();
     kept_ = Remeshed_surface();
+    moves_wall_ = options_.preserve_volume;
     try {
       auto mesh = make();
       frame_.bring_back(mesh);
@@ -55,7 +99,7 @@ public:
   Mixed_mesh isotropic() {
     return made([&] {
       Mixed_mesh mesh = isotropic_in_frame(options_.surface_mesher);
-      mesh.patch_names = patch_names();
+      name_patches(mesh);
       return mesh;
     });
   }
@@ -65,18 +109,24 @@ public:
       if (options_.has_boundary_layer())
         throw Parameter_error("An anisotropic mesh has its layers in tetrahedra: leave the layers of prisms out, or "
                               "make an isotropic mesh.");
+      moves_wall_ = false; // remeshing would bring it back to the surface
       Mixed_mesh mesh = isotropic_in_frame(Surface_mesher::parametric);
       kept_ = Remeshed_surface(); // remeshing does not keep it
       const Labelled_surface& wall = by_patches_ ? by_patches_->surface : frame_.surface();
       stage("metric field");
       const Centerline_metric_field metric(wall.surface, wall.patch, frame_.centerlines(), options_.metric);
-      stage("anisotropic remeshing");
       options_.remeshing.boundary_layer_patches = {labels::wall};
-      internal::anisotropic_tetrahedral_remeshing(mesh, wall.surface, wall.patch, metric, options_.remeshing);
+      const auto remesh = [&](const auto& field) {
+        stage("anisotropic remeshing");
+        internal::anisotropic_tetrahedral_remeshing(mesh, wall.surface, wall.patch, field, options_.remeshing);
+      };
+      options_.size.size_requests.empty() ? remesh(metric) : remesh(refined(metric));
       stage("check");
-      internal::check_differences(mesh, *model_);
+      internal::check_differences(mesh, *model_, frame_.surface().surface);
+      moves_wall_ = options_.preserve_volume;
+      give_volume_to(mesh);
       mesh.region_names = {{labels::lumen, "lumen"}};
-      mesh.patch_names = patch_names();
+      name_patches(mesh);
       return mesh;
     });
   }
@@ -88,34 +138,29 @@ public:
       Fill_with_pyramids_and_tetrahedra_options pyramids = options_.pyramids;
       pyramids.split_quads = !options_.has_boundary_layer(); // not the far sides of hexahedra
       kept_ = quads_in_frame();
+      give_volume_to(kept_);
       Mixed_mesh mesh =
           fill_within_layers(kept_, [&](const Surface& closed, Face_patch_map patch, Mixed_mesh& filling) {
             stage("pyramids and tetrahedra");
             internal::fill_with_pyramids_and_tetrahedra(closed, patch, size(), filling, pyramids);
           });
+      name_patches(mesh);
       if (options_.wall) {
         stage("wall");
-        const Centerline_field centerlines(frame_.centerlines());
-        report_.wall = internal::extrude_wall(mesh, internal::radius_function(centerlines), *options_.wall);
+        report_.wall = internal::extrude_wall(mesh, radius(), *options_.wall);
         report_.wall.worst_place = frame_.from_frame(report_.wall.worst_place);
       }
       stage("check");
-      internal::check_differences(mesh, *model_);
-      const Label_names names = patch_names();
-      mesh.patch_names.insert(names.begin(), names.end());
+      internal::check_differences(mesh, *model_, frame_.surface().surface);
       return mesh;
     });
   }
 
   Remeshed_surface surface(Surface_elements elements) {
     return made([&] {
-      if (elements == Surface_elements::quads)
-        return quads_in_frame();
-      if (elements == Surface_elements::triangles)
-        return triangles_in_frame(size());
-      stage("metric field");
-      return triangles_in_frame(Centerline_metric_field(frame_.surface().surface, frame_.surface().patch,
-                                                        frame_.centerlines(), options_.metric));
+      Remeshed_surface result = surface_in_frame(elements);
+      give_volume_to(result);
+      return result;
     });
   }
 
@@ -136,11 +181,27 @@ private:
   const Centerline_sizing_field& size() {
     if (!size_) {
       stage("size field");
-      const Labelled_surface& s = frame_.surface();
-      size_.emplace(Centerline_field(frame_.centerlines()), Wall_distance(s.surface, s.patch, labels::wall),
-                    options_.size);
+      size_.emplace(radius(), options_.size);
     }
     return *size_;
+  }
+
+  // The one radius that sizes, layers and walls are relative to.
+  const Local_radius& radius() {
+    if (!radius_) {
+      const Labelled_surface& s = frame_.surface();
+      Shape_radius_options shape;
+      shape.number_of_threads = options_.size.number_of_threads;
+      radius_.emplace(Centerline_field(frame_.centerlines()), Wall_distance(s.surface, s.patch, labels::wall), shape);
+    }
+    return *radius_;
+  }
+
+  // A metric with what is wanted beside it.
+  Refined_metric_field refined(const Centerline_metric_field& metric) {
+    Centerline_sizing_field_options without = options_.size;
+    without.size_requests = Size_requests();
+    return Refined_metric_field(metric, Centerline_sizing_field(radius(), without), size());
   }
 
   const Patches& patches() {
@@ -159,6 +220,17 @@ private:
     const Patches& p = patches();
     stage("surface mesh");
     return remesh_patches(p.surface.surface, p.cut, p.maps, size, options_.surface);
+  }
+
+  Remeshed_surface surface_in_frame(Surface_elements elements) {
+    if (elements == Surface_elements::quads)
+      return quads_in_frame();
+    if (elements == Surface_elements::triangles)
+      return triangles_in_frame(size());
+    stage("metric field");
+    const Centerline_metric_field metric(frame_.surface().surface, frame_.surface().patch, frame_.centerlines(),
+                                         options_.metric);
+    return options_.size.size_requests.empty() ? triangles_in_frame(metric) : triangles_in_frame(refined(metric));
   }
 
   Remeshed_surface quads_in_frame() {
@@ -199,9 +271,11 @@ private:
     kept_ = triangles_in_frame(size());
     const Labelled_surface& wall = patches().surface;
     check_layers_can_be_kept(options_.volume_mesher);
+    const bool keeps = options_.volume_mesher != Volume_mesher::mesh_3;
+    if (keeps)
+      give_volume_to(kept_);
     Mixed_mesh mesh = fill_within_layers(kept_, [&](const Surface& closed, Face_patch_map patch, Mixed_mesh& filling) {
       stage("tetrahedra");
-      const bool keeps = options_.volume_mesher != Volume_mesher::mesh_3;
       if (keeps)
         internal::fill_keeping_boundary(closed, patch, size(), filling, options_.filling);
       else
@@ -212,7 +286,9 @@ private:
       internal::optimize_tetrahedra(filling, wall.surface, wall.patch, optimization);
     });
     stage("check");
-    internal::check_differences(mesh, *model_);
+    internal::check_differences(mesh, *model_, frame_.surface().surface);
+    if (!keeps)
+      give_volume_to(mesh);
     return mesh;
   }
 
@@ -230,9 +306,11 @@ private:
       stage("optimization");
       internal::optimize_tetrahedra(mesh, s.surface, s.patch, options_.optimization);
       stage("check");
-      differences = internal::differences(mesh, *model_);
-      if (differences.empty())
+      differences = internal::differences(mesh, *model_, frame_.surface().surface);
+      if (differences.empty()) {
+        give_volume_to(mesh);
         return mesh;
+      }
     }
     throw Meshing_error("The mesh came out with " + differences +
                         ": the surface may intersect itself, or have parts much narrower than the mesh size there.");
@@ -247,9 +325,8 @@ private:
       return mesh;
     }
     stage("boundary layer");
-    const Centerline_field centerlines(frame_.centerlines());
-    Boundary_layer layer = internal::extrude_boundary_layer(
-        surface.surface, surface.patch, internal::radius_function(centerlines), options_.boundary_layer);
+    Boundary_layer layer =
+        internal::extrude_boundary_layer(surface.surface, surface.patch, radius(), options_.boundary_layer);
     report_.boundary_layer = layer.report;
     report_.boundary_layer.worst_place = frame_.from_frame(layer.report.worst_place);
     try {
@@ -262,6 +339,40 @@ private:
     return std::move(layer.layers);
   }
 
+  // --- the volume of the surface ---
+
+  template <class Report> void note_volume(Report report) {
+    frame_.bring_back(report);
+    report_.volume = std::move(report);
+  }
+  Preserve_volume_options volume_options() const {
+    Preserve_volume_options result;
+    result.number_of_threads = options_.size.number_of_threads;
+    return result;
+  }
+
+  // To a surface mesh that is kept from here on.
+  void give_volume_to(Remeshed_surface& mesh) {
+    if (!moves_wall_)
+      return;
+    stage("volume");
+    const Labelled_surface& s = frame_.surface();
+    note_volume(internal::preserve_volume(mesh.surface, mesh.patch, s.surface, s.patch, volume_options()));
+  }
+
+  // To a valid mesh that has brought its boundary to the surface; it is still valid then.
+  void give_volume_to(Mixed_mesh& mesh) {
+    if (!moves_wall_)
+      return;
+    stage("volume");
+    const Labelled_surface& s = frame_.surface();
+    const double points = options_.size.points_per_circumference;
+    const auto radius = [&](const Point_3& p) { return size()(p) * points / (2 * CGAL_PI); };
+    note_volume(internal::preserve_volume(mesh, s.surface, s.patch, radius, volume_options()));
+    stage("check");
+    internal::check_differences(mesh, *model_, frame_.surface().surface);
+  }
+
   void check_layers_can_be_kept(Volume_mesher mesher) const {
     if (options_.has_boundary_layer() && mesher == Volume_mesher::mesh_3)
       throw Meshing_error(
@@ -269,16 +380,21 @@ private:
           "finds TetGen (libtet1.5-dev), or CGAL 6.1 or later, and choose one of these.");
   }
   void check_memory() { internal::check_memory(size().estimated_number_of_tetrahedra()); }
-  Label_names patch_names() const { return lumen_patch_names(int(model_->openings.size())); }
+  void name_patches(Mixed_mesh& mesh) const {
+    mesh.patch_names = patch_names(*model_);
+    mesh.patch_ids = model_->patch_ids;
+  }
 
   std::shared_ptr<const Tubular_model> model_;
   Mesher_options options_;
   internal::Model_in_its_frame frame_;
+  std::optional<Local_radius> radius_;
   std::optional<Centerline_sizing_field> size_;
   std::optional<Patches> by_patches_;
   Remeshed_surface kept_;
   Mesher_report report_;
   std::string stage_;
+  bool moves_wall_ = true;
 };
 
 CGAL_TUBULAR_MESHING_INLINE Mesher::Mesher(const Tubular_model& model, const Mesher_options& options)
@@ -292,17 +408,29 @@ CGAL_TUBULAR_MESHING_INLINE Mesher::~Mesher() = default;
 CGAL_TUBULAR_MESHING_INLINE const Tubular_model& Mesher::model() const {
   return impl_->model();
 }
+CGAL_TUBULAR_MESHING_INLINE void Mesher::set_points_per_circumference(double points) {
+  impl_->set_points(points);
+}
+CGAL_TUBULAR_MESHING_INLINE double Mesher::points_per_circumference() const {
+  return impl_->points();
+}
+CGAL_TUBULAR_MESHING_INLINE double Mesher::estimated_number_of_tetrahedra() {
+  return impl_->estimated_number_of_tetrahedra();
+}
 CGAL_TUBULAR_MESHING_INLINE Mixed_mesh Mesher::isotropic() {
-  return impl_->isotropic();
+  return impl_->fitted([&] { return impl_->isotropic(); }, internal::number_of_cells, 3, Element_target::first_points);
 }
 CGAL_TUBULAR_MESHING_INLINE Mixed_mesh Mesher::anisotropic() {
-  return impl_->anisotropic();
+  return impl_->fitted([&] { return impl_->anisotropic(); }, internal::number_of_cells, Element_target::power_of_layers,
+                       Element_target::first_points_of_layers);
 }
 CGAL_TUBULAR_MESHING_INLINE Mixed_mesh Mesher::mixed() {
-  return impl_->mixed();
+  return impl_->fitted([&] { return impl_->mixed(); }, internal::number_of_cells, 3, Element_target::first_points);
 }
 CGAL_TUBULAR_MESHING_INLINE Remeshed_surface Mesher::surface(Surface_elements elements) {
-  return impl_->surface(elements);
+  return impl_->fitted([&] { return impl_->surface(elements); },
+                       [](const Remeshed_surface& s) { return std::size_t(s.surface.number_of_faces()); }, 2,
+                       Element_target::first_points);
 }
 CGAL_TUBULAR_MESHING_INLINE Remeshed_surface Mesher::kept_surface() {
   return impl_->take_kept_surface();

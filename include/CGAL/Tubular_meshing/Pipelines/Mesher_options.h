@@ -18,6 +18,7 @@
 #include <CGAL/Tubular_meshing/Volume/fill_with_mesh_3.h>
 #include <CGAL/Tubular_meshing/Volume/fill_with_pyramids_and_tetrahedra.h>
 #include <CGAL/Tubular_meshing/Volume/optimize_tetrahedra.h>
+#include <CGAL/Tubular_meshing/Volume/preserve_volume.h>
 #include <CGAL/Tubular_meshing/base/parameters.h>
 
 #include <functional>
@@ -62,6 +63,8 @@ struct Mesher_options {
 
   Volume_mesher volume_mesher = default_volume_mesher(); ///< what fills the surface mesh
   Surface_mesher surface_mesher = Surface_mesher::parametric;
+  double number_of_elements = 0;             ///< cells, of a surface faces, about as many as N is found for; 0: by N
+  bool preserve_volume = true;               ///< whether the wall is moved so that the mesh has the surface's volume
   std::function<void(const char*)> observer; ///< receives the name of each stage as it begins
 
   Mesher_options() = default;
@@ -86,6 +89,8 @@ struct Mesher_options {
                             volume_mesher == Volume_mesher::mesh_3 ? Surface_mesher::mesh_3 : surface_mesher);
     if (choose(np, internal_np::wall_thickness, 0.) != 0)
       wall.emplace(np);
+    number_of_elements = choose(np, internal_np::number_of_elements, number_of_elements);
+    preserve_volume = choose(np, internal_np::preserve_volume, preserve_volume);
     observer = choose(np, internal_np::observer, observer);
   }
 

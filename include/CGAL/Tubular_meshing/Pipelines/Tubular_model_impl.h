@@ -10,6 +10,8 @@
 #include <CGAL/Tubular_meshing/Centerlines/clip_to_openings.h>
 #include <CGAL/Tubular_meshing/Centerlines/compute_centerlines.h>
 #include <CGAL/Tubular_meshing/Openings/close_openings.h>
+#include <CGAL/Tubular_meshing/Openings/cut_round_ends.h>
+#include <CGAL/Tubular_meshing/Openings/labelled_ends.h>
 #include <CGAL/Tubular_meshing/Openings/openings.h>
 #include <CGAL/Tubular_meshing/Openings/seeds.h>
 #include <CGAL/Tubular_meshing/Patches/follow_blind_vessels.h>
@@ -19,6 +21,8 @@
 #include <CGAL/Tubular_meshing/base/labels.h>
 
 #include <cstddef>
+#include <set>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -36,8 +40,35 @@ inline void connect(Tubular_model& model, const std::vector<std::size_t>& node_o
 inline Find_openings_options opening_options(const Tubular_model_options& options, const Centerline_graph* graph) {
   Find_openings_options result;
   result.inlet = options.inlet;
+  if (!result.inlet && options.labelled_ends.inlet != Labelled_ends::none)
+    result.inlet = options.labelled_ends.ends[options.labelled_ends.inlet].center;
   result.centerline_graph = graph;
   return result;
+}
+
+// The names of the patches, and the numbers that they had.
+inline void name_patches(Tubular_model& model, const Labelled_ends& ends) {
+  if (ends.empty())
+    return;
+  model.labels = ends;
+  name_openings(model.openings, ends);
+  model.patch_names = lumen_patch_names(int(model.openings.size()));
+  std::set<std::string> used;
+  for (const Opening& o : model.openings)
+    if (!o.name.empty())
+      used.insert(model.patch_names[o.patch] = o.name);
+  for (const Opening& o : model.openings)
+    if (o.name.empty())
+      used.insert(model.patch_names[o.patch] = unused_name(model.patch_names[o.patch], used));
+  std::string& wall = model.patch_names[labels::wall];
+  wall = unused_name(ends.wall_name.empty() ? wall : ends.wall_name, used);
+  model.patch_ids.array = ends.array;
+  if (ends.wall)
+    model.patch_ids.id[labels::wall] = *ends.wall;
+  const std::vector<std::size_t> end_of = ends.match(model.openings);
+  for (std::size_t i = 0; i < end_of.size(); ++i)
+    if (end_of[i] != Labelled_ends::none)
+      model.patch_ids.id[model.openings[i].patch] = ends.ends[end_of[i]].label;
 }
 
 inline Build_centerline_graph_options graph_options(const Tubular_model_options& options) {
@@ -58,6 +89,7 @@ CGAL_TUBULAR_MESHING_INLINE void prepare(Tubular_model& model, const Centerline_
   build_centerline_graph(lines, Wall_distance(model.surface), model.centerlines, graph_options(options));
 
   model.openings = find_openings(model.surface, opening_options(options, &model.centerlines));
+  name_patches(model, options.labelled_ends);
   close_openings(model.surface, model.openings, model.patch);
   check_no_crossings(model.surface);
   const std::vector<std::size_t> nodes = clip_to_openings(model.centerlines, model.openings);
@@ -75,12 +107,16 @@ CGAL_TUBULAR_MESHING_INLINE void prepare(Tubular_model& model, const Centerline_
 
 CGAL_TUBULAR_MESHING_INLINE void prepare(Tubular_model& model, const Tubular_model_options& options) {
   check_surface(model);
+  model.round_ends = open_round_ends(model.surface, options.seeds, options.blind_ends);
   model.openings = find_openings_or_seeds(model.surface, options.seeds, opening_options(options, nullptr));
+  name_patches(model, options.labelled_ends);
   close_openings(model.surface, model.openings, model.patch);
   check_no_crossings(model.surface);
   const Build_centerline_graph_options merging = graph_options(options);
-  Centerline_computation computation(model.surface, model.patch, ends_of_lines(model.openings, options.seeds),
-                                     options.loops, options.blind_vessels);
+  std::vector<std::pair<Point_3, int>> ends = ends_of_lines(model.openings, {}, options.single_opening);
+  if (ends.size() == 1)
+    ends.emplace_back(farthest_point(model.surface, model.patch, ends.front().second), int(labels::wall));
+  Centerline_computation computation(model.surface, model.patch, ends, options.loops, options.blind_vessels);
   computation.make_graph(model.centerlines, merging);
   if (options.blind_vessels)
     follow_blind_vessels(model.surface, model.patch, computation, model.centerlines, merging);

@@ -33,6 +33,14 @@ struct Validity_report {
   /// Every cell right, every face matched, the boundary and the interfaces between regions closed and labelled, the
   /// mesh in one piece, and each of its regions.
   bool is_valid() const;
+  /// The same of a mesh of several vessels, see join_parts(): in so many pieces, and each of its regions in as many.
+  bool is_valid_in(std::size_t pieces) const {
+    Validity_report one = *this;
+    one.connected_components = connected_components == pieces ? 1 : 2;
+    for (auto& r : one.region_components)
+      r.second = r.second == pieces ? 1 : 2;
+    return one.is_valid();
+  }
   /// The number of regions that are not in one piece.
   std::size_t regions_in_pieces() const;
   /// What is wrong, as part of a sentence; empty if nothing is.

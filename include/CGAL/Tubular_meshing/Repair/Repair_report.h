@@ -24,9 +24,13 @@ enum class Surface_defect {
   seam_gaps,           ///< borders that nearly coincide, sewn together
   turned_triangles,    ///< triangles against the orientation of their neighbours, turned
   inside_out,          ///< a surface whose normals point into the lumen, turned
-  islands,             ///< components other than the largest, removed
+  islands,             ///< components that are no vessels, or more than were wanted, removed
+  crossing_parts,      ///< vessels that crossed each other, united
+  parts_inside,        ///< components inside of another one, removed
   needle_triangles,    ///< triangles of (nearly) no area, collapsed or flipped away
   pinholes,            ///< holes of the wall, small against the local radius, filled
+  filled_holes,        ///< larger ones, filled as asked for
+  possible_openings,   ///< loops that may be openings or holes, taken for openings: reported only
   spikes,              ///< vertices thrown far out of the wall around them, put back into it
   self_intersections,  ///< triangles that cross each other, smoothed or replaced
   folds,               ///< edges at which the surface turns back on itself, smoothed or replaced
@@ -46,8 +50,12 @@ inline std::string name_of(Surface_defect defect) {
                                       "turned_triangles",
                                       "inside_out",
                                       "islands",
+                                      "crossing_parts",
+                                      "parts_inside",
                                       "needle_triangles",
                                       "pinholes",
+                                      "filled_holes",
+                                      "possible_openings",
                                       "spikes",
                                       "self_intersections",
                                       "folds",
@@ -60,7 +68,7 @@ inline std::string name_of(Surface_defect defect) {
 /*! Whether a finding is but a note: the shape and the openings of the surface are as they were. */
 inline bool is_note(Surface_defect defect) {
   return defect == Surface_defect::duplicate_points || defect == Surface_defect::inside_out ||
-         defect == Surface_defect::handles;
+         defect == Surface_defect::handles || defect == Surface_defect::possible_openings;
 }
 
 /*! One kind of repair that was done. For JSON: `name_of(defect)`, `count`, `size`, and `place` if `has_place`. */

@@ -5,6 +5,7 @@
 #define CGAL_TUBULAR_MESHING_REPAIR_REPAIR_SURFACE_H
 
 #include <CGAL/Tubular_meshing/Repair/Repair_report.h>
+#include <CGAL/Tubular_meshing/Repair/Repair_surface_options.h>
 #include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/base/config.h>
 #include <CGAL/Tubular_meshing/base/convert_surface.h>
@@ -16,29 +17,6 @@
 #include <vector>
 
 namespace CGAL::Tubular_meshing {
-
-/*! \ingroup PkgTubularMeshingRepair
- *
- * How far repair_surface() goes. */
-enum class Repair_mode {
-  off,       ///< the triangles are connected and oriented, nothing else
-  automatic, ///< what is wrong is repaired where it is; where that fails, the surface is wrapped
-  wrap       ///< the surface is repaired as far as possible, and then wrapped in any case
-};
-
-/*! \ingroup PkgTubularMeshingRepair
- *
- * The options of repair_surface(): its named parameters of the same names. */
-struct Repair_surface_options {
-  Repair_mode repair_mode = Repair_mode::automatic;
-  bool smooth = false; ///< whether staircase noise is smoothed off at last
-
-  Repair_surface_options() = default;
-  template <class NamedParameters>
-  explicit Repair_surface_options(const NamedParameters& np)
-      : repair_mode(internal::choose(np, internal_np::repair_mode, Repair_mode::automatic))
-      , smooth(internal::choose(np, internal_np::smooth, false)) {}
-};
 
 namespace internal {
 
@@ -61,21 +39,25 @@ Repair_report repair_mesh(Surface& mesh, const Repair_surface_options& options);
  * - fins and membranes are removed where they make an edge have more than two triangles, and the sides of the surface
  *   are separated where they touch in a point;
  * - the triangles are oriented consistently, and the whole outward;
- * - all components but the one of the largest area are dropped. A component with a rim close to and facing one of the
- *   part that is kept is a piece of the vessel: then the gap is refused;
+ * - all components but the one of the largest area are dropped, or, if more are wanted, all that are no vessels: a
+ *   vessel has two ends or more, open or flat, and a thousandth of the area of the largest, or is much longer than wide
+ *   and has a hundredth of it. A component with a rim close to and facing one of the part that is kept is a piece of
+ *   the vessel: then the gap is refused. Each that is kept is turned outward;
  * - triangles less high than a thousandth of their longest side are collapsed or flipped away, or replaced with the
  *   faces around them;
- * - pinholes are filled. A border loop is an opening if the wall stands upright on it and behind it, out to twice its
- *   radius, as it does at any end of a tube, however oblique, coarse or ragged: the wall there is on average more than
- *   half a radius behind the loop, and faces in all directions. Of the loops that lie in the wall, a pinhole has less
- *   than half the local radius (half the way to the opposite wall), or few edges; cracks are filled as well. A hole
- *   that touches an opening in a point is distinguished from it, and filled by itself. A larger hole in the wall, one
- * that is round and plane as if it had been cut, and one that may be an opening as well, are refused;
+ * - pinholes are filled. A border loop is an opening if the wall stands upright on it, as it does at any end of a tube,
+ *   however oblique, coarse or ragged, at a stub, and at a branch that is cut off flush with the vessel. Of the loops
+ *   that lie in the wall, a pinhole has less than half the local radius (half the way to the opposite wall), a tenth of
+ *   it if it is plane and round as if it had been cut; or at most six edges; cracks are filled as well. A hole that
+ *   touches an opening in a point is distinguished from it, and filled by itself. A larger loop in the wall may be a
+ *   hole or an opening: it is taken for an opening, and reported. Only a loop that no flat cap closes, a wide slit or
+ *   a tear along the vessel, is refused;
  * - vertices that were thrown out of the wall, making spikes into the lumen or outward, are put back into it. A spike is
  *   sharper than a cone 1.25 times as high as wide, and stands on a wall that turns back what the spike turns: pointed
  *   ends, carinas, stenoses, creases and coarse walls are none;
  * - triangles that cross, or fold back on their neighbours by more than 154 degrees, are smoothed or replaced by a
  *   patch that continues the wall; at a rim they are removed. If that loses or adds an opening, it is taken back;
+ * - vessels that cross each other are united (corefine_and_compute_union()); one inside of another is dropped;
  * - where this fails, the surface, its ends closed, is replaced by an alpha wrap (CGAL's Alpha_wrap_3) with alpha a
  *   third of the smallest opening's radius, drawn back onto the surface and cut open at the ends. A wrap that would
  *   take more than about half a minute, that loses or adds an opening, or in which vessels grow together is refused;
@@ -102,6 +84,23 @@ Repair_report repair_mesh(Surface& mesh, const Repair_surface_options& options);
  *     \cgalParamType{`bool`}
  *     \cgalParamDefault{`false`}
  *   \cgalParamNEnd
+ *   \cgalParamNBegin{number_of_parts}
+ *     \cgalParamDescription{how many vessels are kept where the surface has several, by decreasing area; 0: all of
+ *       them. See split_into_parts()}
+ *     \cgalParamType{`std::size_t`}
+ *     \cgalParamDefault{1}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{filled_holes}
+ *     \cgalParamDescription{points: the border loop nearest to each is filled as a hole of the wall, however large}
+ *     \cgalParamType{`std::vector<Point_3>`}
+ *     \cgalParamDefault{none}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{kept_openings}
+ *     \cgalParamDescription{points: a border loop whose centre is within one and a half of its radii from one of them
+ *       is an opening, however small}
+ *     \cgalParamType{`std::vector<Point_3>`}
+ *     \cgalParamDefault{none}
+ *   \cgalParamNEnd
  *   \cgalParamNBegin{vertex_point_map}
  *     \cgalParamDescription{the points of the vertices of `mesh`}
  *     \cgalParamType{a model of `ReadWritePropertyMap`}
@@ -112,7 +111,7 @@ Repair_report repair_mesh(Surface& mesh, const Repair_surface_options& options);
  * \return what was done, in order
  *
  * \throws Input_error naming what cannot be repaired and its place: no triangles, indices out of range, coordinates
- *   that are not finite, a hole too large, a gap too wide, a wrap that loses an opening.
+ *   that are not finite, a tear of the wall, a point of `filled_holes` without a border loop, a gap too wide, a wrap that loses an opening.
  * \throws Meshing_error if smoothing makes the surface intersect itself
  *
  * Complexity: O(n log n) in the number of triangles. About 2 s for 400,000 clean ones, most of it the test for

@@ -38,7 +38,7 @@ CGAL_TUBULAR_MESHING_INLINE Repair_report repair_soup(const std::vector<Point_3>
   soup.triangles = triangles;
 
   Repair_report report;
-  Surface_repairer repairer(mesh, report);
+  Surface_repairer repairer(mesh, report, options);
   if (options.repair_mode == Repair_mode::off)
     repairer.assemble(soup);
   else

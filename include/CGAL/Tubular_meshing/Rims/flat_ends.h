@@ -6,10 +6,10 @@
 
 #include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Rims/Opening_site.h>
+#include <CGAL/Tubular_meshing/Rims/disk_rim.h>
 
 #include <cmath>
 #include <cstddef>
-#include <unordered_map>
 #include <unordered_set>
 #include <utility>
 #include <vector>
@@ -153,30 +153,8 @@ private:
 
   // Whether the region is a disk bounded by one simple loop.
   bool find_rim(Opening_site& region) const {
-    region.rim.clear();
-    const std::unordered_set<Face> faces(region.cap.begin(), region.cap.end());
-    std::unordered_map<Vertex, Halfedge> rim_from;
-    std::unordered_set<Vertex> vertices;
-    Halfedge first = Surface::null_halfedge();
-    for (Face f : region.cap)
-      for (Halfedge h : CGAL::halfedges_around_face(mesh_.halfedge(f), mesh_)) {
-        vertices.insert(mesh_.target(h));
-        if (faces.count(mesh_.face(mesh_.opposite(h))))
-          continue;
-        if (first == Surface::null_halfedge())
-          first = h;
-        if (!rim_from.emplace(mesh_.source(h), h).second)
-          return false;
-      }
-    if (first == Surface::null_halfedge())
-      return false;
-    Halfedge h = first;
-    do {
-      region.rim.push_back(h);
-      h = rim_from.at(mesh_.target(h));
-    } while (h != first);
-    const std::size_t edges = (3 * region.cap.size() + rim_from.size()) / 2;
-    return region.rim.size() == rim_from.size() && vertices.size() + region.cap.size() == edges + 1;
+    region.rim = rim_of_disk(region.cap, mesh_);
+    return !region.rim.empty();
   }
 
   bool is_flat_end(Opening_site& region) const {
@@ -211,7 +189,15 @@ private:
       if (inwards_ * (plane.height(c) - (plane.height(a) + plane.height(b)) / 2) > 0)
         convex += length;
     }
-    return convex >= 0.9 * total && std::abs(cosine) <= criteria_.max_wall_cosine * total;
+    const double bound = is_disk(region) ? (std::max)(criteria_.max_wall_cosine, 0.85) : criteria_.max_wall_cosine;
+    return convex >= 0.9 * total && std::abs(cosine) <= bound * total;
+  }
+
+  // Round all over: then the wall may lean far, as that of a bulb that is cut off wide open does.
+  bool is_disk(const Opening_site& region) const {
+    const Rim_shape& s = region.shape;
+    return 4 * CGAL_PI * s.area >= 0.85 * s.perimeter * s.perimeter &&
+           number_of_corners(rim_points(region.rim, mesh_), s.center, 0.08 * s.radius) >= 7;
   }
 
   const Surface& mesh_;

@@ -105,6 +105,7 @@ struct Mixed_mesh {
 
   Label_names region_names;
   Label_names patch_names;
+  Patch_ids patch_ids; ///< written with .vtu files
 
   std::vector<Point_array> point_arrays;
 

@@ -10,6 +10,7 @@
 
 #include <cstddef>
 #include <limits>
+#include <string>
 
 namespace CGAL::Tubular_meshing {
 
@@ -31,6 +32,7 @@ struct Opening {
   std::size_t branch = no_branch; ///< the branch of the centerline graph that ends here
   std::size_t node = no_branch;   ///< the end node of the centerline graph that lies here
   int patch = 0;                  ///< the label of the cap's facets
+  std::string name;               ///< that of the patch in the output; empty: inlet, outlet_1, …
 };
 
 } // namespace CGAL::Tubular_meshing

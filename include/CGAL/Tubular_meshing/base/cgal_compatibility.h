@@ -8,6 +8,9 @@
 
 #include <CGAL/version.h>
 
+#include <optional>
+#include <string>
+
 #if CGAL_VERSION_NR >= 1060000000
 #include <CGAL/AABB_traits_3.h>
 #else
@@ -21,6 +24,18 @@ template <class GeomTraits, class Primitive> using Aabb_traits = CGAL::AABB_trai
 #else
 template <class GeomTraits, class Primitive> using Aabb_traits = CGAL::AABB_traits<GeomTraits, Primitive>;
 #endif
+
+/* A property map of a surface that may have none of this name: a pair of it and a `bool` before CGAL 6, optional since. */
+template <class Key, class Value, class SurfaceMesh>
+std::optional<typename SurfaceMesh::template Property_map<Key, Value>> property_map_of(const SurfaceMesh& mesh,
+                                                                                       const std::string& name) {
+  const auto found = mesh.template property_map<Key, Value>(name);
+#if CGAL_VERSION_NR >= 1060000000
+  return found;
+#else
+  return found.second ? std::make_optional(found.first) : std::nullopt;
+#endif
+}
 
 } // namespace CGAL::Tubular_meshing::internal
 

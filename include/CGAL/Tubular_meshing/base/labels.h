@@ -5,6 +5,7 @@
 #define CGAL_TUBULAR_MESHING_BASE_LABELS_H
 
 #include <map>
+#include <set>
 #include <string>
 
 namespace CGAL::Tubular_meshing {
@@ -57,18 +58,51 @@ inline Label_names lumen_patch_names(int number_of_openings) {
 }
 
 /*! \ingroup PkgTubularMeshingBase
- * Adds the names of a wall's patches to those of the lumen's: outer_wall, inlet_ring, outlet_ring_1, …
+ *
+ * The numbers that patches had in the cell array of the input that they come from: files that can hold it get that
+ * array back, beside their own labels. */
+struct Patch_ids {
+  std::string array;     ///< its name, as `ModelFaceID`; empty: there is none
+  std::map<int, int> id; ///< of each patch that had one
+
+  bool empty() const { return array.empty() || id.empty(); }
+};
+
+/*! \ingroup PkgTubularMeshingBase
+ * A name that is not among others yet: the one wanted, or with the first number behind it that makes it one. */
+inline std::string unused_name(const std::string& wanted, const std::set<std::string>& used) {
+  std::string name = wanted;
+  for (int i = 2; used.count(name) != 0; ++i)
+    name = wanted + "_" + std::to_string(i);
+  return name;
+}
+
+/*! \ingroup PkgTubularMeshingBase
+ * The name of the ring of a wall round the opening of a name: inlet_ring, outlet_ring_1; aorta_ring, if it has a name
+ * of its own. */
+inline std::string ring_name(int patch, const std::string& opening) {
+  const std::string number = std::to_string(patch - labels::inlet);
+  return opening == "outlet_" + number ? "outlet_ring_" + number : opening + "_ring";
+}
+
+/*! \ingroup PkgTubularMeshingBase
+ * Adds the names of a wall's patches to those of the lumen's: outer_wall, inlet_ring, outlet_ring_1, …; a name that an
+ * opening has already gets a number.
  * \param names those of the lumen's patches, with all openings
  * \param second_wall whether there is a middle_wall */
 inline void add_wall_patch_names(Label_names& names, bool second_wall) {
   const int outer = labels::outer_wall_for(names.empty() ? labels::wall : names.rbegin()->first);
-  Label_names added = {{outer, "outer_wall"}};
+  std::set<std::string> used;
+  for (const auto& name : names)
+    used.insert(name.second);
+  Label_names added;
+  const auto add = [&](int label, const std::string& name) { used.insert(added[label] = unused_name(name, used)); };
+  add(outer, "outer_wall");
   if (second_wall)
-    added[outer + 1] = "middle_wall";
+    add(outer + 1, "middle_wall");
   for (const auto& name : names)
     if (name.first >= labels::inlet)
-      added[outer + name.first] =
-          name.first == labels::inlet ? "inlet_ring" : "outlet_ring_" + std::to_string(name.first - labels::inlet);
+      add(outer + name.first, ring_name(name.first, name.second));
   names.insert(added.begin(), added.end());
 }
 

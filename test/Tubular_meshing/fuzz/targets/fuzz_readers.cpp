@@ -37,6 +37,8 @@ void read_surface(const fuzz::Scratch_file& file) {
   CGAL::Surface_mesh<Point_3> surface;
   Tubular::IO::read_surface(file.name(), surface);
   expect(surface.is_valid(false) && surface.number_of_faces() > 0);
+  const Tubular::IO::Surface_data data = Tubular::IO::read_surface_data(file.name());
+  expect(data.labels.empty() || data.labels.label.size() == data.triangles.size());
 }
 
 void read_centerlines(const fuzz::Scratch_file& file) {

@@ -97,13 +97,15 @@ private:
 };
 
 /* Visits the vertices near one of them, along edges and outward: a vessel that only passes by is not met. At most
- * `max_vertices` are visited, which bounds the time where the mesh is very fine. Of use to one thread at a time. */
+ * `max_vertices` are visited, or fewer if wanted, which bounds the time where the mesh is very fine. Of use to one
+ * thread at a time. */
 class Wall_neighborhood {
 public:
   static constexpr std::size_t max_vertices = 256;
 
-  explicit Wall_neighborhood(const Indexed_wall& wall)
+  explicit Wall_neighborhood(const Indexed_wall& wall, std::size_t most = max_vertices)
       : wall_(wall)
+      , most_(most < max_vertices ? most : std::size_t(max_vertices))
       , seen_(table_size, Slot{0, 0}) {}
 
   /* Calls visit(vertex, weight) for all vertices closer than the radius, the center included; the weight falls from 1
@@ -118,7 +120,7 @@ public:
       const double x = v == center ? 0 : squared_norm(wall_.point(v) - wall_.point(center)) / radius2;
       visit(v, (1 - x) * (1 - x));
       for (const auto *n = wall_.neighbors_begin(v), *end = wall_.neighbors_end(v); n != end; ++n)
-        if (found_.size() < max_vertices && squared_norm(wall_.point(*n) - wall_.point(center)) < radius2)
+        if (found_.size() < most_ && squared_norm(wall_.point(*n) - wall_.point(center)) < radius2)
           insert(*n);
     }
   }
@@ -141,6 +143,7 @@ private:
   }
 
   const Indexed_wall& wall_;
+  std::size_t most_;
   std::vector<Slot> seen_;
   std::vector<Indexed_wall::Index> found_;
   std::uint32_t round_ = 0;

@@ -36,13 +36,13 @@ public:
     double size; // wanted inside of the domain only
   };
 
-  /* `sample(Position) -> Sample`, safe to call from several threads; a leaf that touches the domain is no wider
+  /* `sample(Position, with_need) -> Sample`, safe to call from several threads; a leaf that touches the domain is no wider
    * than the sample at its center allows; |size(x) - size(y)| <= slope |x - y| along the tree's edges. */
-  Size_octree(const Bbox_3& box, Function_view<Sample(const Position&)> sample, double slope, int threads)
+  Size_octree(const Bbox_3& box, Function_view<Sample(const Position&, bool)> sample, double slope, int threads)
       : tree_(
-            box, [&](const Position& x) { return sample(x).need; }, threads)
+            box, [&](const Position& x) { return sample(x, true).need; }, threads)
       , values_(tree_.number_of_corners()) {
-    tree_.for_each_corner([&](std::size_t i, const Position& x) { values_[i] = sample(x).size; }, threads);
+    tree_.for_each_corner([&](std::size_t i, const Position& x) { values_[i] = sample(x, false).size; }, threads);
     limit_growth(slope);
     tree_.release_corners();
   }

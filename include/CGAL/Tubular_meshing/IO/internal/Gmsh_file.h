@@ -88,7 +88,7 @@ private:
   bool swapped_ = false;
 };
 
-// A mesh file of Gmsh, format 2.2 or 4.1: nodes and elements sorted by their tags, names, and data at nodes.
+// A mesh file of Gmsh, format 2.0 to 2.2, 4.0 or 4.1: nodes and elements sorted by their tags, names, and data at nodes.
 class Gmsh_file {
 public:
   struct Element {
@@ -164,8 +164,9 @@ private:
   void read_format() {
     const double version = in_.text.number("version");
     const std::int64_t binary = in_.text.integer("file type"), size = in_.text.integer("data size");
-    if (version != 2.2 && version != 4.1 && version != 2)
+    if ((version < 2 || version > 2.2) && version != 4 && version != 4.1)
       in_.text.fail("the format's version is neither 2.2 nor 4.1; save the file as one of these");
+    is_4_0_ = version == 4;
     if (size != 8 || (binary != 0 && binary != 1))
       in_.text.fail("the file type and the data size are not those of a Gmsh mesh");
     version_ = static_cast<int>(version);
@@ -198,7 +199,7 @@ private:
     for (int d = 0; d < 4; ++d)
       for (std::size_t i = 0; i < n[d]; ++i) {
         const std::int64_t tag = in_.integer("tag of an entity");
-        for (int k = 0; k < (d == 0 ? 3 : 6); ++k)
+        for (int k = 0; k < (d == 0 && !is_4_0_ ? 3 : 6); ++k)
           in_.real("bounding box of an entity");
         const std::size_t groups = in_.checked(in_.size("number of physical groups"), 4, "physical groups");
         for (std::size_t g = 0; g < groups; ++g) {
@@ -223,7 +224,29 @@ private:
     in_.end_numbers();
   }
 
+  // Format 4.0 has no range of numbers, the entity before its dimension, and each node with its number.
+  void read_nodes_4_0() {
+    in_.begin_numbers();
+    const std::size_t blocks = in_.checked(in_.size("number of node blocks"), 20, "node blocks");
+    in_.size("number of nodes");
+    for (std::size_t b = 0; b < blocks; ++b) {
+      in_.integer("entity of a node block");
+      const std::int64_t dimension = in_.integer("dimension of a node block");
+      const bool parametric = in_.integer("parametric flag") != 0;
+      const std::size_t n = in_.checked(in_.size("number of nodes"), 28, "nodes");
+      for (std::size_t i = 0; i < n; ++i) {
+        node_tags_.push_back(in_.integer("number of a node"));
+        read_point();
+        for (std::int64_t k = 0; parametric && k < dimension && k < 3; ++k)
+          in_.real("parameter of a node");
+      }
+    }
+    in_.end_numbers();
+  }
+
   void read_nodes_4() {
+    if (is_4_0_)
+      return read_nodes_4_0();
     in_.begin_numbers();
     const std::size_t blocks = in_.checked(in_.size("number of node blocks"), 20, "node blocks");
     for (int i = 0; i < 3; ++i)
@@ -288,22 +311,27 @@ private:
   void read_elements_4() {
     in_.begin_numbers();
     const std::size_t blocks = in_.checked(in_.size("number of element blocks"), 20, "element blocks");
-    for (int i = 0; i < 3; ++i)
+    for (int i = 0; i < (is_4_0_ ? 1 : 3); ++i)
       in_.size("number of elements");
     for (std::size_t b = 0; b < blocks; ++b) {
-      const int dimension = static_cast<int>(in_.integer("dimension of an element block"));
-      const std::int64_t entity = in_.integer("entity of an element block");
+      std::int64_t dimension = in_.integer("dimension of an element block");
+      std::int64_t entity = in_.integer("entity of an element block");
+      if (is_4_0_)
+        std::swap(dimension, entity);
       const std::int64_t type = in_.integer("type of an element block");
-      const std::size_t n = in_.checked(in_.size("number of elements"), 16, "elements");
-      const auto group = physical_of_entity_.find({dimension, entity});
+      const std::size_t n = in_.checked(in_.size("number of elements"), is_4_0_ ? 8 : 16, "elements");
+      const auto group = physical_of_entity_.find({static_cast<int>(dimension), entity});
       for (std::size_t i = 0; i < n; ++i) {
-        begin_element(in_.size("number of an element"), type, group == physical_of_entity_.end() ? 0 : group->second);
+        begin_element(tag("number of an element"), type, group == physical_of_entity_.end() ? 0 : group->second);
         for (std::size_t k = number_of_gmsh_nodes(type); k > 0; --k)
-          element_nodes.push_back(in_.size("node of an element"));
+          element_nodes.push_back(tag("node of an element"));
       }
     }
     in_.end_numbers();
   }
+
+  // Of nodes and elements in format 4.
+  std::int64_t tag(const char* what) { return is_4_0_ ? in_.integer(what) : in_.size(what); }
 
   void begin_element(std::int64_t tag, std::int64_t type, std::int64_t physical) {
     if (number_of_gmsh_nodes(type) == 0)
@@ -371,6 +399,7 @@ private:
   Gmsh_cursor in_;
   const Input_file& file_;
   int version_ = 0;
+  bool is_4_0_ = false;
   std::vector<std::int64_t> node_tags_;
   std::map<std::pair<int, std::int64_t>, std::int64_t> physical_of_entity_;
 };

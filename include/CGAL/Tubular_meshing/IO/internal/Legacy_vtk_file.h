@@ -26,10 +26,14 @@ inline Number_type legacy_vtk_type(std::string_view name) {
     Number_type type;
   };
   static const Row rows[] = {
-      {"char", {'i', 1}},   {"signed_char", {'i', 1}},    {"unsigned_char", {'u', 1}}, {"short", {'i', 2}},
-      {"int", {'i', 4}},    {"unsigned_short", {'u', 2}}, {"unsigned_int", {'u', 4}},  {"long", {'i', 8}},
-      {"float", {'f', 4}},  {"unsigned_long", {'u', 8}},  {"vtktypeint64", {'i', 8}},  {"vtktypeuint64", {'u', 8}},
-      {"double", {'f', 8}}, {"vtkIdType", {'i', 4}},
+      {"char", {'i', 1}},           {"signed_char", {'i', 1}},   {"unsigned_char", {'u', 1}},
+      {"short", {'i', 2}},          {"int", {'i', 4}},           {"unsigned_short", {'u', 2}},
+      {"unsigned_int", {'u', 4}},   {"long", {'i', 8}},          {"float", {'f', 4}},
+      {"unsigned_long", {'u', 8}},  {"vtktypeint64", {'i', 8}},  {"vtktypeuint64", {'u', 8}},
+      {"double", {'f', 8}},         {"vtkIdType", {'i', 4}},     {"vtktypeint8", {'i', 1}},
+      {"vtktypeuint8", {'u', 1}},   {"vtktypeint16", {'i', 2}},  {"vtktypeuint16", {'u', 2}},
+      {"vtktypeint32", {'i', 4}},   {"vtktypeuint32", {'u', 4}}, {"vtktypefloat32", {'f', 4}},
+      {"vtktypefloat64", {'f', 8}}, {"long_long", {'i', 8}},     {"unsigned_long_long", {'u', 8}},
   };
   for (const Row& r : rows)
     if (equal_ignoring_case(name, r.name))
@@ -44,7 +48,7 @@ public:
   std::vector<Coordinates> points;
   std::map<std::string, Vtk_cells> cells; // POLYDATA: LINES, POLYGONS, …; else CELLS
   std::vector<int> cell_types;
-  std::map<std::string, std::vector<double>> point_arrays;
+  std::map<std::string, std::vector<double>> point_arrays, cell_arrays, fields;
 
   bool is_polydata() const { return dataset_ == "POLYDATA"; }
   const Input_file& file() const { return text_.file(); }
@@ -87,7 +91,7 @@ private:
       read_cell_types();
     else if (word == "POINT_DATA" || word == "CELL_DATA") {
       tuples_ = text_.count("number of values", 1);
-      at_points_ = word == "POINT_DATA";
+      place_ = word == "POINT_DATA" ? &point_arrays : &cell_arrays;
     } else if (word == "METADATA")
       skip_metadata();
     else if (word == "FIELD")
@@ -96,11 +100,12 @@ private:
       read_attribute(word);
   }
 
-  // up to an empty line
+  // Up to an empty line; but one may be the name of a component that has none, and more comes behind it.
   void skip_metadata() {
     text_.line();
-    while (text_.remaining() > 0 && !trimmed(text_.line()).empty()) {
-    }
+    while (text_.remaining() > 0)
+      if (trimmed(text_.line()).empty() && text_.peek() != "INFORMATION")
+        return;
   }
 
   void read_points() {
@@ -175,6 +180,8 @@ private:
     const std::string type(text_.token());
     if (word == "SCALARS")
       components = read_rest_of_scalars();
+    if (type == "string")
+      return skip_strings(components * tuples_);
     store(name, numbers<double>(components, tuples_, type, "array"));
   }
 
@@ -207,24 +214,20 @@ private:
     }
   }
 
-  void store(const std::string& name, std::vector<double> values) {
-    if (at_points_)
-      point_arrays[name] = std::move(values);
-  }
+  void store(const std::string& name, std::vector<double> values) { (*place_)[name] = std::move(values); }
 
   // n tuples of numbers. The cursor stands behind the type's name or the sizes; binary data begins on the next line.
   template <class T>
   std::vector<T> numbers(std::size_t components, std::size_t n, std::string_view type_name, const char* what) {
+    if (type_name == "bit")
+      return bits<T>(components * n, what);
     const Number_type type = legacy_vtk_type(type_name);
     if (!type.is_known() || (std::is_integral<T>::value && type.kind == 'f'))
       text_.fail(printable(type_name) + " is no type that the " + what + " can have");
     if (components != 0 && n > text_.remaining() / components)
       text_.fail(std::string("the file ends within the ") + what + "; it is truncated, export or copy it again");
     if (!ascii_) {
-      if (text_.remaining() > 0 && text_.rest().front() != '\n' && is_space(text_.rest().front()))
-        text_.line();
-      else if (text_.remaining() > 0 && text_.rest().front() == '\n')
-        text_.move_to(text_.position() + 1);
+      end_line();
       Byte_cursor in(file(), text_.position(), false);
       std::vector<T> values = in.numbers<T>(components * n, type, what);
       text_.move_to(in.position());
@@ -236,6 +239,33 @@ private:
         v = text_.integer(what);
       else
         v = text_.number(what);
+    return values;
+  }
+
+  // Behind the type's name or the sizes, before binary data.
+  void end_line() {
+    if (text_.remaining() > 0 && text_.rest().front() != '\n' && is_space(text_.rest().front()))
+      text_.line();
+    else if (text_.remaining() > 0 && text_.rest().front() == '\n')
+      text_.move_to(text_.position() + 1);
+  }
+
+  // In binary eight to a byte, the first one highest.
+  template <class T> std::vector<T> bits(std::size_t n, const char* what) {
+    if (n / 8 > text_.remaining())
+      text_.fail(std::string("the file ends within the ") + what + "; it is truncated, export or copy it again");
+    std::vector<T> values(n);
+    if (ascii_) {
+      for (T& v : values)
+        v = static_cast<T>(text_.integer(what));
+      return values;
+    }
+    end_line();
+    Byte_cursor in(file(), text_.position(), false);
+    const std::string_view bytes = in.take((n + 7) / 8, what);
+    for (std::size_t i = 0; i < n; ++i)
+      values[i] = static_cast<T>(static_cast<unsigned char>(bytes[i / 8]) >> (7 - i % 8) & 1);
+    text_.move_to(in.position());
     return values;
   }
 
@@ -274,7 +304,7 @@ private:
   bool ascii_ = true;
   std::string dataset_;
   std::size_t tuples_ = 0;
-  bool at_points_ = false;
+  std::map<std::string, std::vector<double>>* place_ = &fields; // that arrays belong to
 };
 
 } // namespace CGAL::Tubular_meshing::IO::internal

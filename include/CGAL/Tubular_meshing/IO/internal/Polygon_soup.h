@@ -7,10 +7,12 @@
 #include <CGAL/Tubular_meshing/IO/internal/Input_file.h>
 #include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/base/Triangle_soup.h>
+#include <CGAL/Tubular_meshing/base/labels.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -31,7 +33,65 @@ struct Polygon_soup {
   std::vector<std::int64_t> corners;
   std::vector<std::size_t> ends;
 
+  // Arrays of one number each, by name: at points, and at the cells of the file.
+  typedef std::map<std::string, std::vector<double>> Arrays;
+  Arrays point_arrays, cell_arrays;
+  std::vector<std::size_t> cells; // the cell that polygon i is, or is a part of; empty: cell i
+
+  // Named sets of polygons: solids, groups.
+  std::string group_kind;
+  std::vector<int> groups; // one a polygon
+  Label_names names;       // of groups; of labels in an array
+
   void end_polygon() { ends.push_back(corners.size()); }
+  void end_polygon(std::size_t cell) {
+    cells.push_back(cell);
+    end_polygon();
+  }
+  std::size_t cell_of(std::size_t polygon) const { return cells.empty() ? polygon : cells[polygon]; }
+};
+
+// Continues arrays by those of another piece of the file; what not all pieces have is dropped.
+inline void append_arrays(Polygon_soup::Arrays& arrays, Polygon_soup::Arrays piece, bool is_first) {
+  if (is_first) {
+    arrays.swap(piece);
+    return;
+  }
+  for (auto a = arrays.begin(); a != arrays.end();) {
+    const auto more = piece.find(a->first);
+    if (more == piece.end()) {
+      a = arrays.erase(a);
+      continue;
+    }
+    a->second.insert(a->second.end(), more->second.begin(), more->second.end());
+    ++a;
+  }
+}
+
+// Numbers names in the order in which they first come.
+class Group_names {
+public:
+  explicit Group_names(Label_names& names)
+      : names_(names) {}
+
+  // Groups without a name are each their own.
+  int number_of(const std::string& name) {
+    const int next = ++last_;
+    if (name.empty())
+      return next;
+    const auto known = numbers_.emplace(name, next);
+    if (!known.second) {
+      --last_;
+      return known.first->second;
+    }
+    names_[next] = name;
+    return next;
+  }
+
+private:
+  Label_names& names_;
+  std::map<std::string, int> numbers_;
+  int last_ = 0;
 };
 
 inline Coordinates coordinates(const Point_3& p) {
@@ -129,8 +189,9 @@ private:
   Coordinates normal_;
 };
 
-// The triangles of the polygons, after checking all that a file can get wrong.
-inline std::vector<Index_triangle> triangulate(const Polygon_soup& soup, const Input_file& file) {
+// The triangles of the polygons, after checking all that a file can get wrong; of each, the polygon that it is of.
+inline std::vector<Index_triangle> triangulate(const Polygon_soup& soup, const Input_file& file,
+                                               std::vector<std::size_t>& polygon) {
   // more corners than any exporter writes: refused, since the cost of clipping grows fast with it
   const std::size_t most_corners = 256;
 
@@ -153,6 +214,7 @@ inline std::vector<Index_triangle> triangulate(const Polygon_soup& soup, const I
                            static_cast<std::size_t>(corner[2])});
     else
       Ear_clipper(soup.points, {corner, corner + static_cast<std::ptrdiff_t>(k)}).clip(triangles);
+    polygon.resize(triangles.size(), f);
   }
   if (triangles.empty())
     file.fail("contains no triangles; check that it is a surface, and the right file");

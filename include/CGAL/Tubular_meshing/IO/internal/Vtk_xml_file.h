@@ -7,9 +7,9 @@
 #include <CGAL/Tubular_meshing/IO/internal/Byte_cursor.h>
 #include <CGAL/Tubular_meshing/IO/internal/Encoded_stream.h>
 #include <CGAL/Tubular_meshing/IO/internal/Text_cursor.h>
+#include <CGAL/Tubular_meshing/IO/internal/decompress.h>
 
 #include <pugixml.hpp>
-#include <zlib.h>
 
 #include <algorithm>
 #include <array>
@@ -47,9 +47,10 @@ public:
     swapped_ = host_is_little_endian() != (std::string_view(root.attribute("byte_order").value()) != "BigEndian");
     header_type_ = vtk_xml_type(root.attribute("header_type").as_string("UInt32"));
     const std::string_view compressor = root.attribute("compressor").value();
-    compressed_ = !compressor.empty();
-    if (compressed_ && compressor != "vtkZLibDataCompressor")
+    compression_ = vtk_compression(compressor);
+    if (compression_ == Compression::unknown || (compression_ == Compression::lzma && !has_lzma()))
       file_.fail("cannot be used: it is compressed with " + printable(compressor) +
+                 (compression_ == Compression::lzma ? ", which this program was built without" : "") +
                  "; write it with zlib or without compression");
     if (header_type_.kind != 'u' || header_type_.size < 4)
       file_.fail("cannot be used: its header_type is neither UInt32 nor UInt64");
@@ -65,6 +66,8 @@ public:
         return a;
     return pugi::xml_node();
   }
+
+  static bool is_numeric(pugi::xml_node array) { return vtk_xml_type(array.attribute("type").value()).is_known(); }
 
   // The numbers of an array. An array that is not there is empty.
   template <class T> std::vector<T> values(pugi::xml_node array) const {
@@ -94,7 +97,7 @@ public:
   // The points of a piece; none if it has none.
   std::vector<std::array<double, 3>> points(pugi::xml_node piece) const {
     const std::size_t n = count(piece, "NumberOfPoints");
-    if (n > file_.bytes.size() * 512) // zlib packs 12 bytes of a point into no less
+    if (n > file_.bytes.size() * (best_ratio(compression_) / 2)) // twelve bytes of a point take no less
       file_.fail("announces " + std::to_string(n) + " points, which is more than it can hold; it is damaged");
     const std::vector<double> xyz = values<double>(find(piece.child("Points"), ""), 3 * n);
     std::vector<std::array<double, 3>> points(n);
@@ -159,7 +162,7 @@ private:
   }
 
   std::string decoded(Encoded_stream in) const {
-    if (compressed_)
+    if (compression_ != Compression::none)
       return inflated(in);
     const std::uint64_t n = header(in);
     if (n > in.most_bytes())
@@ -185,25 +188,18 @@ private:
   // Arrays that all point at the same data would multiply it.
   void count_decoded(std::size_t bytes) const {
     decoded_bytes_ += bytes;
-    if (decoded_bytes_ / best_zlib_ratio > file_.bytes.size())
+    if (decoded_bytes_ / best_ratio(compression_) > file_.bytes.size())
       file_.fail("cannot be used: its data arrays hold more than fits into it, as several have the same data; it is "
                  "damaged");
   }
 
   void inflate_block(Encoded_stream& in, std::uint64_t packed_bytes, std::uint64_t bytes, std::string& out) const {
-    if (packed_bytes > in.most_bytes() || bytes > best_zlib_ratio * packed_bytes)
+    if (packed_bytes > in.most_bytes() || bytes > best_ratio(compression_) * packed_bytes)
       in.fail();
-    const std::string packed = in.read(static_cast<std::size_t>(packed_bytes));
-    const std::size_t begin = out.size();
-    out.resize(begin + static_cast<std::size_t>(bytes));
-    uLongf n = static_cast<uLongf>(bytes);
-    if (uncompress(reinterpret_cast<Bytef*>(&out[begin]), &n, reinterpret_cast<const Bytef*>(packed.data()),
-                   static_cast<uLong>(packed.size())) != Z_OK ||
-        n != bytes)
+    if (!decompress(compression_, in.read(static_cast<std::size_t>(packed_bytes)), static_cast<std::size_t>(bytes),
+                    out))
       in.fail();
   }
-
-  static constexpr std::uint64_t best_zlib_ratio = 1032;
 
   const Input_file& file_;
   mutable std::uint64_t decoded_bytes_ = 0;
@@ -211,7 +207,7 @@ private:
   pugi::xml_node dataset_;
   std::string_view appended_;
   bool appended_base64_ = false;
-  bool compressed_ = false;
+  Compression compression_ = Compression::none;
   bool swapped_ = false;
   Number_type header_type_;
 };

@@ -30,9 +30,24 @@ inline std::int64_t obj_corner(std::string_view word, std::size_t vertices, cons
   return v > 0 ? v - 1 : static_cast<std::int64_t>(vertices) + v;
 }
 
-// Vertices and faces; all else (normals, texture, groups, materials, lines) is passed over.
+// Whether a line that ends here is the last one, and has no end of line.
+inline bool is_cut_off(const Input_file& file, std::size_t end_of_line) {
+  return end_of_line == file.bytes.size() && file.bytes.back() != '\n';
+}
+
+// What stands behind g or o: the first name of several.
+inline std::string obj_name(std::string_view rest) {
+  return std::string(next_word(rest));
+}
+
+// Vertices, faces, and the names of groups (g) and objects (o) that they are in; all else (normals, texture, materials,
+// lines) is passed over. Exporters write loose edges and points as faces of fewer than three corners: no triangles come
+// of these.
 inline Polygon_soup read_obj(const Input_file& file) {
   Polygon_soup soup;
+  soup.group_kind = "groups";
+  Group_names names(soup.names);
+  int group = 0; // in none
   Text_cursor in(file);
   while (!in.at_end()) {
     const std::size_t start_of_line = in.position();
@@ -52,9 +67,13 @@ inline Polygon_soup read_obj(const Input_file& file) {
       for (std::string_view word = next_word(rest); !word.empty() && word.front() != '#'; word = next_word(rest))
         soup.corners.push_back(obj_corner(word, soup.points.size(), in));
       const std::size_t begin = soup.ends.empty() ? 0 : soup.ends.back();
-      if (soup.corners.size() < begin + 3)
-        in.fail("a face has fewer than three corners; if the file was truncated, export or copy it again");
+      if (soup.corners.size() < begin + 3 && is_cut_off(file, next_line))
+        in.fail("the last face has fewer than three corners; the file was truncated, export or copy it again");
       soup.end_polygon();
+      soup.groups.push_back(group);
+    } else if (keyword == "g" || keyword == "o") {
+      const std::string name = obj_name(rest);
+      group = names.number_of(name.empty() ? "default" : name);
     }
     in.move_to(next_line);
   }

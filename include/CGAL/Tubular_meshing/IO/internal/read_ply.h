@@ -62,6 +62,7 @@ public:
   Polygon_soup read() {
     read_header();
     Polygon_soup soup;
+    soup.names = names_;
     for (const Ply_element& e : elements_)
       read_element(e, soup);
     return soup;
@@ -83,6 +84,8 @@ private:
         read_element_header();
       else if (word == "property")
         read_property();
+      else if (word == "comment")
+        read_comment();
       text_.line();
     }
     text_.line();
@@ -121,6 +124,20 @@ private:
     elements_.back().properties.push_back(p);
   }
 
+  // "patch 2 inlet", as this package writes names
+  void read_comment() {
+    const std::size_t position = text_.position();
+    std::string_view line = trimmed(text_.line());
+    text_.move_to(position);
+    std::int64_t label;
+    if (line.substr(0, 6) != "patch ")
+      return;
+    line = trimmed(line.substr(6));
+    const std::size_t end = line.find(' ');
+    if (end != line.npos && parse_number(line.substr(0, end), label) && label == static_cast<int>(label))
+      names_[static_cast<int>(label)] = std::string(trimmed(line.substr(end)));
+  }
+
   void read_element(const Ply_element& e, Polygon_soup& soup) {
     if (e.properties.empty())
       return;
@@ -149,7 +166,7 @@ private:
         if (!p.length.is_known() && p.name.size() == 1 && p.name[0] >= 'x' && p.name[0] <= 'z')
           q[static_cast<std::size_t>(p.name[0] - 'x')] = number(p.type);
         else
-          skip(p);
+          keep_or_skip(p, soup.point_arrays);
       soup.points.push_back(q);
     }
   }
@@ -163,9 +180,17 @@ private:
           for (std::size_t c = 0; c < k; ++c)
             soup.corners.push_back(corner(p.type));
         } else
-          skip(p);
+          keep_or_skip(p, soup.cell_arrays);
       soup.end_polygon();
     }
+  }
+
+  // A single number goes into the array of its name.
+  void keep_or_skip(const Ply_property& p, Polygon_soup::Arrays& arrays) {
+    if (p.length.is_known())
+      skip(p);
+    else
+      arrays[p.name].push_back(number(p.type));
   }
 
   double number(Number_type t) { return ascii_ ? text_.number("property") : bytes_.number<double>(t, "property"); }
@@ -200,6 +225,7 @@ private:
   bool ascii_ = true;
   bool little_endian_ = true;
   std::vector<Ply_element> elements_;
+  Label_names names_;
 };
 
 inline Polygon_soup read_ply(const Input_file& file) {

@@ -59,6 +59,9 @@ inline Polygon_soup read_binary_stl(const Input_file& file) {
 
 inline Polygon_soup read_ascii_stl(const Input_file& file) {
   Polygon_soup soup;
+  soup.group_kind = "solids";
+  Group_names names(soup.names);
+  int solid = 0; // before the first
   Text_cursor in(file);
   bool in_solid = false, in_facet = false;
   while (!in.at_end()) {
@@ -78,9 +81,10 @@ inline Polygon_soup read_ascii_stl(const Input_file& file) {
         in.fail("a facet ends here that has fewer than three vertices");
       in_facet = false;
       soup.end_polygon();
+      soup.groups.push_back(solid);
     } else if (equal_ignoring_case(word, "solid")) {
       in_solid = true;
-      in.line(); // a name, which may hold any word
+      solid = names.number_of(std::string(trimmed(in.line()))); // a name, which may hold any word
     } else if (equal_ignoring_case(word, "endsolid")) {
       in_solid = false;
       in.line();

@@ -7,6 +7,7 @@
 #include <CGAL/Tubular_meshing/IO/internal/Number_writer.h>
 #include <CGAL/Tubular_meshing/IO/internal/Polygon_soup.h>
 #include <CGAL/Tubular_meshing/IO/internal/Vtk_xml_writer.h>
+#include <CGAL/Tubular_meshing/IO/internal/name_fields.h>
 
 #include <string>
 #include <vector>
@@ -27,11 +28,18 @@ struct Polydata {
     std::vector<std::int32_t> values;
   };
   std::vector<Cell_array> cell_arrays;
+  Label_names names; // of patches
 };
 
 inline void write_vtp(Output_file& file, const Polydata& data) {
   const std::string n = std::to_string(data.ends.size());
   Vtk_xml_writer out("PolyData");
+  if (!data.names.empty()) {
+    out.begin("FieldData");
+    for (const auto& field : name_fields(data.names, {}))
+      out.array(field.first, 0, field.second);
+    out.end("FieldData");
+  }
   out.begin("Piece NumberOfPoints=\"" + std::to_string(data.points.size()) + "\" NumberOfVerts=\"0\" NumberOfLines=\"" +
             (data.are_lines ? n : "0") + "\" NumberOfStrips=\"0\" NumberOfPolys=\"" + (data.are_lines ? "0" : n) +
             "\"");
@@ -55,11 +63,27 @@ inline void write_vtp(Output_file& file, const Polydata& data) {
   out.write(file);
 }
 
+// As fields; a blank would end a name there.
+inline void write_legacy_names(const Label_names& names, Number_writer& out) {
+  const auto fields = name_fields(names, {});
+  if (fields.empty())
+    return;
+  out << "FIELD FieldData " << fields.size() << '\n';
+  for (const auto& field : fields) {
+    std::string name = field.first;
+    std::replace(name.begin(), name.end(), ' ', '_');
+    out << name << " 2 " << field.second.size() / 2 << " int\n";
+    for (std::size_t i = 0; i < field.second.size(); ++i)
+      out << field.second[i] << (i + 1 == field.second.size() ? '\n' : ' ');
+  }
+}
+
 // Version 3.0, which all of VTK's readers know, and VMTK's.
 inline void write_legacy_vtk(Output_file& file, const Polydata& data) {
   Number_writer out(file);
-  out << "# vtk DataFile Version 3.0\nTubular_meshing\nASCII\nDATASET POLYDATA\nPOINTS " << data.points.size()
-      << " double\n";
+  out << "# vtk DataFile Version 3.0\nTubular_meshing\nASCII\nDATASET POLYDATA\n";
+  write_legacy_names(data.names, out);
+  out << "POINTS " << data.points.size() << " double\n";
   for (const Coordinates& p : data.points)
     out << p[0] << ' ' << p[1] << ' ' << p[2] << '\n';
   out << (data.are_lines ? "LINES " : "POLYGONS ") << data.ends.size() << ' ' << data.ends.size() + data.corners.size()

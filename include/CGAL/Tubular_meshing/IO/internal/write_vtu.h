@@ -5,7 +5,9 @@
 #define CGAL_TUBULAR_MESHING_IO_INTERNAL_WRITE_VTU_H
 
 #include <CGAL/Tubular_meshing/IO/internal/Vtk_xml_writer.h>
+#include <CGAL/Tubular_meshing/IO/internal/name_fields.h>
 #include <CGAL/Tubular_meshing/IO/internal/element_kinds.h>
+#include <CGAL/Tubular_meshing/IO/internal/name_fields.h>
 
 #include <map>
 #include <string>
@@ -13,14 +15,8 @@
 
 namespace CGAL::Tubular_meshing::IO::internal {
 
-// Each name is a field array of pairs (label, dimension), as Gmsh's names are: dimension 3 for regions, 2 for patches.
-// A region and a patch of the same name share the array, one pair after the other.
 inline void write_names(const Mixed_mesh& mesh, Vtk_xml_writer& out) {
-  std::map<std::string, std::vector<std::int32_t>> pairs;
-  for (const auto& n : mesh.patch_names)
-    pairs[n.second].insert(pairs[n.second].end(), {n.first, 2});
-  for (const auto& n : mesh.region_names)
-    pairs[n.second].insert(pairs[n.second].end(), {n.first, 3});
+  const auto pairs = name_fields(mesh.patch_names, mesh.region_names);
   if (pairs.empty())
     return;
   out.begin("FieldData");
@@ -46,6 +42,8 @@ inline void write_cells(const Mixed_mesh& mesh, Vtk_xml_writer& out) {
   out.begin("CellData");
   out.array("region", 1, regions);
   out.array("patch", 1, patches);
+  if (!mesh.patch_ids.empty())
+    out.array(mesh.patch_ids.array, 1, ids_of(patches, mesh.patch_ids));
   out.end("CellData");
   out.begin("Cells");
   out.array("connectivity", 1, connectivity);

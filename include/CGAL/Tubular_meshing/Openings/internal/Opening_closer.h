@@ -9,6 +9,7 @@
 #include <CGAL/Tubular_meshing/Openings/internal/Rim_flattener.h>
 #include <CGAL/Tubular_meshing/Rims/planar_cap.h>
 #include <CGAL/Tubular_meshing/Rims/trim_by_plane.h>
+#include <CGAL/Tubular_meshing/Rims/wall_alignment.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
@@ -41,14 +42,16 @@ public:
   void close(Opening_site& site) {
     const Point_3 where = site.shape.center;
     if (!site.is_open()) {
-      if (flatten(site))
+      if (is_nearly_flat(site) && flatten(site))
         return;
       remove_faces(site.cap, mesh_);
       site.cap.clear();
     }
     site.rim = peel_ears(std::move(site.rim), mesh_);
     site.shape = measure_rim(rim_points(site.rim, mesh_));
-    const bool sags = site.shape.sag > max_sag * site.shape.radius;
+    // a plane parallel to a rim that lies in the wall would cut the vessel along
+    const bool lies_in_wall = alignment_with_wall(site, mesh_) > 0.5;
+    const bool sags = !lies_in_wall && site.shape.sag > max_sag * site.shape.radius;
     if ((!sags && flatten(site)) || trim(site) || (sags && flatten(site)))
       return;
     throw Meshing_error("The opening at " + coordinates(where) +
@@ -65,6 +68,15 @@ public:
 
 private:
   static constexpr double max_sag = 0.2; // of the radius
+
+  // What bulges more is not pressed into the plane, but replaced.
+  bool is_nearly_flat(const Opening_site& site) const {
+    for (Face f : site.cap)
+      for (auto v : CGAL::vertices_around_face(mesh_.halfedge(f), mesh_))
+        if (std::abs(site.shape.plane.height(mesh_.point(v))) > 0.1 * site.shape.radius)
+          return false;
+    return true;
+  }
 
   // False if this would fold the wall or make the surface intersect itself; then nothing is changed.
   bool flatten(Opening_site& site) {

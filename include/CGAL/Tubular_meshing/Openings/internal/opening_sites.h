@@ -5,6 +5,7 @@
 #define CGAL_TUBULAR_MESHING_OPENINGS_INTERNAL_OPENING_SITES_H
 
 #include <CGAL/Tubular_meshing/Rims/Opening_site.h>
+#include <CGAL/Tubular_meshing/Rims/crease_ends.h>
 #include <CGAL/Tubular_meshing/Rims/flat_ends.h>
 #include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/base/Opening.h>
@@ -89,7 +90,16 @@ inline std::vector<Opening_site> sites_of(const std::vector<Opening>& openings, 
     if (missing.empty())
       return sites;
   }
-  throw Input_error("The surface has no opening at " + coordinates(openings[missing[0]].center) +
+  Site_index creased_ends;
+  for (const auto& end : find_crease_ends(surface, false, sites))
+    creased_ends.insert(end);
+  still_missing.clear();
+  for (std::size_t i : missing)
+    if (!creased_ends.take(openings[i], sites[i]))
+      still_missing.push_back(i);
+  if (still_missing.empty())
+    return sites;
+  throw Input_error("The surface has no opening at " + coordinates(openings[still_missing[0]].center) +
                     ": pass what find_openings() returns for this surface.");
 }
 

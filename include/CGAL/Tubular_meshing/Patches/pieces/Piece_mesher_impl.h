@@ -6,7 +6,7 @@
 
 #include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Patches/Remeshed_surface.h>
-#include <CGAL/Tubular_meshing/Patches/internal/remeshing/crossing_faces.h>
+#include <CGAL/Tubular_meshing/Patches/pieces/crossing_faces.h>
 #include <CGAL/Tubular_meshing/Patches/pieces/Piece_mesher.h>
 #include <CGAL/Tubular_meshing/base/config.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
@@ -69,34 +69,47 @@ private:
     bool joins_the_same(const Chord& c) const { return a == c.a && b == c.b; }
   };
 
-  // Two pieces on the same curves may both have an edge between two of their points that are no neighbours on a curve.
+  // Two pieces on the same curves may both have an edge between two of their points that are no neighbours on a curve;
+  // a piece on both sides of a curve, between a point and itself or its neighbour on the other side.
   void mark_pieces_that_share_an_edge(std::vector<char>& failed) const {
     std::vector<Chord> chords;
     for (size_type k = 0; k < mesher_.pieces().size(); ++k)
-      collect_chords(k, chords);
+      if (!collect_chords(k, chords))
+        failed[k] = 1;
     std::sort(chords.begin(), chords.end());
     for (size_type i = 1; i < chords.size(); ++i)
       if (chords[i].joins_the_same(chords[i - 1]))
         failed[chords[i].piece] = failed[chords[i - 1].piece] = 1;
   }
 
-  void collect_chords(size_type k, std::vector<Chord>& chords) const {
+  // False if an edge between two sides of the piece is none, or one of a curve.
+  bool collect_chords(size_type k, std::vector<Chord>& chords) const {
     const auto& piece = mesher_.pieces()[k];
+    bool fits = true;
     std::vector<Curve_point_number> numbers;
-    for (const auto& side : piece.sides) {
+    std::vector<size_type> sides;
+    for (size_type s = 0; s < piece.sides.size(); ++s) {
+      const auto& side = piece.sides[s];
       const size_type n = mesher_.curve_points()[side.curve].size();
       for (size_type i = 0; i < n; ++i)
         numbers.emplace_back(side.curve, side.forward ? i : n - 1 - i);
+      sides.resize(numbers.size(), s);
     }
     const auto collect = [&](const auto& face) {
       for (size_type e = 0; e < face.size(); ++e) {
         const size_type a = face[e], b = face[(e + 1) % face.size()];
-        if (a < b && b < numbers.size() && !are_neighbours(numbers[a], numbers[b])) // once, of the two sides of an edge
+        if (a >= b || b >= numbers.size()) // once, of the two sides of an edge
+          continue;
+        const bool is_on_curve = numbers[a] == numbers[b] || are_neighbours(numbers[a], numbers[b]);
+        if (!is_on_curve)
           chords.push_back({(std::min)(numbers[a], numbers[b]), (std::max)(numbers[a], numbers[b]), k});
+        else if (sides[a] != sides[b])
+          fits = false;
       }
     };
     std::for_each(piece.triangles.begin(), piece.triangles.end(), collect);
     std::for_each(piece.quads.begin(), piece.quads.end(), collect);
+    return fits;
   }
 
   bool are_neighbours(const Curve_point_number& a, const Curve_point_number& b) const {

@@ -12,9 +12,11 @@
 #include <CGAL/Tubular_meshing/Fields/Centerline_metric_field.h>
 #include <CGAL/Tubular_meshing/Fields/Centerline_sizing_field.h>
 #include <CGAL/Tubular_meshing/Fields/Metric_tensor_3.h>
+#include <CGAL/Tubular_meshing/Fields/Size_requests.h>
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/Patches/Remeshed_surface.h>
 #include <CGAL/Tubular_meshing/Pipelines/Tubular_model.h>
+#include <CGAL/Tubular_meshing/Volume/preserve_volume.h>
 #include <CGAL/Tubular_meshing/base/labels.h>
 #include <CGAL/Tubular_meshing/base/parameters.h>
 
@@ -60,6 +62,30 @@ public:
   template <class Options> void scale_lengths(Options& options) const {
     options.min_size /= frame_.scale();
     options.max_size /= frame_.scale();
+  }
+
+  Size_requests in_frame(Size_requests requests) const {
+    for (Size_requests::Ball& b : requests.balls) {
+      b.center = to_frame(b.center);
+      b.radius /= frame_.scale();
+    }
+    for (Size_requests::Sized_triangle& t : requests.surface) {
+      for (Point_3& p : t.corners)
+        p = to_frame(p);
+      for (double& h : t.sizes)
+        h /= frame_.scale();
+    }
+    return requests;
+  }
+
+  // Brings volumes, areas and lengths back.
+  void bring_back(Preserve_volume_report& report) const {
+    const double scale = frame_.scale();
+    for (double* volume : {&report.input_volume, &report.volume_before, &report.volume})
+      *volume *= scale * scale * scale;
+    report.largest_shift *= scale;
+    for (auto& area : report.area)
+      area.second *= scale * scale;
   }
 
   Point_3 from_frame(const Point_3& p) const {

@@ -5,21 +5,30 @@
 #define CGAL_TUBULAR_MESHING_PIPELINES_INTERNAL_CHECK_MESH_OF_MODEL_H
 
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
+#include <CGAL/Tubular_meshing/Quality/lumen_measures.h>
 #include <CGAL/Tubular_meshing/Quality/validity_report.h>
 #include <CGAL/Tubular_meshing/Pipelines/Tubular_model.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 #include <CGAL/Tubular_meshing/base/labels.h>
 
+#include <CGAL/Polygon_mesh_processing/measure.h>
+
 #include <unistd.h>
 
+#include <cmath>
 #include <cstddef>
 #include <set>
 #include <string>
 
 namespace CGAL::Tubular_meshing::internal {
 
-// What a mesh of the model must be beyond valid: of the model's topology, with all of its patches.
-inline std::string differences(const Mixed_mesh& mesh, const Tubular_model& model) {
+// Chords lose (2 pi^2 / 3) / N^2 of the volume with N points round a vessel, 26 % with five; facets that pass over a part
+// of the vessel lose more.
+constexpr double largest_loss_of_volume = 0.3;
+
+// What a mesh of the model must be beyond valid: of the model's topology, with all of its patches, and as large.
+// `surface`: the model's, where the mesh is.
+inline std::string differences(const Mixed_mesh& mesh, const Tubular_model& model, const Surface& surface) {
   const Validity_report report = validity_report(mesh);
   std::string s = report.defects();
   const auto add = [&](const std::string& what) { s += (s.empty() ? "" : ", ") + what; };
@@ -32,7 +41,11 @@ inline std::string differences(const Mixed_mesh& mesh, const Tubular_model& mode
   patches.insert(mesh.quads.label.begin(), mesh.quads.label.end());
   for (const auto& opening : model.openings)
     if (patches.count(opening.patch) == 0)
-      add("no facets on " + lumen_patch_names(int(model.openings.size())).at(opening.patch));
+      add("no facets on " + patch_names(model).at(opening.patch));
+  const double wanted = Polygon_mesh_processing::volume(surface);
+  const double found = lumen_measures(mesh, model.openings.size()).volume;
+  if (std::abs(found - wanted) > largest_loss_of_volume * wanted)
+    add(std::to_string(std::lround(100 * found / wanted)) + " % of the volume of the surface");
   return s;
 }
 
@@ -45,8 +58,8 @@ inline void check_memory(double tetrahedra) {
                         " million tetrahedra, more than the memory of this machine holds: make it coarser.");
 }
 
-inline void check_differences(const Mixed_mesh& mesh, const Tubular_model& model) {
-  const std::string s = differences(mesh, model);
+inline void check_differences(const Mixed_mesh& mesh, const Tubular_model& model, const Surface& surface) {
+  const std::string s = differences(mesh, model, surface);
   if (!s.empty())
     throw Meshing_error("The mesh came out with " + s +
                         ": the mesh size may be too coarse for the surface; try a finer one.");

@@ -6,6 +6,7 @@
 
 #include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Repair/Repair_report.h>
+#include <CGAL/Tubular_meshing/Repair/Repair_surface_options.h>
 #include <CGAL/Tubular_meshing/Rims/Opening_site.h>
 #include <CGAL/Tubular_meshing/Repair/internal/Soup_edges.h>
 #include <CGAL/Tubular_meshing/Repair/internal/drop_islands.h>
@@ -19,7 +20,9 @@
 #include <CGAL/Tubular_meshing/Repair/internal/smooth_noise.h>
 #include <CGAL/Tubular_meshing/Repair/internal/split_touching_loops.h>
 #include <CGAL/Tubular_meshing/Repair/internal/tube_ends.h>
-#include <CGAL/Tubular_meshing/Repair/internal/wall_holes.h>
+#include <CGAL/Tubular_meshing/Repair/internal/turn_parts_outward.h>
+#include <CGAL/Tubular_meshing/Repair/internal/unite_parts.h>
+#include <CGAL/Tubular_meshing/Repair/internal/sort_border_loops.h>
 #include <CGAL/Tubular_meshing/Repair/internal/wrap_surface.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 
@@ -58,9 +61,10 @@ class Surface_repairer {
   typedef Surface::Face_index Face;
 
 public:
-  Surface_repairer(Surface& mesh, Repair_report& report)
+  Surface_repairer(Surface& mesh, Repair_report& report, const Repair_surface_options& options)
       : mesh_(mesh)
-      , report_(report) {}
+      , report_(report)
+      , options_(options) {}
 
   /* Makes the mesh and repairs nothing but what keeps the triangles from being one. */
   void assemble(Triangle_soup& soup) {
@@ -74,12 +78,13 @@ public:
     sew(soup);
     remove_fins(soup);
     make_mesh(soup);
-    report_islands(drop_islands(mesh_));
+    report_islands(drop_islands(mesh_, options_.number_of_parts));
     turn_outward();
     remove_needles();
     Touching_loop_splitter(mesh_).split();
-    close_pinholes();
+    close_holes();
     replace_needles();
+    unite_parts();
     const bool is_repaired = repair_crossings() && is_sound();
     if (!is_repaired || wrap_anyway)
       wrap();
@@ -184,11 +189,35 @@ private:
   }
 
   void turn_outward() {
-    if (!is_inside_out(mesh_, border_cycles(mesh_)))
+    if (options_.number_of_parts == 1 ? !is_inside_out(mesh_, border_cycles(mesh_)) : !turn_parts_outward(mesh_))
       return;
-    Polygon_mesh_processing::reverse_face_orientations(mesh_);
+    if (options_.number_of_parts == 1)
+      Polygon_mesh_processing::reverse_face_orientations(mesh_);
     report_.add(Surface_defect::inside_out, mesh_.number_of_faces(), 0,
                 "The normals of the surface pointed into the lumen; they now point outward.");
+  }
+
+  // Vessels that cross; what is wrong within one is repaired before, as far as a union asks for it, and after.
+  void unite_parts() {
+    if (options_.number_of_parts == 1)
+      return;
+    const United_parts parts = internal::unite_parts(mesh_);
+    if (parts.inside > 0)
+      report_.add(Surface_defect::parts_inside, parts.inside, 0,
+                  counted(parts.inside, "part", "parts") + " of the surface, " + short_number(100 * parts.share) +
+                      " % of the area, " + (parts.inside == 1 ? "lies" : "lie") + " inside of another one, as at " +
+                      coordinates(parts.place_inside) + ", and " + (parts.inside == 1 ? "was" : "were") + " removed.",
+                  parts.place_inside);
+    if (parts.united == 0)
+      return;
+    report_.add(Surface_defect::crossing_parts, parts.united, 0,
+                counted(parts.united, "part crosses another one and was", "parts cross others and were") +
+                    " united with it, one with a point at " + coordinates(parts.crossing) + ".",
+                parts.crossing);
+    remove_needles();
+    Touching_loop_splitter(mesh_).split();
+    tube_ends_.clear();
+    append_shapes(border_cycles(mesh_), tube_ends_);
   }
 
   void remove_needles() {
@@ -226,37 +255,36 @@ private:
   }
 
   // Tells the openings from the holes, and closes these.
-  void close_pinholes() {
-    Loop_classifier classifier(mesh_);
-    std::vector<Opening_site> openings, pinholes;
-    for (auto& loop : border_cycles(mesh_)) {
-      const Loop_kind kind = classifier.classify(loop);
-      if (kind == Loop_kind::torn_wall)
-        throw Input_error("The wall has a hole at " + coordinates(loop.shape.center) + ", of radius " +
-                          short_number(loop.shape.radius) +
-                          ", too large to be closed by guessing, and it does not lie across a vessel as an opening "
-                          "does: fill it, or cut the vessel open there.");
-      (kind == Loop_kind::pinhole ? pinholes : openings).push_back(std::move(loop));
-    }
+  void close_holes() {
+    Border_loops loops = sort_border_loops(mesh_, options_.filled_holes, options_.kept_openings);
     tube_ends_.clear();
-    append_shapes(openings, tube_ends_);
-    fill(pinholes);
+    append_shapes(loops.openings, tube_ends_);
+    append_shapes(loops.possible_openings, tube_ends_);
+    fill(loops.pinholes, Surface_defect::pinholes, "pinhole");
+    fill(loops.chosen_holes, Surface_defect::filled_holes, "chosen hole");
+    for (const Opening_site& loop : loops.possible_openings)
+      report_.add(
+          Surface_defect::possible_openings, 1, loop.shape.radius,
+          "The border loop at " + coordinates(loop.shape.center) + ", of radius " + short_number(loop.shape.radius) +
+              ", lies in the wall: it may be an opening or a hole, and is taken for an opening. Have it filled, "
+              "by its place, if it is a hole.",
+          loop.shape.center);
   }
 
-  void fill(const std::vector<Opening_site>& pinholes) {
-    if (pinholes.empty())
+  void fill(const std::vector<Opening_site>& holes, Surface_defect defect, const std::string& name) {
+    if (holes.empty())
       return;
-    const Opening_site* largest = &pinholes.front();
-    for (const auto& hole : pinholes) {
+    const Opening_site* largest = &holes.front();
+    for (const auto& hole : holes) {
       if (!fill_wall(mesh_, hole.rim.front(), true))
         throw Input_error("The hole of the wall at " + coordinates(hole.shape.center) +
                           " cannot be filled: remove the triangles around it.");
       largest = hole.shape.radius > largest->shape.radius ? &hole : largest;
     }
-    report_.add(Surface_defect::pinholes, pinholes.size(), largest->shape.radius,
-                counted(pinholes.size(), "pinhole", "pinholes") + " of the wall, the largest of radius " +
+    report_.add(defect, holes.size(), largest->shape.radius,
+                counted(holes.size(), name, name + "s") + " of the wall, the largest of radius " +
                     short_number(largest->shape.radius) + " at " + coordinates(largest->shape.center) + ", " +
-                    (pinholes.size() == 1 ? "was" : "were") + " filled.",
+                    (holes.size() == 1 ? "was" : "were") + " filled.",
                 largest->shape.center);
   }
 
@@ -343,8 +371,10 @@ private:
   long number_of_handles() const {
     const long characteristic = long(mesh_.number_of_vertices()) - long(mesh_.number_of_edges()) +
                                 long(mesh_.number_of_faces()) + long(border_cycles(mesh_).size());
-    return (2 - characteristic) / 2;
+    return (2 * number_of_pieces() - characteristic) / 2;
   }
+
+  long number_of_pieces() const { return options_.number_of_parts == 1 ? 1 : long(components_of(mesh_).size()); }
 
   void report_handles() {
     const long handles = number_of_handles();
@@ -365,7 +395,7 @@ private:
     Surface_wrapper wrapper(std::move(points), std::move(triangles), ends,
                             reason_.empty() ? "The surface is to be wrapped" : reason_);
     wrapper.wrap(mesh_, smallest_radius());
-    drop_islands(mesh_);
+    drop_islands(mesh_, options_.number_of_parts);
     const std::string what =
         reason_.empty() ? "As asked for, the surface was " : reason_ + "; the surface was therefore ";
     report_.add(Surface_defect::wrapped, 1, wrapper.alpha(),
@@ -419,6 +449,7 @@ private:
 
   Surface& mesh_;
   Repair_report& report_;
+  const Repair_surface_options& options_;
   std::vector<Rim_shape> tube_ends_; ///< as they were before what was wrong between them was repaired
   bool knows_flat_ends_ = false;
   std::string reason_; ///< why the surface is wrapped

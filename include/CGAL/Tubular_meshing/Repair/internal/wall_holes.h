@@ -6,6 +6,7 @@
 
 #include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Rims/Opening_site.h>
+#include <CGAL/Tubular_meshing/Rims/wall_alignment.h>
 #include <CGAL/Tubular_meshing/Repair/internal/wall_behind_loop.h>
 #include <CGAL/Tubular_meshing/base/cgal_compatibility.h>
 
@@ -21,40 +22,32 @@
 
 namespace CGAL::Tubular_meshing::internal {
 
-/* How much a border loop lies in the wall: the mean over its edges, by length, of the cosine between the normals of the
- * loop and of the faces behind it. Near 0 at the end of a tube, however oblique, since the wall stands upright on its
- * rim and what leans out on one side leans in on the other; near 1 round a hole of the wall, since the loop continues
- * the faces. Does not depend on the orientation of the mesh. On real vessels and airways the rims of openings stay
- * below 0.22, holes of the wall above 0.8. */
-inline double alignment_with_wall(const Opening_site& loop, const Surface& mesh) {
-  double sum = 0, perimeter = 0;
-  for (auto h : loop.rim) {
-    const Vector_3 n = area_vector(mesh.opposite(h), mesh);
-    const double area = std::sqrt(n.squared_length());
-    if (!(area > 0))
-      continue;
-    const double length = point_distance(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)));
-    sum += length * (n * loop.shape.plane.normal()) / area;
-    perimeter += length;
-  }
-  return perimeter > 0 ? sum / perimeter : 1;
-}
+enum class Loop_kind {
+  opening,
+  possible_opening, ///< taken for one, as nothing says that it is damage
+  pinhole,
+  torn_wall ///< neither: no flat cap goes over it
+};
 
-enum class Loop_kind { opening, pinhole, torn_wall };
-
-/* Tells openings, pinholes and torn walls apart.
+/* Tells openings, pinholes and torn walls apart. A loop is an opening unless it is damage, that is, small against the
+ * lumen behind it; where one cannot tell, it is a possible opening.
  *
- * A rim is an opening's if it lies across the tube: if the wall stands upright behind it, out to twice its radius
- * (Wall_behind), and at it (the alignment). A loop that lies in the wall is a pinhole if it is small against the lumen
- * behind it: its radius is less than half the local one, which is half the way to the opposite wall; or if it has at
- * most six edges, so that it is small against the triangles of the wall. A larger one is a torn wall: what is missing
- * there, only the user knows; so is a round and plane hole of many edges, which somebody may have cut; a wide slit; a
- * loop that reaches along the vessel; and one of which the wall around tells neither.
+ * A rim is an opening's
+ * - if it lies across the tube: if the wall stands upright behind it, out to twice its radius (Wall_behind), and at it
+ *   (the alignment);
+ * - if the wall stands upright at it alone, as at a stub, or at a branch that is cut off flush with the vessel;
+ * - if it is plane and the wall leans towards it, as cutting leaves it and missing triangles do not.
+ *
+ * A loop that lies in the wall is a pinhole if its radius is less than half the local one, which is half the way to the
+ * opposite wall; if it has at most six edges, so that it is small against the triangles of the wall; or if it is a
+ * crack. One that is plane, round, and of many edges, as if somebody had cut it, is a pinhole only below a tenth of the
+ * local radius. What is larger is a possible opening, but for a wide slit, and a loop that reaches along the vessel.
  *
  * The bounds are far from what is found at the openings of real surfaces, coarse and fine: depth 0.77 to 0.91 radii,
  * flatness below 0.31, alignment from -0.13 to 0.24; with as much as 3 % of the triangles damaged depth above 0.5,
- * flatness below 0.4. Holes of a wall have depths up to 0.45 or flatness above 0.5, where they are not as large as the
- * vessel; those of one triangle in a coarse vessel have an alignment above 0.7.
+ * flatness below 0.4. Branches cut off flush have alignments from -0.01 to 0.67 and no sag, holes left by missing
+ * triangles alignments above 0.75 and sags above 0.05 radii. Holes of a wall have depths up to 0.45 or flatness above
+ * 0.5, where they are not as large as the vessel; those of one triangle in a coarse vessel have an alignment above 0.7.
  *
  * The mesh has to be turned outward, and loops that touch to be split. The tree of the faces is built at the first loop
  * that lies in the wall: a clean surface does not pay for it. */
@@ -82,10 +75,15 @@ public:
       return Loop_kind::pinhole; // a crack
     if (loop.shape.sag > 3 * loop.shape.radius)
       return Loop_kind::torn_wall;
-    if (wall.depth > 0.5 && wall.flatness < 0.42)
-      return alignment < (has_fewest_edges ? 0.25 : 0.5) && !is_thin(loop) ? Loop_kind::opening : Loop_kind::torn_wall;
+    const bool lies_across = wall.depth > 0.5 && wall.flatness < 0.42;
+    if (lies_across && !is_thin(loop) && (alignment < (has_fewest_edges ? 0.25 : 0.5) || looks_cut(loop)))
+      return Loop_kind::opening;
+    if (is_raised(loop, alignment))
+      return Loop_kind::opening;
     const bool lies_in_wall = wall.flatness > 0.5 || alignment > 0.6 || (wall.depth < 0.45 && wall.flatness > 0.25);
-    return lies_in_wall && is_small(loop, alignment) ? Loop_kind::pinhole : Loop_kind::torn_wall;
+    if (lies_in_wall && is_small(loop, alignment))
+      return Loop_kind::pinhole;
+    return is_thin(loop) ? Loop_kind::torn_wall : Loop_kind::possible_opening;
   }
 
   /* The radius of a loop, as a fraction of the lumen's behind it: of half the median way to the opposite wall, along
@@ -108,7 +106,14 @@ private:
     if (loop.rim.size() <= 6)
       return true;
     const double ratio = size_ratio(loop);
-    return ratio < 0.25 || (ratio < 0.5 && alignment > 0.5 && !looks_cut(loop));
+    return looks_cut(loop) ? ratio < 0.1 : ratio < (alignment > 0.5 ? 0.5 : 0.25);
+  }
+
+  // Whether the wall rises, or at least leans, towards the rim.
+  static bool is_raised(const Opening_site& loop, double alignment) {
+    const double roundness = 4 * CGAL_PI * loop.shape.area / (loop.shape.perimeter * loop.shape.perimeter);
+    const bool is_plane = loop.shape.sag < 0.03 * loop.shape.radius;
+    return loop.rim.size() > 8 && roundness > 0.6 && alignment < (is_plane ? 0.7 : 0.35);
   }
 
   // Round, plane, and finer than what a few missing triangles leave.

@@ -24,11 +24,13 @@ namespace CGAL::Tubular_meshing::internal {
  * surface, O(n log n) in the number of patches. */
 class Patch_labeller {
 public:
-  Patch_labeller(const Cut_surface& surface, const Disk_cutter& cutter, Surface_cut& result)
+  Patch_labeller(const Cut_surface& surface, const Disk_cutter& cutter,
+                 const std::vector<std::vector<Halfedge>>& handle_cuts, Surface_cut& result)
       : surface_(surface)
       , mesh_(surface.mesh())
       , cutter_(cutter)
       , partition_(cutter)
+      , handle_cuts_(handle_cuts)
       , result_(result) {}
 
   void label() {
@@ -37,6 +39,7 @@ public:
       result_.patch_of_face[f] = -1;
     fill();
     collect_cuts();
+    collect_handle_cuts();
     collect_rims();
     number_along_centerlines();
     describe();
@@ -85,6 +88,11 @@ private:
         curve.abscissa = cut.abscissa;
         add_curve(std::move(curve), cut.halfedges);
       }
+  }
+
+  void collect_handle_cuts() {
+    for (const std::vector<Halfedge>& cut : handle_cuts_)
+      add_curve(Cut_curve(), cut);
   }
 
   void collect_rims() {
@@ -141,7 +149,7 @@ private:
     };
     std::vector<size_type> next_part(cutter_.graph().branches().size(), 0);
     for (const Cut_curve& c : result_.curves)
-      if (!c.is_rim()) {
+      if (c.branch != none) {
         const size_type part = next_part[c.branch]++;
         claim(c.left_patch, partition_.piece_of(c.branch, part));
         claim(c.right_patch, partition_.piece_of(c.branch, part + 1));
@@ -246,6 +254,7 @@ private:
   Surface& mesh_;
   const Disk_cutter& cutter_;
   const Graph_partition partition_;
+  const std::vector<std::vector<Halfedge>>& handle_cuts_;
   Surface_cut& result_;
   std::vector<size_type> piece_of_patch_, patch_of_piece_;
   std::vector<bool> has_several_pieces_;

@@ -32,11 +32,16 @@ public:
 
   /* False if the section comes so near to a rim, to a curve cut before or to itself that the curve would touch it. */
   bool snap(const Plane_section& section, Cut_surface::Curve& curve) {
-    crossings_ = &section.crossings();
+    return snap(section.crossings(), section.mean_radius(), curve);
+  }
+
+  /* The same for any closed curve over the faces, given by its crossings, whose heights are lengths. */
+  bool snap(const std::vector<Plane_section::Crossing>& crossings, double mean_radius, Cut_surface::Curve& curve) {
+    crossings_ = &crossings;
     const std::size_t n = crossings_->size();
     count_crossings_about_vertices();
     std::vector<Run> runs;
-    if (!find_runs(near_share * section.mean_radius(), runs))
+    if (!find_runs(near_share * mean_radius, runs))
       return false;
     std::sort(runs.begin(), runs.end());
     std::vector<Vertex> snapped(n, Surface::null_vertex());

@@ -12,6 +12,7 @@
 #include <CGAL/Tubular_meshing/Quads/internal/surface/Quad_surface_improver.h>
 #include <CGAL/Tubular_meshing/Quads/internal/unstructured/Patch_quadrangulator.h>
 #include <CGAL/Tubular_meshing/Quads/internal/unstructured/Sheet.h>
+#include <CGAL/Tubular_meshing/base/Nearest_tree.h>
 #include <CGAL/Tubular_meshing/base/element_measures.h>
 #include <CGAL/Tubular_meshing/Plane/Metric_tensor_2.h>
 #include <CGAL/Tubular_meshing/Patches/Patch_parameterization.h>
@@ -72,7 +73,9 @@ protected:
     if (!chains_.is_tube(k))
       return make_unstructured(k, piece);
     kinds_[k] = Quad_piece_kind::grid;
-    if (make_grid(k, piece) && least_eta(piece) >= good_grid)
+    if (make_grid(k, piece) && !covers(k, piece))
+      piece = Piece();
+    if (least_eta(piece) >= good_grid)
       return true;
     Piece other;
     if (!make_unstructured(k, other))
@@ -109,8 +112,7 @@ private:
     return bool(triangulate_polygons(polygons, problem));
   }
 
-  // (14); 0 without quads.
-  double least_eta(const Piece& piece) const {
+  std::vector<Vector_3d> points_of(const Piece& piece) const {
     std::vector<Vector_3d> points;
     for (const auto& side : piece.sides) {
       const size_type n = curve_points_[side.curve].size();
@@ -119,6 +121,30 @@ private:
     }
     for (const Point_3& p : piece.inner_points)
       points.emplace_back(p);
+    return points;
+  }
+
+  // Whether no point of the patch is further than a mesh size from the grid. The map makes a sac so small that the lines
+  // of a grid, which follow the loops, may pass it by.
+  bool covers(size_type k, const Piece& piece) const {
+    const std::vector<Vector_3d> points = points_of(piece);
+    const auto at = [&](size_type v) { return to_double_point(points[v]); };
+    std::vector<Double_kernel::Triangle_3> triangles;
+    for (const auto& q : piece.quads) {
+      triangles.emplace_back(at(q[0]), at(q[1]), at(q[2]));
+      triangles.emplace_back(at(q[0]), at(q[2]), at(q[3]));
+    }
+    const Nearest_tree<Double_kernel::Triangle_3> tree(std::move(triangles));
+    const auto& patch = maps_[k].patch().points;
+    return std::all_of(patch.begin(), patch.end(), [&](const auto& p) {
+      const double h = size_of(k, p);
+      return tree.nearest(to_double_point(p), h * h).index < tree.size();
+    });
+  }
+
+  // (14); 0 without quads.
+  double least_eta(const Piece& piece) const {
+    const std::vector<Vector_3d> points = points_of(piece);
     double least = piece.quads.empty() ? 0 : 1;
     for (const auto& q : piece.quads)
       least = (std::min)(least, quad_eta({points[q[0]], points[q[1]], points[q[2]], points[q[3]]}));

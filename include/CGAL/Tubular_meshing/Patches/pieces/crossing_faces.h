@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tubular_meshing authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_TUBULAR_MESHING_PATCHES_INTERNAL_REMESHING_CROSSING_FACES_H
-#define CGAL_TUBULAR_MESHING_PATCHES_INTERNAL_REMESHING_CROSSING_FACES_H
+#ifndef CGAL_TUBULAR_MESHING_PATCHES_PIECES_CROSSING_FACES_H
+#define CGAL_TUBULAR_MESHING_PATCHES_PIECES_CROSSING_FACES_H
 
 #include <CGAL/Tubular_meshing/base/Kernel.h>
 
@@ -63,4 +63,4 @@ inline Face_pairs crossing_faces(const Surface& surface) {
 
 } // namespace CGAL::Tubular_meshing::internal
 
-#endif // CGAL_TUBULAR_MESHING_PATCHES_INTERNAL_REMESHING_CROSSING_FACES_H
+#endif // CGAL_TUBULAR_MESHING_PATCHES_PIECES_CROSSING_FACES_H

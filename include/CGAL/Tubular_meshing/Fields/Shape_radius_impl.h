@@ -1,0 +1,119 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_FIELDS_SHAPE_RADIUS_IMPL_H
+#define CGAL_TUBULAR_MESHING_FIELDS_SHAPE_RADIUS_IMPL_H
+
+#include <CGAL/Tubular_meshing/Fields/Shape_radius.h>
+#include <CGAL/Tubular_meshing/Fields/curvature.h>
+#include <CGAL/Tubular_meshing/Fields/internal/Indexed_wall.h>
+#include <CGAL/Tubular_meshing/Fields/internal/Wall_balls.h>
+#include <CGAL/Tubular_meshing/base/Vector_3d.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Tubular_meshing {
+
+class Shape_radius::Impl {
+public:
+  Impl(const Wall_distance& wall, const Shape_radius_options& options)
+      : wall_(wall)
+      , faces_(welded(wall)) {
+    const internal::Indexed_wall indexed(faces_);
+    const internal::Wall_balls balls(indexed, options.turned_inward ? -1 : 1, options.number_of_threads);
+    radii_ = balls.radii();
+    directions_ = balls.directions();
+  }
+
+  Ball at(const Point_3& x) const {
+    const Wall_distance::Place place = wall_.closest_place(x);
+    const auto& t = faces_.triangles[place.triangle];
+    const std::array<double, 3> weights = coordinates(internal::Vector_3d(place.point), t);
+    double log_radius = 0, sum = 0;
+    internal::Vector_3d center;
+    for (int k = 0; k < 3; ++k)
+      if (radii_[t[k]] > 0) {
+        log_radius += weights[k] * std::log(radii_[t[k]]);
+        center += weights[k] * this->center(t[k]);
+        sum += weights[k];
+      }
+    if (!(sum > 0))
+      return Ball{place.point, place.point, 0};
+    center = (1 / sum) * center;
+    return Ball{place.point, Point_3(center.x, center.y, center.z), std::exp(log_radius / sum)};
+  }
+
+  std::vector<Ball> all() const {
+    std::vector<Ball> result;
+    for (std::uint32_t v = 0; v < faces_.points.size(); ++v) {
+      const internal::Vector_3d c = center(v);
+      result.push_back(Ball{faces_.points[v], Point_3(c.x, c.y, c.z), radii_[v]});
+    }
+    return result;
+  }
+
+private:
+  typedef std::array<std::uint32_t, 3> Triangle;
+
+  // The triangles with their corners numbered by places, so that they know their neighbours.
+  static internal::Indexed_triangles welded(const Wall_distance& wall) {
+    const std::size_t n = wall.number_of_triangles();
+    std::vector<Point_3> corners;
+    corners.reserve(3 * n);
+    for (std::size_t i = 0; i < n; ++i)
+      for (const Point_3& p : wall.triangle(i))
+        corners.push_back(p);
+    std::vector<std::uint32_t> order(corners.size());
+    std::iota(order.begin(), order.end(), 0u);
+    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return corners[a] < corners[b]; });
+    internal::Indexed_triangles result;
+    result.triangles.resize(n);
+    for (std::uint32_t i : order) {
+      if (result.points.empty() || result.points.back() != corners[i])
+        result.points.push_back(corners[i]);
+      result.triangles[i / 3][i % 3] = std::uint32_t(result.points.size() - 1);
+    }
+    return result;
+  }
+
+  internal::Vector_3d center(std::uint32_t v) const {
+    return internal::Vector_3d(faces_.points[v]) + radii_[v] * directions_[v];
+  }
+
+  std::array<double, 3> coordinates(const internal::Vector_3d& p, const Triangle& t) const {
+    const internal::Vector_3d a(faces_.points[t[0]]), b(faces_.points[t[1]]), c(faces_.points[t[2]]);
+    const internal::Vector_3d n = cross(b - a, c - a);
+    const double area = squared_norm(n);
+    const double u = (std::max)(0., dot(cross(c - b, p - b), n) / area);
+    const double v = (std::max)(0., dot(cross(a - c, p - c), n) / area);
+    const double w = (std::max)(0., 1 - u - v);
+    return {u / (u + v + w), v / (u + v + w), w / (u + v + w)};
+  }
+
+  Wall_distance wall_;
+  internal::Indexed_triangles faces_;
+  std::vector<double> radii_;
+  std::vector<internal::Vector_3d> directions_;
+};
+
+CGAL_TUBULAR_MESHING_INLINE Shape_radius::Shape_radius(const Wall_distance& wall, const Shape_radius_options& options)
+    : impl_(std::make_shared<const Impl>(wall, options)) {}
+
+CGAL_TUBULAR_MESHING_INLINE Shape_radius::Ball Shape_radius::ball(const Point_3& x) const {
+  return impl_->at(x);
+}
+
+CGAL_TUBULAR_MESHING_INLINE std::vector<Shape_radius::Ball> Shape_radius::balls() const {
+  return impl_->all();
+}
+
+} // namespace CGAL::Tubular_meshing
+
+#endif // CGAL_TUBULAR_MESHING_FIELDS_SHAPE_RADIUS_IMPL_H

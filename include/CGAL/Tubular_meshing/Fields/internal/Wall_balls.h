@@ -1,0 +1,307 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_FIELDS_INTERNAL_WALL_BALLS_H
+#define CGAL_TUBULAR_MESHING_FIELDS_INTERNAL_WALL_BALLS_H
+
+#include <CGAL/Tubular_meshing/Fields/curvature.h>
+#include <CGAL/Tubular_meshing/Fields/internal/Indexed_wall.h>
+#include <CGAL/Tubular_meshing/Fields/internal/Point_boxes.h>
+#include <CGAL/Tubular_meshing/base/Vector_3d.h>
+#include <CGAL/Tubular_meshing/base/parallel.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Tubular_meshing::internal {
+
+/* The largest balls inside of a wall that touch it at its vertices: see Shape_radius, of which this is the work. */
+class Wall_balls {
+public:
+  typedef Indexed_wall::Index Index;
+
+  /* `orientation` is 1 if the triangles are turned outward, else -1. */
+  Wall_balls(const Indexed_wall& wall, double orientation, int threads)
+      : wall_(wall)
+      , orientation_(orientation)
+      , threads_(threads) {
+    find_spikes();
+    make_normals();
+    // once at some vertices, for an idea of the radius; then at all, against as many obstacles as the radius needs
+    chosen_.assign(size(), 1);
+    collect_obstacles(false);
+    choose_apart([&](Index v) { return 1.01 * longest_edge(v); });
+    shrink(chosen_, 0.8);
+    spread_to_neighbours();
+    filter(touching_at_first);
+    average_normals();
+    choose_apart([&](Index v) { return spacing * radii_[v]; });
+    collect_obstacles(true);
+    shrink(std::vector<char>(size(), 1), 0.98);
+    filter(touching);
+    smooth();
+  }
+
+  /* 0 where nothing lies opposite. */
+  const std::vector<double>& radii() const { return radii_; }
+  /* Unit vectors into the lumen. */
+  const std::vector<Vector_3d>& directions() const { return directions_; }
+
+private:
+  static constexpr double facing = 0.70710678118654752;         // the cosine of 45 degrees
+  static constexpr double window = 0.5, normal_window = 1. / 3; // of the radius
+  static constexpr double spacing = 0.15;                       // of obstacles
+  static constexpr double touch = 0.15; // of its radius, how far from its surface a ball touches a vertex
+  // the cosine of the angle between a ball's radius and the normal there; less, as long as normals are not averaged
+  static constexpr double touching = 0.5, touching_at_first = 0.25;
+  static constexpr std::size_t most_near = 96; // vertices of a window
+  static constexpr std::size_t witnesses = 4;  // that many balls are to be as large, where there are as many at all
+
+  std::size_t size() const { return wall_.number_of_vertices(); }
+
+  /* A vertex that is further from the plane of its neighbours than they are from their middle. */
+  void find_spikes() {
+    is_spike_.assign(size(), 0);
+    std::vector<Vector_3d> area(size()), corner(size());
+    for (const auto& t : wall_.triangles())
+      for (int k = 0; k < 3; ++k) // what the opposite edges enclose, seen from any point of their plane
+        area[t[k]] +=
+            cross(wall_.point(t[(k + 1) % 3]) - wall_.point(t[k]), wall_.point(t[(k + 2) % 3]) - wall_.point(t[k]));
+    for (Index v = 0; v < size(); ++v) {
+      const double n = double(wall_.neighbors_end(v) - wall_.neighbors_begin(v));
+      if (n < 3)
+        continue;
+      Vector_3d middle;
+      for (const Index* w = wall_.neighbors_begin(v); w != wall_.neighbors_end(v); ++w)
+        middle += (1 / n) * wall_.point(*w);
+      double apart = 0;
+      for (const Index* w = wall_.neighbors_begin(v); w != wall_.neighbors_end(v); ++w)
+        apart += norm(wall_.point(*w) - middle) / n;
+      const Vector_3d d = wall_.point(v) - middle;
+      is_spike_[v] = wall_.is_on_rim(v) ? norm(d) > 1.5 * apart : std::abs(dot(d, normalized(area[v]))) > apart;
+    }
+  }
+
+  // Inward; triangles at spikes count only where there are no others.
+  void make_normals() {
+    directions_.assign(size(), Vector_3d());
+    std::vector<Vector_3d> all(size());
+    for (const auto& t : wall_.triangles()) {
+      const Vector_3d n = -orientation_ * normalized(wall_.doubled_area(t));
+      const bool at_spike = is_spike_[t[0]] || is_spike_[t[1]] || is_spike_[t[2]];
+      for (int k = 0; k < 3; ++k) { // by the angle, so that it matters little how the wall is triangulated
+        const Vector_3d u = wall_.point(t[(k + 1) % 3]) - wall_.point(t[k]);
+        const Vector_3d v = wall_.point(t[(k + 2) % 3]) - wall_.point(t[k]);
+        const Vector_3d weighted = std::atan2(norm(cross(u, v)), dot(u, v)) * n;
+        all[t[k]] += weighted;
+        if (!at_spike)
+          directions_[t[k]] += weighted;
+      }
+    }
+    for (Index v = 0; v < size(); ++v)
+      directions_[v] = normalized(squared_norm(directions_[v]) > 0 ? directions_[v] : all[v]);
+  }
+
+  void average_normals() {
+    const std::vector<Vector_3d> before = directions_;
+    for_each_window(normal_window, [&](Index v, Wall_neighborhood& near, double radius) {
+      Vector_3d sum;
+      near.for_each(v, radius, [&](Index w, double weight) { sum += (is_spike_[w] ? 0. : weight) * before[w]; });
+      if (squared_norm(sum) > 0)
+        directions_[v] = normalized(sum);
+    });
+  }
+
+  /* Chooses vertices so that each other one is within this distance of one of them, along edges. */
+  template <class Distance> void choose_apart(const Distance& distance) {
+    chosen_.assign(size(), 0);
+    std::vector<char> covered(size(), 0);
+    Wall_neighborhood near(wall_, most_near);
+    for (Index v = 0; v < size(); ++v)
+      if (!covered[v]) {
+        chosen_[v] = 1;
+        near.for_each(v, distance(v), [&](Index w, double) { covered[w] = 1; });
+      }
+  }
+
+  // To the vertices that are not chosen, from the first of their neighbours that is.
+  void spread_to_neighbours() {
+    for (Index v = 0; v < size(); ++v)
+      for (const Index* w = wall_.neighbors_begin(v); !chosen_[v] && w != wall_.neighbors_end(v); ++w)
+        if (chosen_[*w])
+          radii_[v] = (std::max)(radii_[v], radii_[*w]);
+  }
+
+  /* Of the chosen vertices, and, where facets are large against the lumen, of points on them: they may have no vertex
+   * where it matters. */
+  void collect_obstacles(bool on_facets) {
+    std::vector<Vector_3d> points;
+    for (Index v = 0; v < size(); ++v)
+      if (chosen_[v] && !is_spike_[v])
+        points.push_back(wall_.point(v));
+    const std::size_t most = 8 * size() + 1000;
+    if (on_facets)
+      for (const auto& t : wall_.triangles())
+        if (!is_spike_[t[0]] && !is_spike_[t[1]] && !is_spike_[t[2]] && points.size() < most)
+          add_inner_points(t, (std::min)({radii_[t[0]], radii_[t[1]], radii_[t[2]]}), points);
+    obstacles_ = Point_boxes(points, std::vector<double>(points.size(), 0.));
+  }
+
+  // In rows parallel to the shortest side, half a radius apart, where a side is longer than the radius.
+  void add_inner_points(const std::array<Index, 3>& t, double radius, std::vector<Vector_3d>& points) const {
+    std::array<double, 3> length; // of the side opposite to each corner
+    for (int k = 0; k < 3; ++k)
+      length[k] = norm(wall_.point(t[(k + 1) % 3]) - wall_.point(t[(k + 2) % 3]));
+    const double longest = *std::max_element(length.begin(), length.end());
+    if (!(radius > 0) || longest <= radius)
+      return;
+    const int apex = int(std::min_element(length.begin(), length.end()) - length.begin());
+    const Vector_3d &p = wall_.point(t[apex]), &q = wall_.point(t[(apex + 1) % 3]), &r = wall_.point(t[(apex + 2) % 3]);
+    const auto parts = [&](double l) { return (std::max)(1, int((std::min)(64., std::ceil(2 * l / radius)))); };
+    const int rows = parts(longest);
+    for (int i = 1; i <= rows; ++i) {
+      const double s = double(i) / rows;
+      const int columns = parts(s * length[apex]);
+      for (int j = 0; j < columns + (i < rows); ++j)
+        points.push_back(p + s * (q - p) + (s * j / columns) * (r - q));
+    }
+  }
+
+  /* A ball that is small enough but for a part of its squared radius is left: on a sphere, all of it is near the ball. */
+  void shrink(const std::vector<char>& wanted, double slack) {
+    radii_.assign(size(), 0);
+    const Bbox_3 box = wall_bbox();
+    const double largest = norm({box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin()}) / 2;
+    for_each_range(size(), threads_, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i) {
+        const Index v = Index(i);
+        // small balls first: most need not be shrunk from the size of all
+        for (double bound = (std::min)((std::max)(8 * longest_edge(v), largest / 4096), largest);
+             wanted[v] && radii_[v] == 0 && bound < 5 * largest; bound *= 4)
+          radii_[v] = ball(wall_.point(v), directions_[v], bound, slack);
+      }
+    });
+  }
+
+  /* The largest radius, below the bound, of a ball that touches x in direction n with no obstacle inside; 0 if there is
+   * no obstacle in that of the bound. */
+  double ball(const Vector_3d& x, const Vector_3d& n, double bound, double slack) const {
+    double radius = bound;
+    Vector_3d center = x + radius * n;
+    obstacles_.search(
+        center,
+        [&](const Point_boxes::Box& box) {
+          if (box.squared_distance(center) >= slack * radius * radius)
+            return false;
+          // the box's own ball against the cone of what lies opposite
+          const Vector_3d middle = 0.5 * (box.low + box.high), d = middle - x;
+          const double along = dot(d, n), across = std::sqrt((std::max)(0., squared_norm(d) - along * along));
+          return facing * (across - along) <= 0.5 * norm(box.high - box.low);
+        },
+        [&](const Vector_3d& q, double) {
+          const Vector_3d d = q - x;
+          const double along = dot(d, n), length2 = squared_norm(d);
+          if (along > 0 && along * along >= facing * facing * length2 && length2 < 2 * along * radius * slack) {
+            radius = length2 / (2 * along);
+            center = x + radius * n;
+          }
+        });
+    return radius < bound ? radius : 0;
+  }
+
+  /* Each ball counts at all vertices nearby that it touches, about: of those at a vertex the fourth largest remains.
+   * What noise, or the steps of an image, make of a ball does not matter where others that touch are larger; and a few
+   * that are too large do not either. */
+  void filter(double least_cosine) {
+    std::vector<std::array<float, witnesses>> largest(size(), std::array<float, witnesses>{}); // descending
+    Wall_neighborhood near(wall_, most_near);
+    for (Index v = 0; v < size(); ++v) {
+      const double r = radii_[v];
+      if (is_spike_[v] || !(r > 0))
+        continue;
+      const Vector_3d center = wall_.point(v) + r * directions_[v];
+      near.for_each(v, (std::max)(window * r, 1.01 * longest_edge(v)), [&](Index w, double) {
+        const Vector_3d to_center = center - wall_.point(w);
+        const double distance = norm(to_center);
+        // where the wall turns away, as into the neck of a sac, the ball does not touch it, however near it is
+        const bool touches = distance < (1 + touch) * r && dot(to_center, directions_[w]) > least_cosine * distance;
+        if (w == v || is_spike_[w] || touches)
+          insert(float(r), largest[w]);
+      });
+    }
+    for (Index v = 0; v < size(); ++v) {
+      std::size_t k = witnesses - 1;
+      while (k > 0 && largest[v][k] == 0)
+        --k;
+      radii_[v] = largest[v][k];
+    }
+  }
+
+  static void insert(float radius, std::array<float, witnesses>& descending) {
+    for (float& r : descending)
+      if (radius > r)
+        std::swap(radius, r);
+  }
+
+  double longest_edge(Index v) const {
+    double result = 0;
+    for (const Index* w = wall_.neighbors_begin(v); w != wall_.neighbors_end(v); ++w)
+      result = (std::max)(result, norm(wall_.point(*w) - wall_.point(v)));
+    return result;
+  }
+
+  void smooth() {
+    const std::vector<double> before = radii_;
+    for_each_window(window, [&](Index v, Wall_neighborhood& near, double radius) {
+      double sum = 0, weights = 0;
+      near.for_each(v, radius, [&](Index w, double weight) {
+        if (before[w] > 0) {
+          sum += weight * std::log(before[w]);
+          weights += weight;
+        }
+      });
+      if (weights > 0)
+        radii_[v] = std::exp(sum / weights);
+    });
+  }
+
+  // Calls visit(v, neighborhood, radius) for all vertices, the radius being a part of that of the ball.
+  template <class Visit> void for_each_window(double part, const Visit& visit) {
+    const std::vector<double> radii = radii_; // visit() changes them
+    for_each_range(
+        size(), threads_,
+        [&](std::size_t first, std::size_t last) {
+          Wall_neighborhood near(wall_, most_near);
+          for (std::size_t i = first; i < last; ++i) {
+            const Index v = Index(i);
+            visit(v, near, (std::max)(part * radii[v], 1.01 * longest_edge(v)));
+          }
+        },
+        1024);
+  }
+
+  Bbox_3 wall_bbox() const {
+    Bbox_3 box;
+    for (Index v = 0; v < size(); ++v) {
+      const Vector_3d& p = wall_.point(v);
+      box += Bbox_3(p.x, p.y, p.z, p.x, p.y, p.z);
+    }
+    return box;
+  }
+
+  const Indexed_wall& wall_;
+  double orientation_;
+  int threads_;
+  std::vector<char> is_spike_, chosen_;
+  std::vector<Vector_3d> directions_;
+  std::vector<double> radii_;
+  Point_boxes obstacles_;
+};
+
+} // namespace CGAL::Tubular_meshing::internal
+
+#endif // CGAL_TUBULAR_MESHING_FIELDS_INTERNAL_WALL_BALLS_H

@@ -1,0 +1,107 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_OPENINGS_CUT_ROUND_ENDS_H
+#define CGAL_TUBULAR_MESHING_OPENINGS_CUT_ROUND_ENDS_H
+
+#include <CGAL/Tubular_meshing/Openings/Round_end_report.h>
+#include <CGAL/Tubular_meshing/base/Kernel.h>
+#include <CGAL/Tubular_meshing/base/config.h>
+#include <CGAL/Tubular_meshing/base/convert_surface.h>
+#include <CGAL/Tubular_meshing/base/parameters.h>
+
+#include <vector>
+
+namespace CGAL::Tubular_meshing {
+
+namespace internal {
+
+std::vector<Round_end_report> cut_round_ends(Surface& surface, const Cut_round_ends_options& options);
+
+/* Cuts the ends at the points; all of them, where there are no points and the surface has no opening. */
+std::vector<Round_end_report> open_round_ends(Surface& surface, const std::vector<Point_3>& points,
+                                              const std::vector<Point_3>& blind_ends);
+
+} // namespace internal
+
+/*! \ingroup PkgTubularMeshingOpenings
+ *
+ * Cuts vessels open that end in domes, as the surfaces of segmentations do: each by a plane across its axis where the
+ * radius is still that of the vessel. Nothing is lost but the domes; find_openings() then finds the openings.
+ *
+ * - The ends are the leaves of the computed centerlines (compute_centerlines()) that lead to the tips of vessels: the
+ *   places from which the way along the wall is longest, and which stick out of it by more than they are wide.
+ * - A sac is no end: an end that is more than 1.15 times wider than its neck, and at most twice as long as wide. A
+ *   vessel that goes on behind a stenosis is longer.
+ * - The dome begins where the radius, seen from the tip, is within 8 % of that three quarters of a radius further in.
+ *   The plane lies there, or further out as far as the wall keeps 98.5 % of its distance from the axis.
+ * - Where a plane does not cut the vessel in one loop, one further in is taken, by at most two radii.
+ * - Openings that the surface has already, open or capped flat, stay as they are.
+ *
+ * \tparam TriangleMesh a model of `MutableFaceGraph`; a Surface is changed in place
+ *
+ * \param surface a triangle mesh, manifold, in one piece, closed or with openings. Descriptors are not kept; property
+ *   maps of a Surface are, with default values for new elements. Not touched if nothing is cut
+ * \param np an optional sequence of named parameters among the ones listed below
+ *
+ * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{ends_to_cut}
+ *     \cgalParamDescription{points, on the wall or in the lumen: the end of a vessel nearest to each is cut open,
+ *       whatever its shape. One that lies at an opening asks for nothing}
+ *     \cgalParamType{`std::vector<Point_3>`}
+ *     \cgalParamDefault{none}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{blind_ends}
+ *     \cgalParamDescription{points: the end nearest to each, if it is within two radii, stays blind}
+ *     \cgalParamType{`std::vector<Point_3>`}
+ *     \cgalParamDefault{none}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{all_round_ends}
+ *     \cgalParamDescription{whether all ends of vessels are cut, or only those that `ends_to_cut` names}
+ *     \cgalParamType{`bool`}
+ *     \cgalParamDefault{`true`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{vertex_point_map}
+ *     \cgalParamDescription{the points of the vertices of `surface`}
+ *     \cgalParamType{a model of `ReadWritePropertyMap`}
+ *     \cgalParamDefault{`boost::get(CGAL::vertex_point, surface)`}
+ *   \cgalParamNEnd
+ * \cgalNamedParamsEnd
+ *
+ * \return the ends that were found: those that are cut, and those that are not, with the reason
+ *
+ * \throws Input_error as find_openings() and compute_centerlines() do; and if an end that a point names cannot be cut
+ *
+ * Complexity: that of compute_centerlines(), O(n log n).
+ */
+template <class TriangleMesh, class NamedParameters = CGAL::parameters::Default_named_parameters>
+std::vector<Round_end_report> cut_round_ends(TriangleMesh& surface,
+                                             const NamedParameters& np = CGAL::parameters::default_values()) {
+  const Cut_round_ends_options options(np);
+  if constexpr (internal::is_core_surface<TriangleMesh, NamedParameters>)
+    return internal::cut_round_ends(surface, options);
+  else {
+    Surface cut;
+    internal::copy_to_core(surface, cut, np);
+    const auto report = internal::cut_round_ends(cut, options);
+    internal::copy_from_core(cut, surface, np);
+    return report;
+  }
+}
+
+/*! \ingroup PkgTubularMeshingOpenings
+ *
+ * opens what has to be open before a surface can be meshed for flow: cuts the round ends at the points, or all of them
+ * where there are no points and the surface has no opening. make_tubular_model() does so by itself. */
+inline std::vector<Round_end_report> open_round_ends(Surface& surface, const std::vector<Point_3>& points = {},
+                                                     const std::vector<Point_3>& blind_ends = {}) {
+  return internal::open_round_ends(surface, points, blind_ends);
+}
+
+} // namespace CGAL::Tubular_meshing
+
+#ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY
+#include <CGAL/Tubular_meshing/Openings/cut_round_ends_impl.h>
+#endif
+
+#endif // CGAL_TUBULAR_MESHING_OPENINGS_CUT_ROUND_ENDS_H

@@ -1,0 +1,76 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_OPENINGS_CUT_ROUND_ENDS_IMPL_H
+#define CGAL_TUBULAR_MESHING_OPENINGS_CUT_ROUND_ENDS_IMPL_H
+
+#include <CGAL/Tubular_meshing/Openings/cut_round_ends.h>
+#include <CGAL/Tubular_meshing/Openings/internal/Round_end_cutter.h>
+#include <CGAL/Tubular_meshing/Openings/internal/Vessel_ends.h>
+#include <CGAL/Tubular_meshing/Openings/openings.h>
+#include <CGAL/Tubular_meshing/base/exceptions.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace CGAL::Tubular_meshing::internal {
+
+inline Round_end_report report_of(const Vessel_ends::End& end, const char* reason) {
+  return {false, end.shape.center(), end.shape.radius(), reason};
+}
+
+inline const char* reason_not_to_cut(const Vessel_ends::End& end) {
+  return end.is_kept                                  ? "kept"
+         : end.shape.kind() == Blind_end_kind::sac    ? "sac"
+         : end.shape.kind() == Blind_end_kind::vessel ? ""
+                                                      : "bump";
+}
+
+CGAL_TUBULAR_MESHING_INLINE std::vector<Round_end_report> cut_round_ends(Surface& surface,
+                                                                         const Cut_round_ends_options& options) {
+  Vessel_ends ends(surface);
+  ends.find(options);
+  Round_end_cutter cutter(surface);
+  std::vector<Round_end_report> reports;
+  for (const Vessel_ends::End& end : ends.ends()) {
+    const std::string reason = end.is_named ? "" : options.all_round_ends ? reason_not_to_cut(end) : "bump";
+    if (reason == "bump")
+      continue; // no end of a vessel, or none that was asked for
+    if (!reason.empty()) {
+      reports.push_back(report_of(end, reason.c_str()));
+      continue;
+    }
+    Round_end_report cut;
+    if (cutter.cut(end.shape, end.tip, cut))
+      reports.push_back(cut);
+    else if (end.is_named)
+      throw Input_error("The vessel's end at " + coordinates(end.shape.center()) +
+                        " cannot be cut open by a plane across it: cut the surface open there.");
+    else
+      reports.push_back(report_of(end, "cannot be cut"));
+  }
+  if (surface.has_garbage())
+    surface.collect_garbage();
+  return reports;
+}
+
+CGAL_TUBULAR_MESHING_INLINE std::vector<Round_end_report>
+open_round_ends(Surface& surface, const std::vector<Point_3>& points, const std::vector<Point_3>& blind_ends) {
+  const std::vector<Opening> openings = find_any_openings(surface, Find_openings_options());
+  Cut_round_ends_options options;
+  options.blind_ends = blind_ends;
+  options.all_round_ends = openings.empty() && points.empty();
+  for (const Point_3& p : points)
+    if (std::none_of(openings.begin(), openings.end(),
+                     [&](const Opening& o) { return point_distance(p, o.center) <= 1.5 * o.radius; }))
+      options.ends_to_cut.push_back(p);
+  if (!options.all_round_ends && options.ends_to_cut.empty())
+    return {}; // as of every surface with openings
+  return cut_round_ends(surface, options);
+}
+
+} // namespace CGAL::Tubular_meshing::internal
+
+#endif // CGAL_TUBULAR_MESHING_OPENINGS_CUT_ROUND_ENDS_IMPL_H

@@ -1,0 +1,156 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_RIMS_CREASE_ENDS_H
+#define CGAL_TUBULAR_MESHING_RIMS_CREASE_ENDS_H
+
+#include <CGAL/Tubular_meshing/Rims/Opening_site.h>
+#include <CGAL/Tubular_meshing/Rims/disk_rim.h>
+#include <CGAL/Tubular_meshing/base/Kernel.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Tubular_meshing::internal {
+
+/* The ends of a closed surface that are domed or dished, and meet the wall in a crease: disks that a closed crease
+ * bounds, across the vessel. What the disk is like inside does not matter, but for its area.
+ *
+ * A crease is where the surface turns outward by more than an angle. It closes in a loop that is round, nearly plane,
+ * and has five corners at least; the wall goes back from it all around, and rather upright than level; and the disk has
+ * at most four times the area that the loop bounds, as has a dome of nearly its own diameter's height. The base of a
+ * sac is no such crease, as the surface turns inward there. A crease that is blunt, or a disk that is faceted, may show
+ * at one angle and not at another: several are tried.
+ */
+class Crease_end_finder {
+  typedef Surface::Vertex_index Vertex;
+  typedef Surface::Halfedge_index Halfedge;
+  typedef Surface::Face_index Face;
+
+public:
+  /* `inside_out`: whether the faces' normals point into the lumen. */
+  Crease_end_finder(const Surface& mesh, bool inside_out)
+      : mesh_(mesh)
+      , inwards_(inside_out ? 1 : -1)
+      , normals_(mesh.num_faces(), Vector_3(0, 0, 0))
+      , taken_(mesh.num_faces(), false) {
+    for (Face f : mesh.faces()) {
+      const Vector_3 n = area_vector(mesh.halfedge(f), mesh);
+      const double length = std::sqrt(n.squared_length());
+      area_ += length;
+      if (length > 0)
+        normals_[std::size_t(f)] = n / length;
+    }
+  }
+
+  /* Ends that have been found already: their caps are not looked at. */
+  void take(const std::vector<Opening_site>& sites) {
+    for (const Opening_site& site : sites)
+      for (Face f : site.cap)
+        taken_[std::size_t(f)] = true;
+  }
+
+  /* Linear in the size of the mesh (expected, as it hashes). */
+  std::vector<Opening_site> find() {
+    std::vector<Opening_site> ends;
+    for (double angle : {40., 25., 15.}) {
+      min_cosine_ = std::cos(angle * CGAL_PI / 180);
+      visited_ = taken_;
+      std::vector<Opening_site> found;
+      for (Face f : mesh_.faces())
+        if (!visited_[std::size_t(f)]) {
+          Opening_site region;
+          if (collect(f, region.cap) && is_end(region))
+            found.push_back(std::move(region));
+        }
+      take(found);
+      std::move(found.begin(), found.end(), std::back_inserter(ends));
+    }
+    return ends;
+  }
+
+private:
+  // At the edge of h, between its face and the one behind.
+  bool is_crease(Halfedge h) const {
+    const Face f = mesh_.face(h), g = mesh_.face(mesh_.opposite(h));
+    if (normals_[std::size_t(f)] * normals_[std::size_t(g)] >= min_cosine_)
+      return false;
+    const Point_3& beyond = mesh_.point(mesh_.target(mesh_.next(mesh_.opposite(h))));
+    return inwards_ * ((beyond - mesh_.point(mesh_.target(h))) * normals_[std::size_t(f)]) > 0;
+  }
+
+  // The faces reached from the first without passing a crease; false if they reach a border or an end that is taken, or
+  // are half of the surface.
+  bool collect(Face first, std::vector<Face>& region) {
+    bool may_be = true;
+    double area = 0;
+    visited_[std::size_t(first)] = true;
+    region = {first};
+    for (std::size_t i = 0; i < region.size(); ++i) {
+      area += std::sqrt(area_vector(mesh_.halfedge(region[i]), mesh_).squared_length());
+      for (Halfedge h : CGAL::halfedges_around_face(mesh_.halfedge(region[i]), mesh_)) {
+        const Face g = mesh_.face(mesh_.opposite(h));
+        if (g == Surface::null_face() || taken_[std::size_t(g)])
+          may_be = false;
+        else if (!visited_[std::size_t(g)] && !is_crease(h)) {
+          visited_[std::size_t(g)] = true;
+          region.push_back(g);
+        }
+      }
+    }
+    return may_be && area < 0.5 * area_;
+  }
+
+  bool is_end(Opening_site& region) const {
+    region.rim = rim_of_disk(region.cap, mesh_);
+    if (region.rim.size() < 5)
+      return false;
+    const std::vector<Point_3> rim = rim_points(region.rim, mesh_);
+    region.shape = measure_rim(rim);
+    const Rim_shape& s = region.shape;
+    const Bulge bulge = measure_bulge(region.cap, s, mesh_, region.rim);
+    return s.radius > 0 && !bulge.is_wide() && !bulge.is_long() && s.sag <= max_sag * s.radius &&
+           4 * CGAL_PI * s.area >= min_roundness * s.perimeter * s.perimeter &&
+           number_of_corners(rim, s.center, 0.08 * s.radius) >= 5 && wall_stands_behind(region);
+  }
+
+  bool wall_stands_behind(const Opening_site& region) const {
+    const Rim_plane& plane = region.shape.plane;
+    double behind = 0, cosine = 0, total = 0;
+    for (Halfedge h : region.rim) {
+      const Halfedge o = mesh_.opposite(h);
+      const Point_3 &a = mesh_.point(mesh_.source(o)), &b = mesh_.point(mesh_.target(o)),
+                    &c = mesh_.point(mesh_.target(mesh_.next(o)));
+      const double length = point_distance(a, b);
+      total += length;
+      cosine += length * (normals_[std::size_t(mesh_.face(o))] * plane.normal());
+      if (inwards_ * (plane.height(c) - (plane.height(a) + plane.height(b)) / 2) > 0)
+        behind += length;
+    }
+    return behind >= 0.9 * total && std::abs(cosine) <= 0.5 * total;
+  }
+
+  static constexpr double max_sag = 0.2, min_roundness = 0.55;
+
+  const Surface& mesh_;
+  const double inwards_;          // the direction into the lumen along a face's normal
+  std::vector<Vector_3> normals_; // by face, unit; zero for a degenerate face
+  std::vector<bool> taken_, visited_;
+  double area_ = 0, min_cosine_ = 0;
+};
+
+/* Those that are not among the sites already. */
+inline std::vector<Opening_site> find_crease_ends(const Surface& mesh, bool inside_out,
+                                                  const std::vector<Opening_site>& sites) {
+  Crease_end_finder finder(mesh, inside_out);
+  finder.take(sites);
+  return finder.find();
+}
+
+} // namespace CGAL::Tubular_meshing::internal
+
+#endif // CGAL_TUBULAR_MESHING_RIMS_CREASE_ENDS_H

@@ -1,0 +1,114 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_PRESERVING_INPUT_SURFACE_H
+#define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_PRESERVING_INPUT_SURFACE_H
+
+#include <CGAL/Tubular_meshing/base/Kernel.h>
+#include <CGAL/Tubular_meshing/base/Nearest_tree.h>
+#include <CGAL/Tubular_meshing/base/Vector_3d.h>
+#include <CGAL/Tubular_meshing/base/labels.h>
+
+#include <cmath>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Tubular_meshing::internal {
+
+/* The volume inside of a closed surface of triangles and quads; a quad counts as the bilinear surface through its
+ * corners does, which is four triangles around the mean of them. */
+inline double enclosed_volume(const Surface& surface) {
+  if (surface.number_of_vertices() == 0)
+    return 0;
+  const Vector_3d origin(surface.point(*surface.vertices_begin())); // near by, against cancellation
+  double six_volumes = 0;
+  for (auto f : surface.faces()) {
+    std::vector<Vector_3d> p;
+    Vector_3d middle;
+    for (auto v : surface.vertices_around_face(surface.halfedge(f))) {
+      p.push_back(Vector_3d(surface.point(v)) - origin);
+      middle += p.back();
+    }
+    middle = (1. / double(p.size())) * middle;
+    for (std::size_t i = 0; i < p.size(); ++i)
+      six_volumes += dot(middle, cross(p[i], p[(i + 1) % p.size()]));
+  }
+  return six_volumes / 6;
+}
+
+/* The surface that a mesh was made from: how far it is from the mesh's facets and rims. */
+class Input_surface {
+public:
+  struct Opening {
+    Vector_3d normal; // outward, of unit length
+    double area;
+    Nearest_tree<Double_kernel::Segment_3> rim;
+  };
+
+  Input_surface(const Surface& surface, Face_patch_map patch)
+      : volume_(enclosed_volume(surface)) {
+    std::vector<Double_kernel::Triangle_3> wall;
+    std::map<int, Vector_3d> areas;
+    std::map<int, std::vector<Double_kernel::Segment_3>> rims;
+    for (auto f : surface.faces()) {
+      const auto h = surface.halfedge(f);
+      const auto point = [&](Surface::Halfedge_index g) { return to_double_point(surface.point(surface.target(g))); };
+      const Double_kernel::Triangle_3 t(point(h), point(surface.next(h)), point(surface.prev(h)));
+      const Vector_3d area = 0.5 * cross(Vector_3d(t[1]) - Vector_3d(t[0]), Vector_3d(t[2]) - Vector_3d(t[0]));
+      if (patch[f] == labels::wall) {
+        if (squared_norm(area) > 0)
+          wall.push_back(t);
+        continue;
+      }
+      areas[patch[f]] += area;
+      for (auto g : surface.halfedges_around_face(h)) {
+        const auto beyond = surface.face(surface.opposite(g));
+        if (beyond != Surface::null_face() && patch[beyond] == labels::wall)
+          rims[patch[f]].emplace_back(point(surface.opposite(g)), point(g));
+      }
+    }
+    wall_ = Nearest_tree<Double_kernel::Triangle_3>(std::move(wall));
+    for (auto& r : rims) {
+      const Vector_3d& a = areas[r.first];
+      openings_[r.first] = Opening{normalized(a), norm(a), Nearest_tree<Double_kernel::Segment_3>(std::move(r.second))};
+    }
+  }
+
+  double volume() const { return volume_; }
+  // The opening of a label, or none.
+  const Opening* opening(int label) const {
+    const auto found = openings_.find(label);
+    return found == openings_.end() ? nullptr : &found->second;
+  }
+
+  /* How far the wall is from x along the unit vector n, positive in its direction, up to a bound; 0 where it is not
+   * found there: what is nearest is another part of the wall then. */
+  double distance_to_wall(const Vector_3d& x, const Vector_3d& n, double bound) const {
+    return along(x, n, bound, wall_);
+  }
+  // The same for the rim of an opening, n in its plane.
+  static double distance_to_rim(const Opening& opening, const Vector_3d& x, const Vector_3d& n, double bound) {
+    return along(x, n, bound, opening.rim);
+  }
+
+private:
+  /* The nearest point y is seen from x along the surface's own normal there, so the plane through y across y − x is
+   * tangent to the surface: where it is met along n. */
+  template <class Tree> static double along(const Vector_3d& x, const Vector_3d& n, double bound, const Tree& tree) {
+    const auto found = tree.nearest(Double_kernel::Point_3(x.x, x.y, x.z), bound * bound);
+    if (found.index >= tree.size() || !(found.squared_distance > 0))
+      return 0;
+    const double step = dot(Vector_3d(found.point) - x, n), distance = std::sqrt(found.squared_distance);
+    const double steepest = 0.7; // the cosine of the angle between the normals; beyond, it is not this facet's part
+    return std::abs(step) < steepest * distance ? 0 : found.squared_distance / step;
+  }
+
+  double volume_;
+  Nearest_tree<Double_kernel::Triangle_3> wall_;
+  std::map<int, Opening> openings_;
+};
+
+} // namespace CGAL::Tubular_meshing::internal
+
+#endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_PRESERVING_INPUT_SURFACE_H

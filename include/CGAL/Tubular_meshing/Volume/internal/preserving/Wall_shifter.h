@@ -1,0 +1,283 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_PRESERVING_WALL_SHIFTER_H
+#define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_PRESERVING_WALL_SHIFTER_H
+
+#include <CGAL/Tubular_meshing/Volume/internal/preserving/Input_surface.h>
+#include <CGAL/Tubular_meshing/base/Kernel.h>
+#include <CGAL/Tubular_meshing/base/Vector_3d.h>
+#include <CGAL/Tubular_meshing/base/labels.h>
+#include <CGAL/Tubular_meshing/base/parallel.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Tubular_meshing::internal {
+
+/* Where the vertices of a surface mesh have to be for its volume to be that of the input, round each of them: see
+ * preserve_volume(), of which this is the work. */
+class Wall_shifter {
+public:
+  typedef std::uint32_t Index;
+
+  Wall_shifter(const Surface& mesh, Face_patch_map patch, const Input_surface& input, int threads)
+      : input_(input)
+      , threads_(threads) {
+    points_.reserve(mesh.number_of_vertices());
+    for (auto v : mesh.vertices())
+      points_.emplace_back(mesh.point(v));
+    opening_.assign(points_.size(), 0);
+    is_on_wall_.assign(points_.size(), 0);
+    for (auto f : mesh.faces())
+      if (patch[f] == labels::wall)
+        add_facet(mesh, f);
+      else
+        add_rim_edges(mesh, patch, f);
+  }
+
+  /* The vertices' new places, by their numbers. */
+  std::vector<Vector_3d> run() {
+    const int rounds = 2; // the second sees what normals that differ have left of the first
+    for (int round = 0; round < rounds; ++round) {
+      move_rims();
+      move_wall();
+    }
+    match_areas();
+    move_wall();
+    return points_;
+  }
+
+private:
+  static constexpr Index none = Index(-1);
+
+  struct Facet {
+    std::array<Index, 4> corner; // the last is none, of a triangle
+  };
+  struct Rim_edge {
+    Index from, to; // the opening on the left, seen from outside
+    int opening;
+  };
+
+  void add_facet(const Surface& mesh, Surface::Face_index f) {
+    Facet facet = {{{none, none, none, none}}};
+    std::size_t k = 0;
+    for (auto v : mesh.vertices_around_face(mesh.halfedge(f)))
+      if (k < 4)
+        facet.corner[k++] = Index(v);
+    for (std::size_t i = 0; i < k; ++i)
+      is_on_wall_[facet.corner[i]] = 1;
+    facets_.push_back(facet);
+  }
+
+  void add_rim_edges(const Surface& mesh, Face_patch_map patch, Surface::Face_index f) {
+    for (auto h : mesh.halfedges_around_face(mesh.halfedge(f))) {
+      const auto beyond = mesh.face(mesh.opposite(h));
+      if (beyond == Surface::null_face() || patch[beyond] != labels::wall)
+        continue;
+      edges_.push_back({Index(mesh.source(h)), Index(mesh.target(h)), patch[f]});
+      for (Index v : {edges_.back().from, edges_.back().to})
+        opening_[v] = opening_[v] == 0 || opening_[v] == patch[f] ? patch[f] : between_openings;
+    }
+  }
+  static constexpr int between_openings = -1; // such a vertex has nowhere to go
+
+  // --- rims ---
+
+  Vector_3d outward(const Rim_edge& e, const Input_surface::Opening& o) const {
+    return normalized(cross(points_[e.to] - points_[e.from], o.normal));
+  }
+
+  /* What a vertex misses, against how much it would have to move for it. */
+  struct Balance {
+    double missing = 0, response = 0;
+  };
+
+  // Of all rim edges, `visit(edge, opening, outward)`.
+  template <class Visit> void for_each_rim_edge(const Visit& visit) const {
+    for (const Rim_edge& e : edges_) {
+      const Input_surface::Opening* o = input_.opening(e.opening);
+      if (o != nullptr)
+        visit(e, *o, outward(e, *o));
+    }
+  }
+
+  std::vector<Vector_3d> rim_directions() const {
+    std::vector<Vector_3d> result(points_.size());
+    for_each_rim_edge([&](const Rim_edge& e, const Input_surface::Opening&, const Vector_3d& n) {
+      const double length = norm(points_[e.to] - points_[e.from]);
+      result[e.from] += length * n;
+      result[e.to] += length * n;
+    });
+    for (Vector_3d& n : result)
+      n = normalized(n);
+    return result;
+  }
+
+  bool is_on_one_rim(Index v) const { return opening_[v] > 0; }
+
+  void move_rims() {
+    static const std::array<double, 3> at = {0.112701665379258, 0.5, 0.887298334620742};
+    static const std::array<double, 3> weight = {5. / 18, 8. / 18, 5. / 18}; // Gauss, exact to the fifth degree
+    const std::vector<Vector_3d> direction = rim_directions();
+    std::vector<Balance> balance(points_.size());
+    for_each_rim_edge([&](const Rim_edge& e, const Input_surface::Opening& o, const Vector_3d& n) {
+      const Vector_3d along = points_[e.to] - points_[e.from];
+      const double length = norm(along);
+      for (std::size_t q = 0; q < at.size(); ++q) {
+        const double d = Input_surface::distance_to_rim(o, points_[e.from] + at[q] * along, n, length / 2);
+        balance[e.from].missing += weight[q] * length * (1 - at[q]) * d;
+        balance[e.to].missing += weight[q] * length * at[q] * d;
+      }
+      balance[e.from].response += length / 2 * dot(direction[e.from], n);
+      balance[e.to].response += length / 2 * dot(direction[e.to], n);
+    });
+    for (Index v = 0; v < points_.size(); ++v)
+      if (is_on_one_rim(v) && balance[v].response > 0)
+        points_[v] += balance[v].missing / balance[v].response * direction[v];
+  }
+
+  // All of a rim by the same length, for the rest.
+  void match_areas() {
+    std::map<int, double> area, response;
+    const std::vector<Vector_3d> direction = rim_directions();
+    std::map<int, Vector_3d> origin;
+    for_each_rim_edge([&](const Rim_edge& e, const Input_surface::Opening& o, const Vector_3d& n) {
+      const Vector_3d& from = origin.emplace(e.opening, points_[e.from]).first->second;
+      area[e.opening] += dot(cross(points_[e.from] - from, points_[e.to] - from), o.normal) / 2;
+      const double length = norm(points_[e.to] - points_[e.from]);
+      for (Index v : {e.from, e.to})
+        if (is_on_one_rim(v))
+          response[e.opening] += length / 2 * dot(direction[v], n);
+    });
+    std::map<int, double> shift;
+    for (const auto& a : area) {
+      const double missing = input_.opening(a.first)->area - a.second;
+      // a percent is more than curves leave; a rim that has another shape is not to be moved by this
+      if (response[a.first] > 0 && std::abs(missing) < 0.01 * a.second)
+        shift[a.first] = missing / response[a.first];
+    }
+    for (Index v = 0; v < points_.size(); ++v)
+      if (is_on_one_rim(v) && shift.count(opening_[v]) != 0)
+        points_[v] += shift[opening_[v]] * direction[v];
+  }
+
+  // --- the wall ---
+
+  bool moves_with_wall(Index v) const { return is_on_wall_[v] && opening_[v] == 0; }
+
+  /* Calls visit(corners, points) for the triangles of a facet; of a quad, the four around its middle, for which the
+   * last number is none. */
+  template <class Visit> void for_each_triangle(const Facet& f, const Visit& visit) const {
+    const auto& c = f.corner;
+    if (c[3] == none)
+      return visit(std::array<Index, 3>{{c[0], c[1], c[2]}},
+                   std::array<Vector_3d, 3>{{points_[c[0]], points_[c[1]], points_[c[2]]}});
+    const Vector_3d middle = 0.25 * (points_[c[0]] + points_[c[1]] + points_[c[2]] + points_[c[3]]);
+    for (std::size_t k = 0; k < 4; ++k)
+      visit(std::array<Index, 3>{{c[k], c[(k + 1) % 4], none}},
+            std::array<Vector_3d, 3>{{points_[c[k]], points_[c[(k + 1) % 4]], middle}});
+  }
+
+  std::vector<Vector_3d> wall_normals() const {
+    std::vector<Vector_3d> result(points_.size());
+    for (const Facet& f : facets_)
+      for_each_triangle(f, [&](const std::array<Index, 3>& corner, const std::array<Vector_3d, 3>& p) {
+        const Vector_3d n = cross(p[1] - p[0], p[2] - p[0]);
+        for (Index v : corner)
+          if (v != none)
+            result[v] += n;
+      });
+    for (Vector_3d& n : result)
+      n = normalized(n);
+    return result;
+  }
+
+  /* Of one facet: what is missing at each of its corners, and how much comes for moving it. */
+  typedef std::array<Balance, 4> Facet_balance;
+
+  Facet_balance balance_of(const Facet& f, const std::vector<Vector_3d>& normal) const {
+    // six points, exact to the fourth degree (D. A. Dunavant, 1985)
+    static const double a = 0.445948490915965, wa = 0.223381589678011, b = 0.091576213509771, wb = 0.109951743655322;
+    static const double rule[6][4] = {{1 - 2 * a, a, a, wa}, {a, 1 - 2 * a, a, wa}, {a, a, 1 - 2 * a, wa},
+                                      {1 - 2 * b, b, b, wb}, {b, 1 - 2 * b, b, wb}, {b, b, 1 - 2 * b, wb}};
+    Facet_balance result;
+    const auto add = [&](Index v, double missing, double area, const Vector_3d& n) {
+      for (std::size_t k = 0; k < 4; ++k)
+        if (f.corner[k] != none && (v == none || f.corner[k] == v)) { // a quad's middle is a quarter of each corner's
+          const double part = v == none ? 0.25 : 1;
+          result[k].missing += part * missing;
+          result[k].response += part * area * dot(normal[f.corner[k]], n);
+        }
+    };
+    for_each_triangle(f, [&](const std::array<Index, 3>& corner, const std::array<Vector_3d, 3>& p) {
+      const Vector_3d doubled = cross(p[1] - p[0], p[2] - p[0]), n = normalized(doubled);
+      const double area = norm(doubled) / 2;
+      const double bound = std::sqrt((std::max)(squared_norm(p[1] - p[0]), squared_norm(p[2] - p[0]))) / 2;
+      std::array<double, 3> missing = {0, 0, 0};
+      for (const auto& q : rule) {
+        const double d = input_.distance_to_wall(q[0] * p[0] + q[1] * p[1] + q[2] * p[2], n, bound);
+        for (std::size_t k = 0; k < 3; ++k)
+          missing[k] += q[3] * area * q[k] * d;
+      }
+      for (std::size_t k = 0; k < 3; ++k)
+        add(corner[k], missing[k], area / 3, n);
+    });
+    return result;
+  }
+
+  void move_wall() {
+    const std::vector<Vector_3d> normal = wall_normals();
+    std::vector<Facet_balance> of_facet(facets_.size());
+    for_each_range(facets_.size(), threads_, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i)
+        of_facet[i] = balance_of(facets_[i], normal);
+    });
+    std::vector<Balance> balance(points_.size());
+    for (std::size_t i = 0; i < facets_.size(); ++i)
+      for (std::size_t k = 0; k < 4 && facets_[i].corner[k] != none; ++k) {
+        balance[facets_[i].corner[k]].missing += of_facet[i][k].missing;
+        balance[facets_[i].corner[k]].response += of_facet[i][k].response;
+      }
+    hand_on_from_rims(balance);
+    for (Index v = 0; v < points_.size(); ++v)
+      if (moves_with_wall(v) && balance[v].response > 0)
+        points_[v] += balance[v].missing / balance[v].response * normal[v];
+  }
+
+  // What facets miss at a vertex of a rim, which has its place already, is shared by their other corners.
+  void hand_on_from_rims(std::vector<Balance>& balance) const {
+    std::vector<std::pair<Index, Index>> pairs; // of a rim's vertex and one that takes over
+    for (const Facet& f : facets_)
+      for (Index r : f.corner)
+        for (Index v : f.corner)
+          if (r != none && v != none && !moves_with_wall(r) && moves_with_wall(v))
+            pairs.emplace_back(r, v);
+    std::sort(pairs.begin(), pairs.end());
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+    for (std::size_t i = 0, j = 0; i < pairs.size(); i = j) {
+      while (j < pairs.size() && pairs[j].first == pairs[i].first)
+        ++j;
+      for (std::size_t k = i; k < j; ++k)
+        balance[pairs[k].second].missing += balance[pairs[i].first].missing / double(j - i);
+    }
+  }
+
+  const Input_surface& input_;
+  int threads_;
+  std::vector<Vector_3d> points_;
+  std::vector<int> opening_; // of each vertex: the label of the opening that it is on the rim of, or 0
+  std::vector<char> is_on_wall_;
+  std::vector<Facet> facets_;   // of the wall
+  std::vector<Rim_edge> edges_; // where it meets openings
+};
+
+} // namespace CGAL::Tubular_meshing::internal
+
+#endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_PRESERVING_WALL_SHIFTER_H
