@@ -13,7 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <utility>
+#include <map>
 #include <vector>
 
 namespace CGAL::Tubular_meshing::internal {
@@ -48,24 +48,24 @@ public:
       : mesh_(mesh) {}
 
   Moved_spikes put_back() {
-    Moved_spikes moved;
+    std::map<Vertex, Point_3> before;
     for (int round = 0; round < 3; ++round) { // spikes beside each other may hide one more
       const std::vector<Vertex> spikes = find();
       if (spikes.empty())
         break;
-      std::vector<Point_3> before;
       for (Vertex v : spikes)
-        before.push_back(mesh_.point(v));
+        before.emplace(v, mesh_.point(v));
       relax(mesh_, spikes, 20);
       bend(mesh_, spikes, 40);
-      for (std::size_t i = 0; i < spikes.size(); ++i) {
-        const double way = point_distance(before[i], mesh_.point(spikes[i]));
-        if (way > moved.farthest) {
-          moved.farthest = way;
-          moved.place = before[i];
-        }
+    }
+    Moved_spikes moved;
+    moved.count = before.size();
+    for (const auto& v : before) {
+      const double way = point_distance(v.second, mesh_.point(v.first));
+      if (way > moved.farthest) {
+        moved.farthest = way;
+        moved.place = v.second;
       }
-      moved.count += spikes.size();
     }
     return moved;
   }
