@@ -27,9 +27,10 @@ struct Labelled_mesh {
 };
 
 /* Closes each opening by a dome of a height in radii (negative: a dish), the one of find_openings()'s opening i with
- * the label first + i; the wall's is `wall`. */
+ * the label first + i; the wall's is `wall`. Half an ellipsoid, which goes over into the wall smoothly; `creased`: a
+ * paraboloid, which meets it in a crease. */
 inline Labelled_mesh with_domes(const Mesh& open, const std::vector<double>& heights, int wall, int first,
-                                int circles = 4) {
+                                int circles = 4, bool creased = false) {
   namespace tubular = CGAL::Tubular_meshing;
   Labelled_mesh result{open, std::vector<int>(open.number_of_faces(), wall), {}};
   Mesh& mesh = result.mesh;
@@ -53,8 +54,8 @@ inline Labelled_mesh with_domes(const Mesh& open, const std::vector<double>& hei
       const double t = double(k) / circles;
       std::vector<Mesh::Vertex_index> inner;
       for (auto v : rim)
-        inner.push_back(
-            mesh.add_vertex(o.center + t * (open.point(v) - o.center) + height * std::sqrt(1 - t * t) * o.normal));
+        inner.push_back(mesh.add_vertex(o.center + t * (open.point(v) - o.center) +
+                                        height * (creased ? 1 - t * t : std::sqrt(1 - t * t)) * o.normal));
       for (std::size_t j = 0; j < rim.size(); ++j) {
         const std::size_t n = (j + 1) % rim.size();
         add(outer[j], outer[n], inner[n]);

@@ -80,7 +80,7 @@ class Fill_with_mesh_3_in_its_folder : public ::testing::Test {
 protected:
   void SetUp() override {
     before_ = fs::current_path();
-    folder_ = fs::path(TUBULAR_MESHING_SCRATCH) / "mesh_3";
+    folder_ = fs::path(TUBULAR_MESHING_SCRATCH) / ::testing::UnitTest::GetInstance()->current_test_info()->name();
     fs::remove_all(folder_);
     fs::create_directories(folder_);
     fs::current_path(folder_);

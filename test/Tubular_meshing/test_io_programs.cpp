@@ -39,7 +39,8 @@ double area_of(const Data& data) {
 }
 
 TEST_F(IO, All_that_VTK_and_meshio_write) {
-  const std::string script = (fs::path(__FILE__).parent_path() / "write_by_programs.py").string();
+  const std::string script =
+      (fs::path(TUBULAR_MESHING_DATA).parent_path() / "test/Tubular_meshing/write_by_programs.py").string();
   if (!fs::exists(script) || !fs::exists("/usr/bin/python3"))
     GTEST_SKIP() << "needs /usr/bin/python3 and " << script;
   const int status =

@@ -345,7 +345,7 @@ TEST(Crease_ends, Domes_and_dishes_with_a_crease_are_ends) {
   const Mesh open = open_bifurcation();
   for (double height : {0.15, 0.3, 0.5, -0.3, -0.7})
     for (const Transformation& t : placements()) {
-      const Labelled_mesh m = with_domes(transformed(open, t), {height}, 1, 2, 8);
+      const Labelled_mesh m = with_domes(transformed(open, t), {height}, 1, 2, 8, true);
       std::vector<Opening> openings = find_openings(m.mesh);
       ASSERT_EQ(openings.size(), 3u) << height;
       Mesh mesh = m.mesh;
@@ -366,7 +366,7 @@ TEST(Crease_ends, Domes_and_dishes_with_a_crease_are_ends) {
 }
 
 TEST(Crease_ends, Inside_out_as_well) {
-  Mesh mesh = with_domes(open_bifurcation(), {0.4}, 1, 2, 8).mesh;
+  Mesh mesh = with_domes(open_bifurcation(), {0.4}, 1, 2, 8, true).mesh;
   PMP::reverse_face_orientations(mesh);
   EXPECT_EQ(number_of_openings(mesh), 3u);
 }

@@ -71,11 +71,11 @@ TEST(Mesher, Makes_cut_and_maps_once) {
   std::vector<std::string> stages;
   Mesher mesher(model, parameters::points_per_circumference(10).observer([&](const char* s) { stages.push_back(s); }));
   mesher.isotropic();
-  EXPECT_EQ(stages, (std::vector<std::string>{"size field", "cut", "parameterization", "surface mesh", "tetrahedra",
-                                              "optimization", "check"}));
+  EXPECT_EQ(stages, (std::vector<std::string>{"size field", "cut", "parameterization", "surface mesh", "volume",
+                                              "tetrahedra", "optimization", "check"}));
   stages.clear();
   mesher.isotropic();
-  EXPECT_EQ(stages, (std::vector<std::string>{"surface mesh", "tetrahedra", "optimization", "check"}));
+  EXPECT_EQ(stages, (std::vector<std::string>{"surface mesh", "volume", "tetrahedra", "optimization", "check"}));
 }
 
 TEST(Mesher, Keeps_the_surface_that_it_meshed_by_patches) {

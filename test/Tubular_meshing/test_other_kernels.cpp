@@ -30,7 +30,7 @@ const tubular::Surface& surface() {
   static const tubular::Surface s = [] {
     tubular::Surface result;
     tubular::generate_tubular_surface(tubular::y_bifurcation(), result, parameters::points_per_circumference(14));
-    return result;
+    return other_graphs::in_order(result);
   }();
   return s;
 }

@@ -44,7 +44,8 @@ tubular::Labelled_surface tube() {
   for (int k = 0; k <= rows; ++k)
     for (int i = 0; i < sides; ++i) {
       const double a = 2 * CGAL_PI * i / sides;
-      v.push_back(surface.add_vertex(tubular::Point_3(std::cos(a), std::sin(a), k / 2.)));
+      v.push_back(surface.add_vertex(tubular::Point_3(
+          other_graphs::rounded(std::cos(a)), other_graphs::rounded(std::sin(a)), k / 2.))); // as floats have it
     }
   const auto at = [&](int k, int i) { return v[std::size_t(k * sides + i % sides)]; };
   const auto bottom = surface.add_vertex(tubular::Point_3(0, 0, 0));

@@ -114,6 +114,7 @@ TEST(Quads_of_functions, Any_size_and_surface_give_the_same_quads) {
   tubular::Surface generated;
   tubular::generate_tubular_surface(skeleton, generated, tubular::parameters::points_per_circumference(16));
   auto model = tubular::make_tubular_model(generated, tubular::centerlines_of(skeleton));
+  static_cast<tubular::Labelled_surface&>(model) = other_graphs::in_order(model);
   typedef CGAL::Surface_mesh<Epeck::Point_3> Exact_surface;
   Exact_surface exact;
   const auto copies = other_graphs::copy_in_order(model.surface, exact);

@@ -47,7 +47,8 @@ tubular::Labelled_surface make_tube() {
   tubular::Labelled_surface tube(test_surfaces::make_tube(shape));
   for (auto v : tube.surface.vertices()) {
     const Point& p = tube.surface.point(v);
-    tube.surface.point(v) = Point(float(p.x()), float(p.y()), float(p.z()));
+    tube.surface.point(v) =
+        Point(other_graphs::rounded(p.x()), other_graphs::rounded(p.y()), other_graphs::rounded(p.z()));
   }
   for (auto f : tube.surface.faces())
     tube.patch[f] = tubular::labels::wall;

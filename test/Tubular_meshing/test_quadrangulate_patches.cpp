@@ -54,8 +54,10 @@ Model model_of(const tubular::Tubular_skeleton& skeleton, double points = 24, do
 }
 
 Remeshed quads_of(const Model& model, double points, bool quad_caps = false, int threads = 0) {
-  return tubular::make_quad_surface_mesh(
-      model, tubular::parameters::points_per_circumference(points).quad_caps(quad_caps).number_of_threads(threads));
+  return tubular::make_quad_surface_mesh(model, tubular::parameters::points_per_circumference(points)
+                                                    .preserve_volume(false)
+                                                    .quad_caps(quad_caps)
+                                                    .number_of_threads(threads));
 }
 
 // --- an independent look at a surface ---

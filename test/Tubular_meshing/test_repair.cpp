@@ -369,7 +369,7 @@ TEST(Repair_surface, Smoothing_keeps_the_volume_and_the_openings_of_any_shape) {
       EXPECT_FALSE(pmp::does_self_intersect(closed.mesh));
       EXPECT_NEAR(pmp::volume(closed.mesh) / pmp::volume(closed_clean(clean).mesh), 1, 0.01);
       if (severity == 2) {
-        EXPECT_LT(hausdorff_distance(clean, mesh), 0.15);
+        EXPECT_LT(hausdorff_distance(clean, mesh), 0.15) << report.text();
       }
     }
 }

@@ -116,7 +116,6 @@ def write_by_vtk():
             write(what + "_ascii.ply", vtk.vtkPLYWriter(), data, FileType=1)
             write(what + "_big.ply", vtk.vtkPLYWriter(), data, FileType=2, DataByteOrder=1, ArrayName="RGB")
         write(what + ".obj", vtk.vtkOBJWriter(), data)
-    write("pieces.vtp", vtk.vtkXMLPolyDataWriter(), surface, NumberOfPieces=3)
     grid = vtk.vtkAppendFilter()
     grid.AddInputData(surface)
     grid.Update()

@@ -426,8 +426,10 @@ void print_summary(const Json& r, bool verbose) {
       most = (std::max)(most, p);
     }
   }
-  std::printf("\n%ld branches, %.1f to %.1f points round their circumference\n", long(r["branches"].size()), fewest,
-              most);
+  std::printf("\n%ld branches", long(r["branches"].size()));
+  if (most > 0) // else their wall has no triangles
+    std::printf(", %.1f to %.1f points round their circumference", fewest, most);
+  std::printf("\n");
   for (const auto& layers : {std::make_pair("wall", "wall"), std::make_pair("boundary_layer", "boundary layer")})
     if (r.contains(layers.first))
       std::printf("%s: %s\n", layers.second, r[layers.first]["sentence"].get<std::string>().c_str());

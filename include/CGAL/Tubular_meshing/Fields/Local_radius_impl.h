@@ -135,8 +135,9 @@ CGAL_TUBULAR_MESHING_INLINE double Local_radius::Radii::share_against(double rad
     return 0;
   using internal::smooth_step;
   const double ratio = std::log(of_ball / radius_of_centerline);
-  return (std::max)({share_of_ball, smooth_step(std::log(1.25), std::log(1.6), ratio),
-                     smooth_step(std::log(1.5), std::log(2.), -ratio)});
+  const double share = (std::max)({share_of_ball, smooth_step(std::log(1.25), std::log(1.6), ratio),
+                                   smooth_step(std::log(1.5), std::log(2.), -ratio)});
+  return share * smooth_step(1.05, 1.3, of_centerline.distance / of_centerline.radius);
 }
 
 CGAL_TUBULAR_MESHING_INLINE Local_radius::Radii Local_radius::radii(const Point_3& x) const {

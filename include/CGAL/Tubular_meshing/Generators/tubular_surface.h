@@ -10,6 +10,8 @@
 #include <CGAL/Tubular_meshing/base/convert_surface.h>
 #include <CGAL/Tubular_meshing/base/parameters.h>
 
+#include <utility>
+
 namespace CGAL::Tubular_meshing {
 
 /*! \ingroup PkgTubularMeshingGenerators
@@ -116,7 +118,11 @@ Surface generate_tubular_surface(const Tubular_skeleton& skeleton, const Generat
 template <class TriangleMesh, class NamedParameters = CGAL::parameters::Default_named_parameters>
 void generate_tubular_surface(const Tubular_skeleton& skeleton, TriangleMesh& out,
                               const NamedParameters& np = CGAL::parameters::default_values()) {
-  internal::copy_from_core(internal::generate_tubular_surface(skeleton, Generate_tubular_surface_options(np)), out, np);
+  Surface surface = internal::generate_tubular_surface(skeleton, Generate_tubular_surface_options(np));
+  if constexpr (internal::is_core_surface<TriangleMesh, NamedParameters>)
+    out = std::move(surface);
+  else
+    internal::copy_from_core(surface, out, np);
 }
 
 } // namespace CGAL::Tubular_meshing

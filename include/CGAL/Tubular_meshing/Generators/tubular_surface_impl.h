@@ -185,7 +185,9 @@ CGAL_TUBULAR_MESHING_INLINE Surface generate_tubular_surface(const Tubular_skele
     generator.cap_ends();
   if (options.sag > 0 && !options.round_ends)
     generator.sag_ends(options.sag, options.sag_shape);
-  return std::move(generator.mesh());
+  Surface surface; // without what the generator has removed
+  copy_face_graph(generator.mesh(), surface);
+  return surface;
 }
 
 } // namespace CGAL::Tubular_meshing::internal

@@ -108,7 +108,8 @@ CGAL_TUBULAR_MESHING_INLINE Indexed_patch make_indexed_patch(const Surface& surf
   for (const Patch_loop& loop : patch.loops) {
     const Cut_curve& curve = curves[loop.curve];
     std::vector<int> along;
-    if (!loop.forward && curve.left_patch == curve.right_patch) {
+    const auto is_there = [&](const Patch_loop& other) { return other.curve == loop.curve && other.forward; };
+    if (!loop.forward && std::any_of(patch.loops.begin(), patch.loops.end(), is_there)) { // the patch is on both sides
       const int first = int(own.size());
       internal::open_along(surface, patch.faces, curve, first, result);
       own.insert(own.end(), curve.vertices.begin(), curve.vertices.end());

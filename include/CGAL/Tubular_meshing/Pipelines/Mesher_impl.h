@@ -19,6 +19,7 @@
 #include <CGAL/Tubular_meshing/Pipelines/internal/check_requests.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <memory>
@@ -55,8 +56,9 @@ public:
 
   double points() const { return options_.size.points_per_circumference; }
   void set_points(double points) {
-    options_.metric.curvature_points *= points / options_.size.points_per_circumference;
-    options_.metric.points_per_circumference *= points / options_.size.points_per_circumference;
+    const double factor = points / options_.size.points_per_circumference, least = 3;
+    for (double* n : {&options_.metric.curvature_points, &options_.metric.points_per_circumference})
+      *n = points < least ? points : (std::max)(factor * *n, least);
     options_.size.points_per_circumference = points;
     size_.reset();
   }
@@ -360,6 +362,8 @@ private:
     stage("volume");
     const Labelled_surface& s = frame_.surface();
     note_volume(internal::preserve_volume(mesh.surface, mesh.patch, s.surface, s.patch, volume_options()));
+    if (mesh.quads.wall_quads() > 0)
+      internal::measure_quads(mesh);
   }
 
   // To a valid mesh that has brought its boundary to the surface; it is still valid then.

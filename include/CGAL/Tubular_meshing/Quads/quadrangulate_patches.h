@@ -45,6 +45,9 @@ Remeshed_surface quadrangulate_patches(const Surface& surface, const Surface_cut
                                        const std::vector<Patch_parameterization>& maps, Length_function size,
                                        const Quadrangulate_patches_options& options);
 
+/* Measures the shapes of the wall's quads in the surface's report, as when they have moved. */
+void measure_quads(Remeshed_surface& surface);
+
 } // namespace internal
 
 /*! \ingroup PkgTubularMeshingQuads

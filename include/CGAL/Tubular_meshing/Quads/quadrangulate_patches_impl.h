@@ -14,18 +14,13 @@
 
 namespace CGAL::Tubular_meshing::internal {
 
-/* Measures the faces of a surface of quads; `kinds` are those of its pieces. */
-inline Quad_report make_quad_report(const Remeshed_surface& result, const std::vector<Quad_piece_kind>& kinds) {
-  Quad_report report;
-  for (auto f : result.surface.faces())
-    if (result.patch_of_face[f] < 0)
-      ++(result.surface.degree(f) == 4 ? report.cap_quads : report.cap_triangles);
-
-  const Wall_quads wall(result);
+CGAL_TUBULAR_MESHING_INLINE void measure_quads(Remeshed_surface& surface) {
+  const Wall_quads wall(surface);
+  Quad_report& report = surface.quads;
+  report.least_eta = 1;
+  report.folded_quads = 0;
   double sum = 0;
   for (int q = 0; q < int(wall.mesh.quads.size()); ++q) {
-    const bool is_of_grid = kinds[wall.patch_of_quad[std::size_t(q)]] == Quad_piece_kind::grid;
-    ++(is_of_grid ? report.structured_quads : report.unstructured_quads);
     const Quad_patch::Quad& c = wall.mesh.quad(q);
     const double eta =
         quad_eta({wall.mesh.point(c[0]), wall.mesh.point(c[1]), wall.mesh.point(c[2]), wall.mesh.point(c[3])});
@@ -33,8 +28,21 @@ inline Quad_report make_quad_report(const Remeshed_surface& result, const std::v
     sum += eta;
     report.folded_quads += !(wall.mesh.quality(q) > 0);
   }
-  if (report.wall_quads() > 0)
-    report.mean_eta = sum / double(report.wall_quads());
+  report.mean_eta = wall.mesh.quads.empty() ? 1 : sum / double(wall.mesh.quads.size());
+}
+
+/* Counts the faces of a surface of quads; `kinds` are those of its pieces. */
+inline Quad_report make_quad_report(const Remeshed_surface& result, const std::vector<Quad_piece_kind>& kinds) {
+  Quad_report report;
+  for (auto f : result.surface.faces())
+    if (result.patch_of_face[f] < 0)
+      ++(result.surface.degree(f) == 4 ? report.cap_quads : report.cap_triangles);
+
+  const Wall_quads wall(result);
+  for (int q = 0; q < int(wall.mesh.quads.size()); ++q) {
+    const bool is_of_grid = kinds[wall.patch_of_quad[std::size_t(q)]] == Quad_piece_kind::grid;
+    ++(is_of_grid ? report.structured_quads : report.unstructured_quads);
+  }
   for (int v = int(wall.mesh.on_loops); v < int(wall.mesh.places.size()); ++v)
     report.irregular_vertices += wall.mesh.valence(v) != 4;
   report.annular_patches_without_grid =
@@ -49,6 +57,7 @@ CGAL_TUBULAR_MESHING_INLINE Remeshed_surface quadrangulate_patches(const Surface
   Quad_piece_mesher mesher(surface, cut, maps, size, options.quad_caps, options.number_of_threads);
   Remeshed_surface result = mesh_by_pieces(mesher);
   result.quads = make_quad_report(result, mesher.kinds());
+  measure_quads(result);
   return result;
 }
 

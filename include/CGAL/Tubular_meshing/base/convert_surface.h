@@ -64,11 +64,20 @@ core_points(const FaceGraph& mesh, const NamedParameters& np) {
       choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point), get_const_property_map(vertex_point, mesh))};
 }
 
-/* Whether a surface, with these parameters, is the core's own. */
+/* Whether a surface, with these parameters, is the core's own, with its own points. */
 template <class FaceGraph, class NamedParameters>
 constexpr bool is_core_surface = std::is_same<FaceGraph, Surface>::value&&
-    std::is_same<typename GetVertexPointMap<FaceGraph, NamedParameters>::const_type,
-                 typename boost::property_map<Surface, CGAL::vertex_point_t>::const_type>::value;
+    std::is_same<std::decay_t<decltype(CGAL::parameters::get_parameter(std::declval<const NamedParameters&>(),
+                                                                       CGAL::internal_np::vertex_point))>,
+                 CGAL::internal_np::Param_not_found>::value;
+
+/* Empties a mesh; property maps of the caller's stay. */
+template <class FaceGraph> void remove_elements(FaceGraph& mesh) {
+  clear(mesh);
+}
+template <class Point> void remove_elements(Surface_mesh<Point>& mesh) {
+  mesh.clear_without_removing_property_maps();
+}
 
 template <class From, class To>
 using Face_copies = std::vector<
@@ -107,7 +116,7 @@ void copy_to_core(const FaceGraph& mesh, Surface& surface, const NamedParameters
   const auto points = core_points(mesh, np);
   Face_copies<FaceGraph, Surface> copies;
   if (!copy_in_order(mesh, points, surface, get(vertex_point, surface), copies)) {
-    surface.clear_without_removing_property_maps();
+    remove_elements(surface);
     copy_face_graph(mesh, surface, CGAL::parameters::vertex_point_map(points));
   }
 }
@@ -184,9 +193,9 @@ Face_copies<Surface, FaceGraph> copy_from_core(const Surface& surface, FaceGraph
   const Core_point_map<Points> points{
       choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point), get_property_map(vertex_point, mesh))};
   Face_copies<Surface, FaceGraph> copies;
-  clear(mesh);
+  remove_elements(mesh);
   if (!copy_in_order(surface, get(vertex_point, surface), mesh, points, copies)) {
-    clear(mesh);
+    remove_elements(mesh);
     copies.clear();
     copy_face_graph(surface, mesh, CGAL::parameters::face_to_face_output_iterator(std::back_inserter(copies)),
                     CGAL::parameters::vertex_point_map(points));

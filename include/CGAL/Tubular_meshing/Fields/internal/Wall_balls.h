@@ -44,6 +44,9 @@ public:
     shrink(std::vector<char>(size(), 1), 0.98);
     filter(touching);
     smooth();
+    for (Index v = 0; v < size(); ++v) // what the edges of the wall do not resolve is no shape
+      if (radii_[v] > 0)
+        radii_[v] = (std::max)(radii_[v], longest_edge(v));
   }
 
   /* 0 where nothing lies opposite. */

@@ -49,6 +49,16 @@ inline std::optional<int> wall_by_convention(const std::string& array, const std
   return std::nullopt;
 }
 
+// As this package numbers its patches: wall, inlet, outlet_1, …; of those that are there, since a file may hold any number.
+inline Label_names names_of_patches_used(const std::vector<int>& used) {
+  Label_names names;
+  for (int label : std::set<int>(used.begin(), used.end()))
+    names[label] = label == labels::wall    ? std::string("wall")
+                   : label == labels::inlet ? std::string("inlet")
+                                            : "outlet_" + std::to_string(label - labels::inlet);
+  return names;
+}
+
 inline Surface_labels labels_by_array(const Polygon_soup& soup, const std::vector<std::size_t>& polygon,
                                       const std::string& name) {
   Surface_labels result;
@@ -61,11 +71,8 @@ inline Surface_labels labels_by_array(const Polygon_soup& soup, const std::vecto
   result.source = "cell array " + name;
   result.array = name;
   result.wall = wall_by_convention(name, result.label);
-  const std::set<int> used(result.label.begin(), result.label.end());
-  if (name == "patch" && soup.names.empty() && result.wall)
-    result.names = lumen_patch_names((std::max)(0, *used.rbegin() - labels::wall));
-  else
-    result.names = soup.names;
+  result.names =
+      name == "patch" && soup.names.empty() && result.wall ? names_of_patches_used(result.label) : soup.names;
   return result;
 }
 

@@ -71,7 +71,7 @@ protected:
   bool mesh_patch(size_type k, Piece& piece) override {
     kinds_[k] = Quad_piece_kind::unstructured;
     if (!chains_.is_tube(k))
-      return make_unstructured(k, piece);
+      return make_unstructured(k, piece) && (piece.empty() || covers(k, piece) || make_triangles(k, piece));
     kinds_[k] = Quad_piece_kind::grid;
     if (make_grid(k, piece) && !covers(k, piece))
       piece = Piece();
@@ -84,7 +84,7 @@ protected:
       piece = std::move(other);
       kinds_[k] = Quad_piece_kind::unstructured_for_grid;
     }
-    return true;
+    return piece.empty() || covers(k, piece) || make_triangles(k, piece);
   }
 
   bool mesh_cap(size_type k, Piece& piece) override {
@@ -124,8 +124,8 @@ private:
     return points;
   }
 
-  // Whether no point of the patch is further than a mesh size from the grid. The map makes a sac so small that the lines
-  // of a grid, which follow the loops, may pass it by.
+  // Whether no point of the patch is further than a mesh size from the quads. The map makes a sac so small that the lines
+  // of a grid, which follow the loops, or of an unstructured mesh may pass it by.
   bool covers(size_type k, const Piece& piece) const {
     const std::vector<Vector_3d> points = points_of(piece);
     const auto at = [&](size_type v) { return to_double_point(points[v]); };
@@ -162,6 +162,15 @@ private:
     const Patch_chart chart(map, metric);
     fill(sheet, chart, polygons, false, piece);
     return true;
+  }
+
+  // Triangles reach into what the map makes small: they are placed where its peaks are.
+  bool make_triangles(size_type k, Piece& piece) const {
+    piece = Piece();
+    const Map& map = maps_[k];
+    const auto metric = [&](const Patch_location& at) { return map.induced_metric(at, size_of(k, map.point(at))); };
+    const Plane_polygons polygons = patch_polygons(k, piece);
+    return triangulate(Patch_chart(map, metric), true, polygons, false, piece);
   }
 
   // False if there is none, as the patch is too wound, say.
