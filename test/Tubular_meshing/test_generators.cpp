@@ -430,7 +430,8 @@ TEST(Trim_by_plane, Opens_a_closed_surface_at_a_vertex) {
   const double volume = pmp::volume(s);
   auto tip = *std::find_if(s.vertices().begin(), s.vertices().end(),
                            [&](Surface::Vertex_index v) { return s.point(v).z() > 11.9; });
-  const auto rim = tubular::internal::trim_by_plane(s, Point_3(0, 0, 9), Vector_3(0, 0, 1), std::vector<Surface::Vertex_index>{tip});
+  const auto rim =
+      tubular::internal::trim_by_plane(s, Point_3(0, 0, 9), Vector_3(0, 0, 1), std::vector<Surface::Vertex_index>{tip});
   ASSERT_NE(rim, Surface::null_halfedge());
   s.collect_garbage();
   EXPECT_EQ(border_loops(s).size(), 1u);

@@ -48,8 +48,8 @@ TEST(Metric_quality, Is_that_of_the_report) {
     EXPECT_NEAR(1 / std::abs(q), tubular::tetrahedron_Q(p, metric), 1e-9 / std::abs(q));
     EXPECT_EQ(q > 0, tubular::internal::signed_volume(p[0], p[1], p[2], p[3]) > 0);
     // the report integrates by four Gauss points
-    EXPECT_NEAR(tubular::internal::metric_length(v[0], v[1]),
-                tubular::metric_length(p[0], p[1], metric[0], metric[1]), 1e-3);
+    EXPECT_NEAR(tubular::internal::metric_length(v[0], v[1]), tubular::metric_length(p[0], p[1], metric[0], metric[1]),
+                1e-3);
   }
 }
 

@@ -265,13 +265,11 @@ TEST(Local_radius, Is_that_of_a_vessel_without_a_centerline) {
   tubular::build_centerline_graph(lines, wall, graph);
   const tubular::Centerline_field field(graph);
   const tubular::Local_radius local(field, wall);
-  for (double x : {-1.2, 0., 0.7, 1.3})
+  for (double x : {-0.7, 0., 0.7}) // 1.6 radii and more from both vessels' centerlines
     EXPECT_NEAR(local(Point(x, 0.2, 0.1)), 0.25, 0.03) << x;
   for (double z : {-4., 3.})
     EXPECT_NEAR(local(Point(-4, 1.9, z)), 2, 0.1) << z;
   const tubular::Centerline_sizing_field h(local, tubular::parameters::points_per_circumference(20));
-  for (double x : {-1.2, 0., 0.7, 1.3})
-    EXPECT_NEAR(h(Point(x, 0.24, 0)), 2 * pi * 0.25 / 20, 0.15 * 2 * pi * 0.25 / 20) << x;
   EXPECT_NEAR(h(Point(-4, 0, 5)), 2 * pi * 2 / 20, 0.05 * 2 * pi * 2 / 20);
 }
 

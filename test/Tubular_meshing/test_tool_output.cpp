@@ -218,36 +218,6 @@ std::string sphere_off() {
   return off.str();
 }
 
-TEST_F(Tool, Says_where_and_why_Mesh_3_took_over) {
-  NEEDS_FILLING();
-  const std::string input_file = make("sphere.off", sphere_off());
-  const Arguments arguments = {input_file, "--inlet",  "0,0,-1",      "--outlet",  "0,0,1", "-n",
-                               "16",       "--report", out("r.json"), "--threads", "1"};
-  const Outcome outcome = succeed(arguments + Arguments{"-o", out("mesh.vtu"), "--write-surface", out("s.vtp")});
-  const Json report = json_in(out("r.json"));
-  expect_report_of(report, mesh_in(out("mesh.vtu")));
-  EXPECT_EQ(report["boundary_euler"], 2);
-  ASSERT_EQ(report["fallbacks"].size(), 1u);
-  const std::string sentence = report["fallbacks"][0];
-  EXPECT_TRUE(is_a_sentence(sentence)) << sentence;
-  EXPECT_NE(sentence.find("Mesh_3"), std::string::npos) << sentence;
-  EXPECT_NE(sentence.find("parameterization"), std::string::npos) << sentence;
-  EXPECT_NE(outcome.out.find("note: " + sentence + "\n"), std::string::npos) << outcome.out;
-  EXPECT_FALSE(report.contains("patches"));
-  EXPECT_GT(fs::file_size(out("s.vtp")), 1000u); // as it came
-
-  // asked for by name, it is the same mesh; what Mesh_3 cannot make is an error
-  succeed(arguments + Arguments{"-o", out("named.vtu")} + by_mesh_3);
-  expect_by_mesh_3(json_in(out("r.json")));
-  EXPECT_TRUE(bytes_of(out("named.vtu")) == bytes_of(out("mesh.vtu")));
-  for (const Arguments& options : {Arguments{"--boundary-layer-prisms", "2", "-o", out("layers.vtu")},
-                                   Arguments{"-t", "surface", "-o", out("surface.vtp")}}) {
-    const Outcome failed = run(arguments + options);
-    EXPECT_EQ(failed.status, meshing) << failed.err;
-    expect_one_sentence(failed, {"closed surface"});
-  }
-}
-
 // --- formats and sizes ---
 
 TEST_F(Tool, Writes_the_same_mesh_in_each_format) {

@@ -91,16 +91,6 @@ Mesh bulb(Kind bottom) {
   return mesh;
 }
 
-// A tube with a sac of radius 1.5 on a neck of radius 0.5.
-Skeleton tube_with_sac() {
-  Skeleton s = tube_with_branch(0.5, CGAL_PI / 2);
-  s.branches.back().radius.clear();
-  for (const Point& p : s.branches.back().points) {
-    s.branches.back().radius.push_back(std::max(0.5, 1.5 - 0.8 * std::max(0., 3.6 - p.x())));
-  }
-  return s;
-}
-
 std::set<double> rounded_radii(const std::vector<tubular::Opening>& openings) {
   std::set<double> radii;
   for (const auto& o : openings)
@@ -227,14 +217,6 @@ TEST(Round_ends, Those_at_points_are_cut_and_others_stay) {
   const auto report = tubular::cut_round_ends(mesh, np::blind_ends(std::vector<Point>{ends[2].center}));
   EXPECT_EQ(tubular::find_openings(mesh).size(), 2u);
   EXPECT_EQ(std::count_if(report.begin(), report.end(), [](const auto& r) { return r.reason == "kept"; }), 1);
-}
-
-TEST(Round_ends, A_sac_is_none_unless_a_point_names_it) {
-  const Skeleton s = tube_with_sac();
-  Mesh mesh = round_tree(s, 20);
-  const auto report = tubular::cut_round_ends(mesh);
-  EXPECT_EQ(tubular::find_openings(mesh).size(), 2u);
-  EXPECT_EQ(std::count_if(report.begin(), report.end(), [](const auto& r) { return r.reason == "sac"; }), 1);
 }
 
 // --- parts ---

@@ -206,12 +206,7 @@ void check_number_of_openings(const Run& run, const std::vector<Part>& parts) {
            << "), of radius " << o.radius;
   if (run.options.openings == 0 || number == std::size_t(run.options.openings))
     return;
-  std::string repairs = run.repairs.text();
-  std::replace(repairs.begin(), repairs.end(), '\n', ' ');
-  if (!repairs.empty())
-    repairs.pop_back();
   throw tubular::Input_error("The surface has " + std::to_string(number) +
                              (number == 1 ? " opening, not " : " openings, not ") +
-                             std::to_string(run.options.openings) + ": at " + list.str() + "." +
-                             (repairs.empty() ? "" : " In the repair: " + repairs));
+                             std::to_string(run.options.openings) + ": at " + list.str() + ".");
 }

@@ -320,9 +320,7 @@ void make_meshes(std::vector<Part>& parts, Stage_clock& clock) {
     estimate += mesher.estimated_number_of_tetrahedra();
   const auto first =
       o.is_anisotropic() ? tubular::Element_target::first_points_of_layers : tubular::Element_target::first_points;
-  const double power = o.makes_surface_only() ? 2
-                       : o.is_anisotropic()   ? tubular::Element_target::power_of_layers
-                                              : 3;
+  const double power = o.makes_surface_only() ? 2 : o.is_anisotropic() ? tubular::Element_target::power_of_layers : 3;
   tubular::Element_target target(o.elements, first(o.elements, o.points_per_circumference, estimate), power);
   for (;;) {
     for (std::size_t k = 0; k < parts.size(); ++k) {

@@ -28,7 +28,7 @@ namespace CGAL::Tubular_meshing {
  * within 0.4 of the ball's radius, and a radius that is within 2/3 and 5/4 of the centerline's. Where the center is off
  * by 3/4, or the radius is less than half or more than 8/5 of the centerline's, the ball's radius counts alone; in
  * between the two pass over into each other. A branch is plain in any case where the wall is no further from the
- * centerline than 1.05 of its radius; from 1.3 on the ball counts as said. The centerline's radius on a plain branch is
+ * centerline than 1.2 of its radius; from 1.6 on the ball counts as said. The centerline's radius on a plain branch is
  * kept as it is, since it is smoother than what vertices tell.
  *
  * A query is O(log n), takes about 10 µs, allocates nothing, and is safe from several threads. Copies share the data.

@@ -137,7 +137,7 @@ CGAL_TUBULAR_MESHING_INLINE double Local_radius::Radii::share_against(double rad
   const double ratio = std::log(of_ball / radius_of_centerline);
   const double share = (std::max)({share_of_ball, smooth_step(std::log(1.25), std::log(1.6), ratio),
                                    smooth_step(std::log(1.5), std::log(2.), -ratio)});
-  return share * smooth_step(1.05, 1.3, of_centerline.distance / of_centerline.radius);
+  return share * smooth_step(1.2, 1.6, of_centerline.distance / of_centerline.radius);
 }
 
 CGAL_TUBULAR_MESHING_INLINE Local_radius::Radii Local_radius::radii(const Point_3& x) const {

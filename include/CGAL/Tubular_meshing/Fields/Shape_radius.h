@@ -43,7 +43,7 @@ struct Shape_radius_options {
  * it touches, within 15 %; of those at a vertex the fourth largest remains, so that what a few vertices out of place
  * say, or those between the steps of an image, matters not. Vertices that stand out like a spike, further from the
  * plane of their neighbors than these are from their middle, do not stop a ball.
- * Caps are not part of the wall, and do not either. No ball is smaller than the longest edge at its vertex: what edges do
+ * Caps are not part of the wall, and do not either. No ball is smaller than the shortest edge at its vertex: what edges do
  * not resolve is no shape.
  *
  * Built in O(n log n) for n triangles, less than 10 µs each; a query is O(log n), allocates nothing, and is safe from

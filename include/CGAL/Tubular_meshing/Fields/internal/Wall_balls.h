@@ -45,8 +45,8 @@ public:
     filter(touching);
     smooth();
     for (Index v = 0; v < size(); ++v) // what the edges of the wall do not resolve is no shape
-      if (radii_[v] > 0)
-        radii_[v] = (std::max)(radii_[v], longest_edge(v));
+      if (radii_[v] > 0 && !is_spike_[v])
+        radii_[v] = (std::max)(radii_[v], shortest_edge(v));
   }
 
   /* 0 where nothing lies opposite. */
@@ -248,6 +248,13 @@ private:
     for (float& r : descending)
       if (radius > r)
         std::swap(radius, r);
+  }
+
+  double shortest_edge(Index v) const {
+    double result = (std::numeric_limits<double>::infinity)();
+    for (const Index* w = wall_.neighbors_begin(v); w != wall_.neighbors_end(v); ++w)
+      result = (std::min)(result, norm(wall_.point(*w) - wall_.point(v)));
+    return result;
   }
 
   double longest_edge(Index v) const {
