@@ -12,9 +12,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
+#include <map>
 #include <random>
 #include <set>
 #include <string>
@@ -43,18 +44,42 @@ struct Thrown {
   std::set<std::size_t> vertices;
 };
 
-// By 0.8 to 1.5 local radii, which are 2 to 4 edges, inward or outward, and by up to half an edge along the wall.
-Thrown throw_vertices(const Clean_surface& clean, std::size_t count, unsigned seed) {
+bool take(const Clean_surface& clean, std::size_t v, Thrown& thrown) {
+  return !clean.near_rim[v] && thrown.vertices.insert(v).second;
+}
+
+// By 0.8 to 3 local radii, inward or outward, and by up to half an edge along the wall.
+Thrown throw_across(const Clean_surface& clean, std::size_t count, unsigned seed) {
   Thrown thrown{clean.soup, {}};
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> unit(0, 1);
   while (thrown.vertices.size() < count) {
     const std::size_t v = random() % clean.soup.points.size();
-    if (clean.near_rim[v] || !thrown.vertices.insert(v).second)
+    if (!take(clean, v, thrown))
       continue;
-    const double far = (random() % 2 == 0 ? 1 : -1) * (0.8 + 0.7 * unit(random)) * clean.radius(v);
+    const double far = (random() % 2 == 0 ? 1 : -1) * (0.8 + 2.2 * unit(random)) * clean.radius(v);
     const Vector any(unit(random) - 0.5, unit(random) - 0.5, unit(random) - 0.5);
     thrown.soup.points[v] = thrown.soup.points[v] + far * clean.normal[v] + clean.edge[v] * any;
+  }
+  return thrown;
+}
+
+// Anywhere: by a third of the local radius in each coordinate, in the mean.
+Thrown throw_anywhere(const Clean_surface& clean, std::size_t count, unsigned seed) {
+  Thrown thrown{clean.soup, {}};
+  std::mt19937 random(seed);
+  const auto normal = [&] { // the sum of twelve, as the standard's distribution differs between libraries
+    double sum = -6;
+    for (int i = 0; i < 12; ++i)
+      sum += double(random() % 65536) / 65536;
+    return sum;
+  };
+  while (thrown.vertices.size() < count) {
+    const std::size_t v = random() % clean.soup.points.size();
+    if (!take(clean, v, thrown))
+      continue;
+    const double x = normal(), y = normal(), z = normal();
+    thrown.soup.points[v] = thrown.soup.points[v] + clean.radius(v) / 3 * Vector(x, y, z);
   }
   return thrown;
 }
@@ -124,6 +149,47 @@ Soup revolved(const std::vector<std::pair<double, double>>& profile, std::size_t
   return soup;
 }
 
+// The faces between voxels in a vessel and outside of it: a tube, along an axis or not, as segmentations have it.
+Soup voxels(double radius, const Vector& axis) {
+  const int size = 30;
+  const Vector along = axis / std::sqrt(axis.squared_length());
+  const auto is_inside = [&](const std::array<int, 3>& c) {
+    if (*std::min_element(c.begin(), c.end()) < -size || *std::max_element(c.begin(), c.end()) > size)
+      return false;
+    const Vector p(c[0] + 0.31, c[1] + 0.17, c[2] + 0.23);
+    return CGAL::cross_product(p, along).squared_length() < radius * radius && std::abs(p * along) < 20;
+  };
+  Soup soup;
+  std::map<std::array<int, 3>, std::size_t> corners;
+  const auto corner = [&](const std::array<int, 3>& c) {
+    const auto found = corners.emplace(c, soup.points.size());
+    if (found.second)
+      soup.points.push_back(Point(c[0], c[1], c[2]));
+    return found.first->second;
+  };
+  for (int x = -size; x <= size; ++x)
+    for (int y = -size; y <= size; ++y)
+      for (int z = -size; z <= size; ++z)
+        for (int k = 0; k < 3; ++k)
+          for (int side : {0, 1}) {
+            std::array<int, 3> c = {x, y, z}, next = c, a, b, d;
+            next[k] += 2 * side - 1;
+            if (!is_inside(c) || is_inside(next))
+              continue;
+            c[k] += side;
+            a = b = d = c;
+            ++a[(k + 1) % 3];
+            ++b[(k + 1) % 3];
+            ++b[(k + 2) % 3];
+            ++d[(k + 2) % 3];
+            if (side == 0)
+              std::swap(a, d);
+            soup.triangles.push_back({corner(c), corner(a), corner(b)});
+            soup.triangles.push_back({corner(c), corner(b), corner(d)});
+          }
+  return soup;
+}
+
 } // namespace
 
 TEST(Spikes, Go_back_into_the_wall_whatever_their_number) {
@@ -133,28 +199,45 @@ TEST(Spikes, Go_back_into_the_wall_whatever_their_number) {
         continue; // more than 15 %
       for (unsigned seed = 0; seed < 4; ++seed) {
         SCOPED_TRACE(clean.name + ", " + std::to_string(count) + " vertices, seed " + std::to_string(seed));
-        const Thrown thrown = throw_vertices(clean, count, seed);
+        const Thrown thrown = throw_across(clean, count, seed);
         Mesh mesh;
         const auto report = tubular::repair_surface(thrown.soup.points, thrown.soup.triangles, mesh);
         SCOPED_TRACE(report.text());
         const std::size_t found = report.count(Surface_defect::spikes);
-        std::printf("%-5s %4zu of %zu, seed %u: %zu put back, deviation %.3f\n", clean.name.c_str(), count,
-                    clean.soup.points.size(), seed, found, deviation(mesh, clean));
-        EXPECT_GE(found, count - count / 10);
-        EXPECT_LE(found, count + count / 5);
+        EXPECT_GE(found, count - count / 20);
+        EXPECT_LE(found, count + 1 + count / 10);
         EXPECT_EQ(report.count(Surface_defect::wrapped), 0u);
         expect_clean(mesh, clean, 0.2);
       }
     }
 }
 
+// Smaller ones, of less than 1.25 edges, are no spikes yet: they stay, as noise does.
+TEST(Spikes, Of_any_direction_and_size_leave_no_more_than_noise) {
+  const std::vector<Clean_surface> surfaces = {Clean_surface("fine y", tubular::y_bifurcation(), 33),
+                                               Clean_surface("fine bend", tubular::curved_tube(), 33)};
+  for (const Clean_surface& clean : surfaces)
+    for (std::size_t count : {4, 25, 100, 300})
+      for (unsigned seed = 0; seed < 4; ++seed) {
+        SCOPED_TRACE(clean.name + ", " + std::to_string(count) + " vertices, seed " + std::to_string(seed));
+        const Thrown thrown = throw_anywhere(clean, count, seed);
+        Mesh mesh;
+        const auto report = tubular::repair_surface(thrown.soup.points, thrown.soup.triangles, mesh);
+        SCOPED_TRACE(report.text());
+        EXPECT_GT(report.count(Surface_defect::spikes), 0u);
+        EXPECT_EQ(report.count(Surface_defect::wrapped), 0u);
+        expect_clean(mesh, clean, 1.4 * 2 * CGAL_PI / clean.points);
+      }
+}
+
 TEST(Spikes, Are_the_same_in_any_unit_and_position) {
   const Clean_surface& clean = defects::clean_surfaces()[1];
-  const Thrown thrown = throw_vertices(clean, 25, 7);
+  const Thrown thrown = throw_across(clean, 25, 7);
   Mesh mesh;
   const auto report = tubular::repair_surface(thrown.soup.points, thrown.soup.triangles, mesh);
-  EXPECT_EQ(report.count(Surface_defect::spikes), 25u);
-  for (double unit : {1e-3, 1., 25.4})
+  const std::size_t found = report.count(Surface_defect::spikes);
+  EXPECT_NEAR(double(found), 25, 2);
+  for (double unit : {1e-3, 1., 1e3})
     for (double angle : {0., 0.7, 2.1}) {
       SCOPED_TRACE("unit " + std::to_string(unit) + ", angle " + std::to_string(angle));
       const double c = std::cos(angle), s = std::sin(angle);
@@ -165,7 +248,7 @@ TEST(Spikes, Are_the_same_in_any_unit_and_position) {
         p = place(p);
       Mesh other;
       const auto same = tubular::repair_surface(moved.points, moved.triangles, other);
-      EXPECT_EQ(same.count(Surface_defect::spikes), 25u);
+      EXPECT_EQ(same.count(Surface_defect::spikes), found);
       ASSERT_EQ(other.number_of_vertices(), mesh.number_of_vertices());
       for (auto v : mesh.vertices())
         ASSERT_LT(std::sqrt(CGAL::squared_distance(other.point(v), place(mesh.point(v)))), 1e-9 * unit * 10);
@@ -222,4 +305,14 @@ TEST(Spikes, Are_no_pointed_ends_stenoses_creases_or_coarse_walls) {
     expect_untouched(revolved({{0, 0}, {1, 0}, {1, 3}, {1, 6}, {0, 6}}, sides), "flat caps" + with);
     expect_untouched(revolved({{1, 0}, {1, 3}, {1.4, 3.2}, {1, 3.4}, {1, 6}}, sides), "a creased ring" + with);
   }
+}
+
+TEST(Spikes, Are_no_corners_of_voxels) {
+  for (double radius : {4.3, 6., 8.6})
+    for (const Vector& axis : {Vector(0, 0, 1), Vector(0, 1, 3), Vector(2, 3, 4)}) {
+      const Soup soup = voxels(radius, axis);
+      Mesh mesh;
+      const auto report = tubular::repair_surface(soup.points, soup.triangles, mesh);
+      EXPECT_EQ(report.count(Surface_defect::spikes), 0u) << radius << " along " << axis << report.text();
+    }
 }

@@ -292,7 +292,7 @@ private:
   // False if something is left; then the mesh is as it was, but for the spikes.
   bool repair_crossings() {
     Spike_mover mover(mesh_);
-    const bool has_spikes = !mover.find().empty();
+    const bool has_spikes = mover.has_spikes();
     const Bad_faces bad = find_bad_faces(mesh_);
     if (has_spikes)
       report_spikes(mover.put_back());
