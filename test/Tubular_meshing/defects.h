@@ -50,6 +50,7 @@ inline Soup soup_of(const Mesh& mesh) {
 /* A clean surface, and what the makers of defects need to know of it. */
 struct Clean_surface {
   std::string name;
+  double points; ///< per circumference
   Mesh mesh;
   Soup soup;
   std::vector<bool> near_rim; ///< by vertex: within a few edges of an opening
@@ -59,8 +60,9 @@ struct Clean_surface {
   long handles = 0;
   unsigned draw = 0; ///< vertex() gives others for another one
 
-  Clean_surface(const std::string& name, const tubular::Tubular_skeleton& skeleton)
+  Clean_surface(const std::string& name, const tubular::Tubular_skeleton& skeleton, double points = 16)
       : name(name)
+      , points(points)
       , openings(skeleton.number_of_openings())
       , handles(long(skeleton.number_of_loops())) {
     tubular::generate_tubular_surface(skeleton, mesh, tubular::parameters::points_per_circumference(points));
@@ -105,8 +107,6 @@ struct Clean_surface {
   }
 
 private:
-  static constexpr double points = 16; // per circumference
-
   std::vector<std::size_t> triangles_at_or_rim(std::size_t v) const {
     std::vector<std::size_t> around;
     for (auto f : CGAL::faces_around_target(mesh.halfedge(Mesh::Vertex_index(unsigned(v))), mesh))

@@ -225,6 +225,8 @@ private:
   }
 
   Remeshed_surface surface_in_frame(Surface_elements elements) {
+    if (elements != Surface_elements::anisotropic_triangles)
+      internal::check_memory(internal::estimated_number_of_triangles(frame_.surface().surface, size()), "triangles");
     if (elements == Surface_elements::quads)
       return quads_in_frame();
     if (elements == Surface_elements::triangles)

@@ -31,6 +31,7 @@ enum class Surface_defect {
   pinholes,            ///< holes of the wall, small against the local radius, filled
   filled_holes,        ///< larger ones, filled as asked for
   possible_openings,   ///< loops that may be openings or holes, taken for openings: reported only
+  spikes,              ///< vertices thrown far out of the wall around them, put back into it
   self_intersections,  ///< triangles that cross each other, smoothed or replaced
   folds,               ///< edges at which the surface turns back on itself, smoothed or replaced
   handles,             ///< where vessels split and rejoin, or touch and are fused: reported only
@@ -55,6 +56,7 @@ inline std::string name_of(Surface_defect defect) {
                                       "pinholes",
                                       "filled_holes",
                                       "possible_openings",
+                                      "spikes",
                                       "self_intersections",
                                       "folds",
                                       "handles",

@@ -52,6 +52,9 @@ Repair_report repair_mesh(Surface& mesh, const Repair_surface_options& options);
  *   touches an opening in a point is distinguished from it, and filled by itself. A larger loop in the wall may be a
  *   hole or an opening: it is taken for an opening, and reported. Only a loop that no flat cap closes, a wide slit or
  *   a tear along the vessel, is refused;
+ * - vertices that were thrown out of the wall, making spikes into the lumen or outward, are put back into it. A spike is
+ *   sharper than a cone 1.25 times as high as wide, and stands on a wall that turns back what the spike turns: pointed
+ *   ends, carinas, stenoses, creases and coarse walls are none;
  * - triangles that cross, or fold back on their neighbours by more than 154 degrees, are smoothed or replaced by a
  *   patch that continues the wall; at a rim they are removed. If that loses or adds an opening, it is taken back;
  * - vessels that cross each other are united (corefine_and_compute_union()); one inside of another is dropped;

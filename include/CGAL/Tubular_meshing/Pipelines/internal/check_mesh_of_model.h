@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_PIPELINES_INTERNAL_CHECK_MESH_OF_MODEL_H
 #define CGAL_TUBULAR_MESHING_PIPELINES_INTERNAL_CHECK_MESH_OF_MODEL_H
 
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/Quality/lumen_measures.h>
 #include <CGAL/Tubular_meshing/Quality/validity_report.h>
@@ -15,6 +16,7 @@
 
 #include <unistd.h>
 
+#include <cmath>
 #include <cmath>
 #include <cstddef>
 #include <set>
@@ -49,13 +51,27 @@ inline std::string differences(const Mixed_mesh& mesh, const Tubular_model& mode
   return s;
 }
 
-// Mesh_3 takes about a kilobyte for each tetrahedron; the machine's memory is the limit, not what happens to be free.
-inline void check_memory(double tetrahedra) {
-  const double needed = 1000 * tetrahedra;
+// Mesh_3 takes about a kilobyte for each tetrahedron, as surface meshing does for each triangle; the machine's memory is
+// the limit, not what happens to be free.
+inline void check_memory(double elements, const std::string& name = "tetrahedra") {
+  const double needed = 1000 * elements;
   const double there = double(sysconf(_SC_PHYS_PAGES)) * double(sysconf(_SC_PAGE_SIZE));
   if (needed > there)
-    throw Meshing_error("A mesh this fine would have about " + std::to_string((long long)(tetrahedra / 1e6)) +
-                        " million tetrahedra, more than the memory of this machine holds: make it coarser.");
+    throw Meshing_error("A mesh this fine would have about " + std::to_string((long long)(elements / 1e6)) +
+                        " million " + name + ", more than the memory of this machine holds: make it coarser.");
+}
+
+// Of equilateral triangles, as large as the size at the centre of each face.
+template <class Size> double estimated_number_of_triangles(const Surface& surface, const Size& size) {
+  double number = 0;
+  for (auto f : surface.faces()) {
+    const auto h = surface.halfedge(f);
+    const Point_3 &p = surface.point(surface.source(h)), &q = surface.point(surface.target(h)),
+                  &r = surface.point(surface.target(surface.next(h)));
+    const double length = size(CGAL::centroid(p, q, r));
+    number += std::sqrt(CGAL::cross_product(q - p, r - p).squared_length()) / 2 / (std::sqrt(3.) / 4 * length * length);
+  }
+  return number;
 }
 
 inline void check_differences(const Mixed_mesh& mesh, const Tubular_model& model, const Surface& surface) {

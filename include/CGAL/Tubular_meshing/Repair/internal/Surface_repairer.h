@@ -12,6 +12,7 @@
 #include <CGAL/Tubular_meshing/Repair/internal/drop_islands.h>
 #include <CGAL/Tubular_meshing/Repair/internal/fill_wall.h>
 #include <CGAL/Tubular_meshing/Repair/internal/repair_crossings.h>
+#include <CGAL/Tubular_meshing/Repair/internal/put_back_spikes.h>
 #include <CGAL/Tubular_meshing/Repair/internal/remove_fins.h>
 #include <CGAL/Tubular_meshing/Repair/internal/remove_needles.h>
 #include <CGAL/Tubular_meshing/Repair/internal/report_orientation.h>
@@ -287,14 +288,36 @@ private:
                 largest->shape.center);
   }
 
-  // False if something is left; then the mesh is as it was.
+  // Spikes first: most triangles that cross are theirs, and without them the wall that they pierce stays as it is.
+  // False if something is left; then the mesh is as it was, but for the spikes.
   bool repair_crossings() {
+    Spike_mover mover(mesh_);
+    const bool has_spikes = mover.has_spikes();
     const Bad_faces bad = find_bad_faces(mesh_);
-    if (bad.empty())
-      return true;
-    note_flat_ends();
-    const Surface before = mesh_;
-    const bool repaired = Crossing_repairer(mesh_).repair(bad) && keeps_ends();
+    if (has_spikes)
+      report_spikes(mover.put_back());
+    const Bad_faces left = has_spikes ? find_bad_faces(mesh_) : bad;
+    bool repaired = left.empty();
+    if (!repaired) {
+      note_flat_ends();
+      const Surface before = mesh_;
+      repaired = Crossing_repairer(mesh_).repair(left) && keeps_ends();
+      if (!repaired)
+        mesh_ = before;
+    }
+    report_crossings(bad, repaired);
+    return repaired;
+  }
+
+  void report_spikes(const Moved_spikes& moved) {
+    report_.add(Surface_defect::spikes, moved.count, moved.farthest,
+                counted(moved.count, "vertex was", "vertices were") + " far out of the wall around, and " +
+                    (moved.count == 1 ? "was" : "were") + " put back into it, by up to " +
+                    short_number(moved.farthest) + ", the farthest at " + coordinates(moved.place) + ".",
+                moved.place);
+  }
+
+  void report_crossings(const Bad_faces& bad, bool repaired) {
     const std::string end = repaired ? "; they were smoothed or replaced." : "; they could not be repaired locally.";
     if (bad.crossings > 0) {
       const std::string what = counted(bad.crossings, "pair of triangles crosses", "pairs of triangles cross") +
@@ -308,9 +331,8 @@ private:
       report_.add(Surface_defect::folds, bad.folds, 0, what + end, bad.fold);
       reason_ = reason_.empty() ? what : reason_;
     }
-    if (!repaired)
-      mesh_ = before;
-    return repaired;
+    if (!repaired && reason_.empty())
+      reason_ = "Where vertices were put back into the wall, triangles cross each other";
   }
 
   // A clean surface does not pay for them.

@@ -191,11 +191,34 @@ private:
     }
   }
 
+  // Adds what the faces enclose, which is smaller than they are: where bad faces go round sound ones, all are replaced.
+  void fill_in(Faces& patch) const {
+    const std::size_t most = (std::min)(patch.size(), std::size_t(mesh_.number_of_faces()) / 4);
+    Faces outside;
+    for (Halfedge h : boundary(patch)) {
+      const Face first = mesh_.face(mesh_.opposite(h));
+      if (first == Surface::null_face() || patch.count(first) || outside.count(first))
+        continue;
+      Faces visited = {first};
+      std::vector<Face> region = {first};
+      bool enclosed = true;
+      for (std::size_t i = 0; enclosed && i < region.size(); ++i)
+        for (Halfedge side : CGAL::halfedges_around_face(mesh_.halfedge(region[i]), mesh_)) {
+          const Face next = mesh_.face(mesh_.opposite(side));
+          enclosed = enclosed && next != Surface::null_face() && !outside.count(next) && region.size() <= most;
+          if (enclosed && !patch.count(next) && visited.insert(next).second)
+            region.push_back(next);
+        }
+      (enclosed ? patch : outside).insert(region.begin(), region.end());
+    }
+  }
+
   void replace(Faces patch, bool bent) {
     for (Face f : patch)
       if (mesh_.is_removed(f)) // two patches of this round have grown into each other
         return;
     make_simple(patch);
+    fill_in(patch);
     for (Face f : patch)
       if (mesh_.is_removed(f))
         return;
