@@ -200,6 +200,24 @@ TEST(Quad_surface, Has_quads_on_caps_if_wanted) {
 }
 
 // A tube whose end is closed by a dome: a patch with one loop.
+TEST(Quad_surface, Of_a_vessel_that_ends_blind) {
+  Tube tube;
+  tube.length = 8;
+  tube.sides = 32;
+  tube.rings = 40;
+  tube.top = End::fine;
+  tube.dish = -1; // a dome, as high as the tube is wide, behind a crease
+  Mesh mesh = make_tube(tube);
+  const std::vector<Point> top = {Point(0, 0, 8.9)};
+  Model model = tubular::make_tubular_model(mesh, tubular::parameters::blind_ends(top).single_opening(true));
+  ASSERT_EQ(model.openings.size(), 1u);
+  ASSERT_EQ(model.round_ends.size(), 1u);
+  EXPECT_EQ(model.round_ends.front().reason, "kept");
+  const Remeshed r = quads_of(model, 20);
+  expect_good(model, r, 0.4, 0.85);
+  EXPECT_EQ(r.report.kinds.at(tubular::Patch_kind::disk), 1u);
+}
+
 TEST(Quad_surface, Does_not_depend_on_the_number_of_threads) {
   const Model model = model_of(tubular::aortic_arch());
   const Remeshed one = quads_of(model, 14, false, 1), several = quads_of(model, 14, false, 3);

@@ -3,6 +3,7 @@
 
 // The command-line tool and the ends of vessels: openings, inlets, seeds, extensions; centerlines, given or computed.
 
+#include "test_surfaces.h"
 #include "test_tool_bad_files.h"
 #include "test_tool_helpers.h"
 #include "test_tool_report.h"
@@ -138,6 +139,30 @@ TEST_F(Tool, Cuts_round_ends_of_a_closed_surface) {
   EXPECT_EQ(run(kept).status, input);
   succeed(kept + Arguments{"--allow-single-opening"});
   EXPECT_EQ(json_in(out("r.json"))["openings"].size(), 1u);
+}
+
+TEST_F(Tool, Keeps_a_dome_behind_a_crease_closed_where_a_point_says_so) {
+  test_surfaces::Tube tube;
+  tube.length = 8;
+  tube.sides = 24;
+  tube.rings = 30;
+  tube.top = test_surfaces::End::fine;
+  tube.dish = -1;
+  const Arguments common = {
+      make("domed.off", test_surfaces::make_tube(tube)), "-o", out("mesh.vtu"), "--report", out("r.json"), "-n", "10"};
+  succeed(common);
+  EXPECT_EQ(json_in(out("r.json"))["openings"].size(), 2u);
+  for (const char* more : {"", "--cut-ends"}) {
+    Arguments kept = common + Arguments{"--keep-end", "0,0,8.9"};
+    if (*more != 0)
+      kept = kept + Arguments{more};
+    EXPECT_EQ(run(kept).status, input);
+    succeed(kept + Arguments{"--allow-single-opening"});
+    const Json report = json_in(out("r.json"));
+    EXPECT_EQ(report["openings"].size(), 1u);
+    ASSERT_EQ(report["round_ends"].size(), 1u);
+    EXPECT_EQ(report["round_ends"][0]["reason"], "kept");
+  }
 }
 
 TEST_F(Tool, Meshes_a_vessel_with_one_opening_where_allowed) {

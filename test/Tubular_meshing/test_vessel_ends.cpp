@@ -1,14 +1,13 @@
 // Copyright (c) 2026 The Tubular_meshing authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Which loops of the border are openings, which ends are cut open, and which parts are vessels.
+// Which loops of the border are openings, and which parts are vessels.
 
-#include "vessel_ends.h"
+#include "round_ends.h"
 
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Tubular_meshing/Generators/tubular_shapes.h>
-#include <CGAL/Tubular_meshing/Openings/cut_round_ends.h>
 #include <CGAL/Tubular_meshing/Openings/openings.h>
 #include <CGAL/Tubular_meshing/Pipelines/Mesher.h>
 #include <CGAL/Tubular_meshing/Pipelines/Tubular_model.h>
@@ -23,14 +22,13 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace {
 
-using namespace vessel_ends;
+using namespace round_ends;
 using tubular::Surface_defect;
 namespace np = tubular::parameters;
 
@@ -61,16 +59,6 @@ Mesh flush(double branch_radius, double angle, double distance, double n) {
   return mesh;
 }
 
-// Turned, scaled and moved.
-void move(Mesh& mesh, double scale) {
-  const double c = std::cos(0.7), s = std::sin(0.7);
-  for (auto v : mesh.vertices()) {
-    const Point p = mesh.point(v);
-    const Point q(c * p.x() - s * p.y(), s * p.x() + c * p.y(), p.z());
-    mesh.point(v) = Point(scale * (q.x() + 3), scale * (c * q.y() - s * q.z()), scale * (s * q.y() + c * q.z()));
-  }
-}
-
 // A bulb of radius 4 with four tubes of radius 0.9, and all below a plane cut off.
 Mesh bulb(Kind bottom) {
   Skeleton s;
@@ -89,13 +77,6 @@ Mesh bulb(Kind bottom) {
   if (bottom != Kind::round)
     finish_end(mesh, End{0, 0, Point(0, 0, -2.6), Vector(0, 0, -1), 4}, bottom);
   return mesh;
-}
-
-std::set<double> rounded_radii(const std::vector<tubular::Opening>& openings) {
-  std::set<double> radii;
-  for (const auto& o : openings)
-    radii.insert(std::round(10 * o.radius) / 10);
-  return radii;
 }
 
 } // namespace
@@ -182,41 +163,6 @@ TEST(Vessel_ends, One_opening_will_do_where_it_is_said_so) {
   const auto model = tubular::make_tubular_model(mesh, np::single_opening(true));
   EXPECT_EQ(model.openings.size(), 1u);
   EXPECT_EQ(model.centerlines.number_of_ends(), 3u);
-}
-
-// --- round ends ---
-
-TEST(Round_ends, Each_is_cut_across_its_vessel) {
-  const Skeleton s = tubular::y_bifurcation();
-  for (double scale : {1., 1e-3, 1e3})
-    for (double n : {14., 24.}) {
-      Mesh mesh = round_tree(s, n);
-      move(mesh, scale);
-      const auto report = tubular::cut_round_ends(mesh);
-      EXPECT_EQ(std::count_if(report.begin(), report.end(), [](const auto& r) { return r.is_cut; }), 3);
-      auto openings = tubular::find_openings(mesh);
-      ASSERT_EQ(openings.size(), 3u);
-      for (auto& o : openings)
-        o.radius /= scale;
-      EXPECT_EQ(rounded_radii(openings), (std::set<double>{0.7, 0.8, 1}));
-    }
-}
-
-TEST(Round_ends, A_closed_surface_becomes_a_model_with_all_openings) {
-  const auto model = tubular::make_tubular_model(round_tree(tubular::aortic_arch(), 16));
-  EXPECT_EQ(model.openings.size(), 5u);
-  EXPECT_EQ(model.round_ends.size(), 5u);
-}
-
-TEST(Round_ends, Those_at_points_are_cut_and_others_stay) {
-  const Skeleton s = tubular::y_bifurcation();
-  const auto ends = s.ends();
-  const std::vector<Point> two = {ends[0].center, ends[1].center};
-  EXPECT_EQ(tubular::make_tubular_model(round_tree(s, 16), np::seeds(two)).openings.size(), 2u);
-  Mesh mesh = round_tree(s, 16);
-  const auto report = tubular::cut_round_ends(mesh, np::blind_ends(std::vector<Point>{ends[2].center}));
-  EXPECT_EQ(tubular::find_openings(mesh).size(), 2u);
-  EXPECT_EQ(std::count_if(report.begin(), report.end(), [](const auto& r) { return r.reason == "kept"; }), 1);
 }
 
 // --- parts ---

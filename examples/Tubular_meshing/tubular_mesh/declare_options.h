@@ -141,7 +141,8 @@ inline void declare_centerline_options(CLI::App& app, Options& o) {
       ->excludes(lines);
   app.add_flag("--cut-ends", o.cut_ends,
                "cut vessels open that end in domes (by itself where a closed surface has no other end)");
-  app.add_option("--keep-end", o.blind_ends, "X,Y,Z (repeatable): the round end nearest to this point stays closed")
+  app.add_option("--keep-end", o.blind_ends,
+                 "X,Y,Z (repeatable): the round or capped end nearest to this point stays closed")
       ->expected(1)
       ->take_all()
       ->check(command_line::is_point());

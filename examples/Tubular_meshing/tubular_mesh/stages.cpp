@@ -22,6 +22,7 @@
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 #include <CGAL/Tubular_meshing/base/labels.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <deque>
 #include <string>
@@ -278,9 +279,9 @@ void extend_openings(Run& run, tubular::Surface& surface, Stage_clock& clock) {
   if (!(o.flow_extensions > 0))
     return;
   clock.begin("flow extensions");
-  run.extensions.openings = run.points.inlet
-                                ? tubular::find_openings(surface, tubular::parameters::inlet(*run.points.inlet))
-                                : tubular::find_openings(surface);
+  const auto np = tubular::parameters::blind_ends(run.points.blind_ends);
+  run.extensions.openings = run.points.inlet ? tubular::find_openings(surface, np.inlet(*run.points.inlet))
+                                             : tubular::find_openings(surface, np);
   const std::vector<std::size_t> end_of = run.labels.match(run.extensions.openings);
   run.extensions.lengths = tubular::add_flow_extensions(surface, run.extensions.openings,
                                                         tubular::parameters::extension_length(o.flow_extensions));
@@ -293,8 +294,12 @@ void prepare_model(Run& run, const tubular::Surface& surface, Stage_clock& clock
   const bool are_given = !run.lines.lines.empty();
   clock.begin(are_given ? "branches, openings" : "centerlines");
   run.model = are_given ? with_given_centerlines(run, surface) : with_computed_centerlines(run, surface);
-  const auto& ends = run.model.round_ends;
-  run.round_ends.insert(run.round_ends.end(), ends.begin(), ends.end());
+  for (const auto& end : run.model.round_ends)
+    if (std::none_of(run.round_ends.begin(), run.round_ends.end(), [&](const auto& known) { // kept before, too
+          return !end.is_cut && !known.is_cut &&
+                 CGAL::squared_distance(end.center, known.center) < end.radius * end.radius;
+        }))
+      run.round_ends.push_back(end);
 }
 
 void make_meshes(std::vector<Part>& parts, Stage_clock& clock) {

@@ -32,7 +32,9 @@ public:
   bool is_under(double probability) { return between(0, 1) < probability; }
   Vector direction() {
     for (;;) {
-      const Vector v(between(-1, 1), between(-1, 1), between(-1, 1));
+      const double z = between(-1, 1); // not as arguments of a call, which compilers evaluate in different orders
+      const double y = between(-1, 1);
+      const Vector v(between(-1, 1), y, z);
       const double l = std::sqrt(v.squared_length());
       if (l > 0.1 && l < 1)
         return v / l;
@@ -197,7 +199,8 @@ inline Case make_case(unsigned number) {
   }
   c.parts = std::size_t(parts);
   const double unit = std::pow(10, dice.between(-3, 3)), angle = dice.between(0, 2 * CGAL_PI);
-  const Vector axis = dice.direction(), shift = 100 * dice.between(0, 1) * dice.direction();
+  const Vector axis = dice.direction(), shift_direction = dice.direction();
+  const Vector shift = 100 * dice.between(0, 1) * shift_direction;
   for (auto v : c.mesh.vertices()) { // Rodrigues' formula
     const Vector p = c.mesh.point(v) - CGAL::ORIGIN;
     const Vector turned = std::cos(angle) * p + std::sin(angle) * CGAL::cross_product(axis, p) +

@@ -29,13 +29,19 @@ std::vector<Round_end_report> open_round_ends(Surface& surface, const std::vecto
  * Cuts vessels open that end in domes, as the surfaces of segmentations do: each by a plane across its axis where the
  * radius is still that of the vessel. Nothing is lost but the domes; find_openings() then finds the openings.
  *
- * - The ends are the leaves of the computed centerlines (compute_centerlines()) that lead to the tips of vessels: the
- *   places from which the way along the wall is longest, and which stick out of it by more than they are wide.
- * - A sac is no end: an end that is more than 1.15 times wider than its neck, and at most twice as long as wide. A
- *   vessel that goes on behind a stenosis is longer.
+ * - The ends are the leaves of the computed centerlines (compute_centerlines()) that lead to tips: places from which the
+ *   way along the wall is longest. Each leaf is the centre of the largest ball in the lumen that touches the tip.
+ * - A bump is no end: its last ball gets out of the balls of the vessel that it sits on by less than 1.2 of its radii
+ *   (a half ball on a wall by 1; by less than 3.6, where it is thinner than 0.15 of that vessel). What gets out further,
+ *   and thus goes on at its radius, is a vessel, be it a stub shorter than it is wide.
+ * - A sac is no end. It is what is more than 1.15 times wider than its neck, or its necks together, and is at most two
+ *   radii long between the places where it begins to narrow; the longer it is, the narrower its neck has to be. What sits
+ *   on a sac is a lobe of it, unless it goes on at its own radius for one and a half radii: then it is a vessel that
+ *   leaves the sac. Of a sac with several lobes there is one report.
  * - The dome begins where the radius, seen from the tip, is within 8 % of that three quarters of a radius further in.
  *   The plane lies there, or further out as far as the wall keeps 98.5 % of its distance from the axis.
- * - Where a plane does not cut the vessel in one loop, one further in is taken, by at most two radii.
+ * - Where that plane does not cut the vessel in one loop, one nearer to the tip is taken, as of a stub that is short or
+ *   widens like a funnel; else one further in, by at most two radii.
  * - Openings that the surface has already, open or capped flat, stay as they are.
  *
  * \tparam TriangleMesh a model of `MutableFaceGraph`; a Surface is changed in place

@@ -21,11 +21,19 @@ inline Round_end_report report_of(const Vessel_ends::End& end, const char* reaso
   return {false, end.shape.center(), end.shape.radius(), reason};
 }
 
-inline const char* reason_not_to_cut(const Vessel_ends::End& end) {
-  return end.is_kept                                  ? "kept"
-         : end.shape.kind() == Blind_end_kind::sac    ? "sac"
-         : end.shape.kind() == Blind_end_kind::vessel ? ""
-                                                      : "bump";
+// The capped ends that would be openings if they were not to stay closed.
+inline std::vector<Round_end_report> kept_caps(const Surface& surface, const std::vector<Point_3>& blind_ends) {
+  if (blind_ends.empty())
+    return {};
+  Find_openings_options but_for_blind_ends;
+  but_for_blind_ends.blind_ends = blind_ends;
+  const std::vector<Opening> openings = find_any_openings(surface, but_for_blind_ends);
+  std::vector<Round_end_report> kept;
+  for (const Opening& o : find_any_openings(surface, Find_openings_options()))
+    if (std::none_of(openings.begin(), openings.end(),
+                     [&](const Opening& p) { return point_distance(o.center, p.center) < 1e-6 * o.radius; }))
+      kept.push_back({false, o.center, o.radius, "kept"});
+  return kept;
 }
 
 CGAL_TUBULAR_MESHING_INLINE std::vector<Round_end_report> cut_round_ends(Surface& surface,
@@ -35,11 +43,10 @@ CGAL_TUBULAR_MESHING_INLINE std::vector<Round_end_report> cut_round_ends(Surface
   Round_end_cutter cutter(surface);
   std::vector<Round_end_report> reports;
   for (const Vessel_ends::End& end : ends.ends()) {
-    const std::string reason = end.is_named ? "" : options.all_round_ends ? reason_not_to_cut(end) : "bump";
-    if (reason == "bump")
-      continue; // no end of a vessel, or none that was asked for
-    if (!reason.empty()) {
-      reports.push_back(report_of(end, reason.c_str()));
+    if (!end.is_named && !options.all_round_ends)
+      continue;
+    if (!end.is_named && (end.is_kept || end.is_sac)) {
+      reports.push_back(report_of(end, end.is_kept ? "kept" : "sac"));
       continue;
     }
     Round_end_report cut;
@@ -58,7 +65,9 @@ CGAL_TUBULAR_MESHING_INLINE std::vector<Round_end_report> cut_round_ends(Surface
 
 CGAL_TUBULAR_MESHING_INLINE std::vector<Round_end_report>
 open_round_ends(Surface& surface, const std::vector<Point_3>& points, const std::vector<Point_3>& blind_ends) {
-  const std::vector<Opening> openings = find_any_openings(surface, Find_openings_options());
+  Find_openings_options but_for_blind_ends;
+  but_for_blind_ends.blind_ends = blind_ends;
+  const std::vector<Opening> openings = find_any_openings(surface, but_for_blind_ends);
   Cut_round_ends_options options;
   options.blind_ends = blind_ends;
   options.all_round_ends = openings.empty() && points.empty();
@@ -66,9 +75,9 @@ open_round_ends(Surface& surface, const std::vector<Point_3>& points, const std:
     if (std::none_of(openings.begin(), openings.end(),
                      [&](const Opening& o) { return point_distance(p, o.center) <= 1.5 * o.radius; }))
       options.ends_to_cut.push_back(p);
-  if (!options.all_round_ends && options.ends_to_cut.empty())
-    return {}; // as of every surface with openings
-  return cut_round_ends(surface, options);
+  if (options.all_round_ends || !options.ends_to_cut.empty())
+    return cut_round_ends(surface, options);
+  return kept_caps(surface, blind_ends); // of every surface with openings
 }
 
 } // namespace CGAL::Tubular_meshing::internal

@@ -25,12 +25,14 @@ namespace CGAL::Tubular_meshing {
 struct Find_openings_options {
   const Centerline_graph* centerline_graph = nullptr; ///< null: there is none
   std::optional<Point_3> inlet;                       ///< the nearest opening is the inlet
+  std::vector<Point_3> blind_ends;                    ///< points: the capped end nearest to each is no opening
 
   Find_openings_options() = default;
   template <class NamedParameters> explicit Find_openings_options(const NamedParameters& np) {
     using CGAL::parameters::get_parameter;
     set_graph(get_parameter(np, internal_np::centerline_graph));
     inlet = internal::optional_point(np, internal_np::inlet);
+    blind_ends = internal::choose(np, internal_np::blind_ends, blind_ends);
   }
 
 private:
@@ -49,7 +51,7 @@ namespace internal {
 
 std::vector<Opening> find_openings(const Surface& surface, const Find_openings_options& options);
 
-/* None, where the surface is closed and has no flat ends. */
+/* None, where the surface is closed and has no flat ends, nor any that a crease bounds. */
 std::vector<Opening> find_any_openings(const Surface& surface, const Find_openings_options& options);
 
 } // namespace internal
@@ -94,6 +96,12 @@ std::vector<Opening> find_any_openings(const Surface& surface, const Find_openin
  *     \cgalParamDefault{the opening at the root of the graph, if any, else the largest one (of several, the farthest
  *       from the mean of all)}
  *   \cgalParamNEnd
+ *   \cgalParamNBegin{blind_ends}
+ *     \cgalParamDescription{points: the capped end nearest to each, if the point is within a radius of its cap, is no
+ *       opening but the blind end of a vessel. Counts where there is no graph}
+ *     \cgalParamType{`std::vector<Point_3>`}
+ *     \cgalParamDefault{none}
+ *   \cgalParamNEnd
  *   \cgalParamNBegin{vertex_point_map}
  *     \cgalParamDescription{the points of the vertices of `surface`}
  *     \cgalParamType{a model of `ReadablePropertyMap`}
@@ -106,7 +114,7 @@ std::vector<Opening> find_any_openings(const Surface& surface, const Find_openin
  *
  * \throws Input_error if the surface is empty, has coordinates that are not finite or faces that are not triangles; if
  *   its border touches itself at a vertex; if it is closed and has no flat ends; if none of the graph's ends is near an
- *   opening.
+ *   opening; if a point of `blind_ends` lies in a border loop, which is open.
  * \throws Parameter_error if the point of the inlet is not finite.
  *
  * Complexity: O(n) in the number of faces (expected), plus O(m log m) in openings and points of the graph.

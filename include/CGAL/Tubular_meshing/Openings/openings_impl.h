@@ -86,6 +86,38 @@ inline std::size_t choose_inlet(const std::vector<Opening>& openings, const Find
   return largest_opening(openings);
 }
 
+// From a point to an opening's rim and cap.
+inline double distance_to_site(const Point_3& p, const Opening_site& site, const Surface& surface) {
+  double least = point_distance(p, site.shape.center);
+  for (Face f : site.cap)
+    for (Vertex v : CGAL::vertices_around_face(surface.halfedge(f), surface))
+      least = (std::min)(least, point_distance(p, surface.point(v)));
+  return least;
+}
+
+// Of the sites, takes those out that are to stay closed.
+inline void leave_blind_ends(const std::vector<Point_3>& blind_ends, const Surface& surface,
+                             std::vector<Opening_site>& sites) {
+  for (const Point_3& p : blind_ends) {
+    auto nearest = sites.end();
+    double least = 1; // radius
+    for (auto site = sites.begin(); site != sites.end(); ++site) {
+      const double d = distance_to_site(p, *site, surface) / site->shape.radius;
+      if (d <= least) {
+        least = d;
+        nearest = site;
+      }
+    }
+    if (nearest == sites.end())
+      continue; // a round end, or none
+    if (!nearest->is_open())
+      sites.erase(nearest);
+    else
+      throw Input_error("The end at " + coordinates(p) +
+                        " is to stay closed, but the surface is open there: have that hole filled.");
+  }
+}
+
 CGAL_TUBULAR_MESHING_INLINE std::vector<Opening> find_any_openings(const Surface& surface,
                                                                    const Find_openings_options& options) {
   check_tubular_surface(surface);
@@ -102,6 +134,7 @@ CGAL_TUBULAR_MESHING_INLINE std::vector<Opening> find_any_openings(const Surface
       sites.push_back(std::move(flat_end));
     for (auto& creased_end : find_crease_ends(surface, inside_out, sites))
       sites.push_back(std::move(creased_end));
+    leave_blind_ends(options.blind_ends, surface, sites);
   }
   if (sites.empty())
     return {};

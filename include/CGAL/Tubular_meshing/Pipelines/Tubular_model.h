@@ -47,7 +47,7 @@ inline Label_names patch_names(const Tubular_model& model) {
 struct Tubular_model_options {
   std::optional<Point_3> inlet; ///< the nearest opening is the inlet
   std::vector<Point_3> seeds;   ///< ends of vessels; one that is closed and round is cut open. The first is the inlet
-  std::vector<Point_3> blind_ends; ///< round ends that stay closed, see cut_round_ends()
+  std::vector<Point_3> blind_ends; ///< round or capped ends that stay closed, see cut_round_ends(), find_openings()
   bool single_opening = false;     ///< whether a surface with one opening will do
   bool blind_vessels = true;       ///< whether lines lead into vessels that end blind
   bool loops = true;               ///< whether vessels that split and rejoin keep all their branches
@@ -167,7 +167,7 @@ Tubular_model make_tubular_model(const FaceGraph& surface, const Centerline_poly
  *     \cgalParamDefault{none; where the surface is closed and has no flat caps, all round ends are cut open}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{blind_ends}
- *     \cgalParamDescription{points: round ends that stay closed, see cut_round_ends()}
+ *     \cgalParamDescription{points: round or capped ends that stay closed, see cut_round_ends() and find_openings()}
  *     \cgalParamType{`std::vector<Point_3>`}
  *     \cgalParamDefault{none}
  *   \cgalParamNEnd

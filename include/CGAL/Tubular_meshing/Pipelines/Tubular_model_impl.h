@@ -42,6 +42,7 @@ inline Find_openings_options opening_options(const Tubular_model_options& option
   result.inlet = options.inlet;
   if (!result.inlet && options.labelled_ends.inlet != Labelled_ends::none)
     result.inlet = options.labelled_ends.ends[options.labelled_ends.inlet].center;
+  result.blind_ends = options.blind_ends;
   result.centerline_graph = graph;
   return result;
 }

@@ -108,8 +108,12 @@ private:
     Lattice_point middle = lower;
     middle[u] += edge / 2, middle[v] += edge / 2;
     const std::size_t face_center = lattice_index(middle);
-    for (std::size_t i = 0; i < 4; ++i)
-      march_oriented(side, apex, face_center, lattice_index(corners[i]), lattice_index(corners[(i + 1) % 4]));
+    for (std::size_t i = 0; i < 4; ++i) {
+      // One after the other: points are numbered as they are met, whatever the compiler.
+      const std::size_t ib = lattice_index(corners[(i + 1) % 4]);
+      const std::size_t ia = lattice_index(corners[i]);
+      march_oriented(side, apex, face_center, ia, ib);
+    }
   }
 
   // Any of the three other cells around an edge may have divided it.

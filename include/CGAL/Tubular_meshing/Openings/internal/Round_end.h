@@ -4,7 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_OPENINGS_INTERNAL_ROUND_END_H
 #define CGAL_TUBULAR_MESHING_OPENINGS_INTERNAL_ROUND_END_H
 
-#include <CGAL/Tubular_meshing/Centerlines/Centerline_graph.h>
+#include <CGAL/Tubular_meshing/Openings/internal/Lumen_tree.h>
 #include <CGAL/Tubular_meshing/Rims/Opening_site.h>
 #include <CGAL/Tubular_meshing/base/Kernel.h>
 
@@ -16,39 +16,30 @@
 
 namespace CGAL::Tubular_meshing::internal {
 
-enum class Blind_end_kind { vessel, sac, bump };
-
-/* The end of a branch, seen from its leaf, which is the centre of the largest ball that touches the tip: how the radius
+/* The end of a vessel, seen from its leaf, which is the centre of the largest ball that touches the tip: how the radius
  * changes on the way into the vessel, and so where the dome begins. All bounds are relative to the radii there. */
 class Round_end {
 public:
-  Round_end(const Centerline_graph& graph, std::size_t leaf)
-      : center_(graph.points()[graph.nodes()[leaf].point]) {
-    const auto& branch = graph.branches()[graph.nodes()[leaf].branches.front()];
-    const bool is_last = branch.target == leaf;
-    for (std::size_t i = 0; i < branch.points.size(); ++i)
-      add(graph, branch.points[is_last ? branch.points.size() - 1 - i : i]);
-    const std::size_t other = is_last ? branch.source : branch.target;
-    ends_at_junction_ = !graph.nodes()[other].is_end();
+  explicit Round_end(const Lumen_tree::Line& line)
+      : points_(line.points)
+      , radii_(line.radii)
+      , way_(line.way)
+      , ends_at_junction_(line.ends_at_junction) {
     base_ = find_base();
   }
 
   /* The centre of the largest ball that touches the tip. */
-  const Point_3& center() const { return center_; }
+  const Point_3& center() const { return points_.front(); }
   /* The place at which the dome begins, and the radius there. */
   const Point_3& base() const { return points_[base_]; }
   double radius() const { return radii_[base_]; }
   double length() const { return way_.back(); }
+  bool ends_at_junction() const { return ends_at_junction_; }
 
-  Blind_end_kind kind() const {
-    if (is_sac())
-      return Blind_end_kind::sac;
-    return is_bump() ? Blind_end_kind::bump : Blind_end_kind::vessel;
-  }
-
-  /* Out of the vessel, at the dome's base: the direction of the last radius of the line. */
+  /* Out of the vessel, at the dome's base: the direction of the last radius of the line, or of what the vessel has of
+   * its own if that is less. */
   Vector_3 direction() const {
-    const std::size_t behind = at(way_[base_] + radius());
+    const std::size_t behind = at(way_[base_] + (std::max)(0.4 * radius(), (std::min)(radius(), level_length())));
     Vector_3 d = points_[0] - points_[behind];
     return d / std::sqrt(d.squared_length());
   }
@@ -56,14 +47,36 @@ public:
   /* Where the line is at a distance behind the base. */
   Point_3 behind_base(double distance) const { return points_[at(way_[base_] + distance)]; }
 
-private:
-  void add(const Centerline_graph& graph, std::size_t point) {
-    const Point_3& p = graph.points()[point];
-    way_.push_back(points_.empty() ? 0 : way_.back() + point_distance(points_.back(), p));
-    points_.push_back(p);
-    radii_.push_back(graph.radii()[point]);
+  /* Where the line is between the base and the leaf, at a fraction of the way. */
+  Point_3 before_base(double fraction) const { return points_[at((1 - fraction) * way_[base_])]; }
+
+  /* How far behind the base the radius stays that of the vessel: it neither narrows as behind a bulb, nor widens as where
+   * the line gets into a larger vessel. */
+  double level_length() const {
+    for (std::size_t i = base_; i < way_.size(); ++i)
+      if (radii_[i] * narrower < radius() || radii_[i] > wider * radius() || way_[i] > way_to_junction())
+        return way_[i] - way_[base_];
+    return way_.back() - way_[base_];
   }
 
+  /* How far the last ball gets out of those of larger vessels: those of its own line, and the given ones. Infinite where
+   * there are none. */
+  double height_over(const std::vector<Lumen_tree::Ball>& others) const {
+    double height = (std::numeric_limits<double>::infinity)();
+    const auto compare = [&](const Point_3& p, double r) {
+      height = (std::min)(height, point_distance(points_[0], p) + radii_[0] - r);
+    };
+    for (std::size_t i = base_; i < points_.size(); ++i)
+      if (radii_[i] > wider * radius())
+        compare(points_[i], radii_[i]);
+    for (const auto& ball : others)
+      compare(ball.center, ball.radius);
+    return height;
+  }
+
+  static constexpr double narrower = 1.15, wider = 1.25;
+
+private:
   // The first point at least so far from the leaf, or the last one.
   std::size_t at(double way) const {
     const auto i = std::lower_bound(way_.begin(), way_.end(), way);
@@ -95,27 +108,7 @@ private:
     return most < (std::numeric_limits<double>::infinity)() ? points_.size() : points_.size() - 1;
   }
 
-  // Wider than its neck, and not much longer than wide: what goes on behind a stenosis is a vessel.
-  bool is_sac() const {
-    if (!ends_at_junction_)
-      return false;
-    double widest = 0, widest_before_neck = 0;
-    std::size_t neck = base_;
-    for (std::size_t i = base_; i < radii_.size(); ++i) {
-      widest = (std::max)(widest, radii_[i]);
-      if (radii_[i] < radii_[neck]) {
-        neck = i;
-        widest_before_neck = widest;
-      }
-    }
-    return widest_before_neck > 1.15 * radii_[neck] && way_[neck] + radii_[0] < 4 * widest_before_neck;
-  }
-
-  // Hardly out of the vessel that it sits on.
-  bool is_bump() const { return length() < (ends_at_junction_ ? radii_.back() + 0.3 * radius() : radius()); }
-
-  Point_3 center_;
-  std::vector<Point_3> points_; ///< from the leaf to where the branch begins
+  std::vector<Point_3> points_; ///< from the leaf to where the vessel begins
   std::vector<double> radii_, way_;
   bool ends_at_junction_ = false;
   std::size_t base_ = 0;

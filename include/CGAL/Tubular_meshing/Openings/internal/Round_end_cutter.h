@@ -37,7 +37,13 @@ public:
     for (double fraction : {1., 0.5})
       if (out > 0)
         origins.push_back(end.base() + fraction * out * normal);
-    for (double back : {0., 0.2, 0.4, 0.7, 1., 1.5, 2.})
+    origins.push_back(end.base());
+    for (double fraction : {0.25, 0.5, 0.75, 1.}) // of a stub that widens like a funnel
+      if (point_distance(end.center(), end.base()) > 0.25 * r)
+        origins.push_back(end.before_base(fraction));
+    for (double further : {0.25, 0.5}) // of a stub so short that what is behind is the other vessel
+      origins.push_back(end.center() + further * r * normal);
+    for (double back : {0.2, 0.4, 0.7, 1., 1.5, 2.})
       origins.push_back(end.behind_base(back * r));
     for (const Point_3& origin : origins)
       if (cut_by(origin, normal, end, tip, report))

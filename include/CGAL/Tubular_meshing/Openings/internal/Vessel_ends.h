@@ -8,6 +8,7 @@
 #include <CGAL/Tubular_meshing/Centerlines/compute_centerlines.h>
 #include <CGAL/Tubular_meshing/Openings/close_openings.h>
 #include <CGAL/Tubular_meshing/Openings/Round_end_report.h>
+#include <CGAL/Tubular_meshing/Openings/internal/Blind_leaves.h>
 #include <CGAL/Tubular_meshing/Openings/internal/Round_end.h>
 #include <CGAL/Tubular_meshing/Openings/internal/Tip_finder.h>
 #include <CGAL/Tubular_meshing/Openings/openings.h>
@@ -24,7 +25,7 @@
 #include <cstddef>
 #include <limits>
 #include <map>
-#include <unordered_set>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -38,6 +39,7 @@ public:
   struct End {
     Vertex tip; ///< of the surface that was given
     Round_end shape;
+    bool is_sac;
     bool is_named; ///< a point says that it is to be cut
     bool is_kept;  ///< a point says that it is to stay
   };
@@ -48,7 +50,7 @@ public:
 
   /* Also places that are no tips, where the options name them. */
   void find(const Cut_round_ends_options& options) {
-    close();
+    close(options.blind_ends);
     const std::vector<Point_3> named = points_away_from_openings(options.ends_to_cut);
     if (named.empty() && !options.all_round_ends)
       return;
@@ -57,8 +59,7 @@ public:
     for (const Point_3& p : named)
       tips_.push_back(nearest_vertex(p));
     trace_lines();
-    for (std::size_t i = 0; i < number_of_tips; ++i)
-      add_end(tips_[i]);
+    find_ends();
     for (std::size_t i = 0; i < named.size(); ++i)
       name_end(named[i], tips_[number_of_tips + i]);
     for (const Point_3& p : options.blind_ends)
@@ -69,8 +70,10 @@ public:
   const std::vector<End>& ends() const { return ends_; }
 
 private:
-  void close() {
-    openings_ = find_any_openings(closed_.surface, Find_openings_options());
+  void close(const std::vector<Point_3>& blind_ends) {
+    Find_openings_options but_for_blind_ends;
+    but_for_blind_ends.blind_ends = blind_ends;
+    openings_ = find_any_openings(closed_.surface, but_for_blind_ends);
     if (!openings_.empty()) {
       Tubular_meshing::close_openings(closed_.surface, openings_, closed_.patch);
       return;
@@ -109,11 +112,9 @@ private:
       source.push_back(finder.farthest_of_all());
       tips_ = source;
     }
-    const std::size_t sources = tips_.size();
-    for (const Tip_finder::Tip& tip : finder.find_from_both_ends(source))
-      if (!is_at_opening(closed_.surface.point(tip.vertex)) &&
-          (sources == 0 || !finder.is_one_dome(tip, {tips_.front(), 0})))
-        tips_.push_back(tip.vertex);
+    for (Vertex tip : finder.find_from_both_ends(source))
+      if (!is_at_opening(closed_.surface.point(tip)))
+        tips_.push_back(tip);
   }
 
   // One pass over the surface for each of the few points that a user gives.
@@ -140,33 +141,65 @@ private:
     for (Vertex v : further)
       computation.add_end(v);
     computation.make_graph(graph_, Build_centerline_graph_options());
+  }
+
+  bool is_leaf_at_opening(std::size_t node) const { return is_at_opening(graph_.points()[graph_.nodes()[node].point]); }
+
+  void find_ends() {
+    std::set<std::size_t> at_openings;
     for (std::size_t n = 0; n < graph_.nodes().size(); ++n)
-      if (graph_.nodes()[n].is_end())
-        leaves_.push_back(n);
+      if (graph_.nodes()[n].is_end() && is_leaf_at_opening(n))
+        at_openings.insert(n);
+    const std::map<std::size_t, Vertex> tips = tips_of_leaves();
+    for (const Blind_leaves::Leaf& leaf : Blind_leaves(graph_, at_openings).leaves()) {
+      const auto tip = tips.find(leaf.node);
+      if (tip != tips.end())
+        add_end(tip->second, leaf.shape, leaf.kind == Blind_end_kind::sac);
+    }
+  }
+
+  // Of the tips that are near a leaf that which is farthest out.
+  std::map<std::size_t, Vertex> tips_of_leaves() const {
+    std::map<std::size_t, Vertex> result;
+    std::map<std::size_t, double> farthest;
+    for (Vertex tip : tips_) {
+      const Point_3& p = closed_.surface.point(tip);
+      const std::size_t leaf = leaf_at(p);
+      if (leaf == Opening::no_branch)
+        continue;
+      const auto& branch = graph_.branches()[graph_.nodes()[leaf].branches.front()];
+      const std::size_t next = branch.target == leaf ? branch.points[branch.points.size() - 2] : branch.points[1];
+      const Point_3& q = graph_.points()[graph_.nodes()[leaf].point];
+      const double out = (p - q) * (q - graph_.points()[next]);
+      const auto known = farthest.emplace(leaf, out);
+      if (known.second || out > known.first->second) {
+        known.first->second = out;
+        result[leaf] = tip;
+      }
+    }
+    return result;
   }
 
   // The leaf in the dome of the tip.
   std::size_t leaf_at(const Point_3& tip) const {
     std::size_t best = Opening::no_branch;
     double least = (std::numeric_limits<double>::infinity)();
-    for (std::size_t n : leaves_) {
-      const Point_3& p = graph_.points()[graph_.nodes()[n].point];
-      if (point_distance(tip, p) < least && !is_at_opening(p)) {
-        least = point_distance(tip, p);
-        best = n;
+    for (std::size_t n = 0; n < graph_.nodes().size(); ++n)
+      if (graph_.nodes()[n].is_end() && !is_leaf_at_opening(n)) {
+        const std::size_t p = graph_.nodes()[n].point;
+        const double d = point_distance(tip, graph_.points()[p]);
+        if (d < least && d <= 2 * graph_.radii()[p]) {
+          least = d;
+          best = n;
+        }
       }
-    }
-    return best != Opening::no_branch && least <= 2 * Round_end(graph_, best).radius() ? best : Opening::no_branch;
+    return best;
   }
 
-  // Two tips of one dome lead to one leaf.
-  void add_end(Vertex tip) {
-    const Point_3 p = closed_.surface.point(tip);
-    const std::size_t leaf = leaf_at(p);
-    const Vertex v = vertex_of_surface(p);
-    if (leaf == Opening::no_branch || v == Surface::null_vertex() || !known_leaves_.insert(leaf).second)
-      return;
-    ends_.push_back(End{v, Round_end(graph_, leaf), false, false});
+  void add_end(Vertex tip, const Round_end& shape, bool is_sac) {
+    const Vertex v = vertex_of_surface(closed_.surface.point(tip));
+    if (v != Surface::null_vertex())
+      ends_.push_back(End{v, shape, is_sac, false, false});
   }
 
   // A tip near the point, else the wall at the point itself.
@@ -175,16 +208,16 @@ private:
     for (End& end : ends_)
       if (is_at(p, end) && (nearest == nullptr || distance(p, end) < distance(p, *nearest)))
         nearest = &end;
-    if (nearest != nullptr) {
-      nearest->is_named = true;
-      return;
+    if (nearest == nullptr) {
+      const std::size_t leaf = leaf_at(closed_.surface.point(at)), before = ends_.size();
+      if (leaf != Opening::no_branch)
+        add_end(at, Round_end(Lumen_tree(graph_).line_from(leaf)), false);
+      if (ends_.size() == before)
+        throw Input_error("No vessel ends at " + coordinates(p) +
+                          ", where an opening is to be: give a point at its end.");
+      nearest = &ends_.back();
     }
-    const std::size_t before = ends_.size();
-    add_end(at);
-    if (ends_.size() == before)
-      throw Input_error("No vessel ends at " + coordinates(p) +
-                        ", where an opening is to be: give a point at its end.");
-    ends_.back().is_named = true;
+    nearest->is_named = true;
   }
 
   double distance(const Point_3& p, const End& end) const {
@@ -208,8 +241,6 @@ private:
   std::map<std::array<double, 3>, Vertex> vertices_; ///< of the surface that was given
   std::vector<Vertex> tips_;                         ///< of the closed surface
   Centerline_graph graph_;
-  std::vector<std::size_t> leaves_;
-  std::unordered_set<std::size_t> known_leaves_;
   std::vector<End> ends_;
 };
 
