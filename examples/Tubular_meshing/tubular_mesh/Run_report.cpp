@@ -219,6 +219,8 @@ void add_patches(Json& report, const tubular::Remeshed_surface& surface) {
                        {"problems", r.problems}};
   if (r.handle_cuts > 0)
     report["patches"]["handle_cuts"] = r.handle_cuts;
+  if (r.smoothed_places > 0)
+    report["patches"]["smoothed_places"] = r.smoothed_places;
 }
 
 // Of a surface of quads.
@@ -249,6 +251,9 @@ void print_patches(const Json& p) {
               p["largest_aspect_ratio"].get<double>());
   std::printf("%ld not mapped conformally, %ld meshed finer than asked for\n", p["fallbacks"].get<long>(),
               p["refined"].get<long>());
+  if (p.contains("smoothed_places"))
+    std::printf("%ld places where triangles met each other at any size, and were smoothed\n",
+                p["smoothed_places"].get<long>());
   if (p.contains("handle_cuts"))
     std::printf("%ld cuts round handles of the wall\n", p["handle_cuts"].get<long>());
   for (const auto& problem : p["problems"])

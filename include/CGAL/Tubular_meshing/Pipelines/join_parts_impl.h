@@ -145,6 +145,7 @@ inline void add_report(Patch_report& all, const Patch_report& part) {
   all.largest_aspect_ratio = (std::max)(all.largest_aspect_ratio, part.largest_aspect_ratio);
   all.moved_cuts += part.moved_cuts;
   all.refined_patches += part.refined_patches;
+  all.smoothed_places += part.smoothed_places;
   all.problems.insert(all.problems.end(), part.problems.begin(), part.problems.end());
 }
 

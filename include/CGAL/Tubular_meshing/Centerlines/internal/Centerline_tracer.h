@@ -42,9 +42,13 @@ public:
       , ends_(std::move(ends)) {
     sample_caps();
     diagram_.insert_samples(surface_);
+    // Each round at least halves the edges that are too long. A surface of a few triangles round each vessel asks for
+    // many samples at first, and for ever more then, as the spheres between the facets are found to be smaller still:
+    // its centerlines are as good without these.
     Sample_refiner refiner(surface_);
-    const int most_rounds = 6; // each at least halves the edges that are too long
-    for (int round = 0; round < most_rounds && refiner.refine(diagram_); ++round)
+    const int most_rounds = 6;
+    const std::size_t enough = (std::max)(std::size_t(20000), 4 * surface_.points.size());
+    for (int round = 0; round < most_rounds && surface_.points.size() < enough && refiner.refine(diagram_); ++round)
       diagram_.insert_samples(surface_);
     find_poles();
     diagram_.make_faces(surface_);

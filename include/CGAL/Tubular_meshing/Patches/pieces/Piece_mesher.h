@@ -90,6 +90,9 @@ public:
   virtual std::vector<size_type> improve(Remeshed_surface& result,
                                          const std::vector<size_type>& piece_of_face) const = 0;
 
+  /* Whether points may be moved where faces cross each other at any size. */
+  virtual bool may_smooth() const { return false; }
+
   /* A piece whose loops touch each other in the plane, since they are divided too coarsely, has no faces. */
   const std::vector<Piece>& pieces() const { return pieces_; }
   const std::vector<Curve_points>& curve_points() const { return curve_points_; }
@@ -201,7 +204,8 @@ private:
  * them. Where the outcome is no surface, as pieces touch themselves or each other in meshes that are too coarse for
  * them, the pieces concerned are meshed again, finer.
  *
- * Throws Meshing_error if they meet each other even where they are eight times finer. */
+ * What still crosses where it is twice as fine is smoothed, if the mesher allows it. Throws Meshing_error if they meet
+ * each other even where they are eight times finer. */
 Remeshed_surface mesh_by_pieces(Piece_mesher& mesher);
 
 // Their numbers.

@@ -27,14 +27,17 @@ public:
       : mesher_(mesher) {}
 
   Remeshed_surface run() {
-    const int most_rounds = 6, rounds_for_shape = 2;
+    const int most_rounds = 6, rounds_for_shape = 2, rounds_before_smoothing = 2;
     mesher_.mesh_all();
     for (int round = 0;; ++round) {
       std::vector<size_type> failed = pieces_that_do_not_fit();
+      crossings_.clear();
       if (failed.empty()) {
         build();
         const std::vector<size_type> folded = mesher_.improve(result_, piece_of_face_);
         failed = crossing_pieces();
+        if (!failed.empty() && round >= rounds_before_smoothing && mesher_.may_smooth() && smooth_crossings())
+          failed.clear();
         if (failed.empty() && round < rounds_for_shape) // quads that are turned over, but meet nothing, may stay
           failed = folded;
       }
@@ -42,11 +45,12 @@ public:
         break;
       if (round == most_rounds)
         throw Meshing_error("The new faces of " + mesher_.name_of(failed.front()) +
-                            " meet each other or their neighbours, however fine they are: the surface may intersect "
-                            "itself there; see repair_surface().");
+                            " meet each other or their neighbours" + place_of_failure() +
+                            ", however fine they are: the surface may intersect itself there; see repair_surface().");
       mesher_.mesh_finer(failed);
     }
     result_.report = mesher_.report();
+    result_.report.smoothed_places = smoothed_places_;
     return std::move(result_);
   }
 
@@ -163,16 +167,107 @@ private:
     piece_of_face_.push_back(k);
   }
 
-  std::vector<size_type> crossing_pieces() const {
+  std::vector<size_type> crossing_pieces() {
     std::vector<char> failed(mesher_.pieces().size(), 0);
-    for (const auto& c : crossing_faces(result_.surface))
+    crossings_ = crossing_faces(result_.surface);
+    std::sort(crossings_.begin(), crossings_.end()); // the same order on any number of threads
+    for (const auto& c : crossings_)
       failed[piece_of_face_[size_type(c.first)]] = failed[piece_of_face_[size_type(c.second)]] = 1;
     return marked(failed);
+  }
+
+  /* Where a surface is rougher than the mesh size, as a decimated one is, a few of the many new faces cross each other
+   * at any size. Those few are smoothed, with ever more faces around, but for rims and caps. Whether none is left. */
+  bool smooth_crossings() {
+    const int most_rounds = 4, sweeps = 10;
+    Surface& surface = result_.surface;
+    std::vector<char> moved(surface.number_of_vertices(), 0);
+    for (int rings = 1; rings <= most_rounds && !crossings_.empty(); ++rings) {
+      const std::vector<Vertex> around = vertices_around_crossings(rings);
+      for (Vertex v : around)
+        moved[size_type(v)] = 1;
+      for (int i = 0; i < sweeps; ++i)
+        for (Vertex v : around)
+          surface.point(v) = mean_of_neighbours(v);
+      crossing_pieces();
+    }
+    smoothed_places_ = number_of_connected(moved);
+    return crossings_.empty();
+  }
+
+  std::vector<Vertex> vertices_around_crossings(int rings) const {
+    const Surface& surface = result_.surface;
+    std::vector<Vertex> all;
+    std::vector<char> is_in(surface.number_of_vertices(), 0);
+    const auto add = [&](Vertex v) {
+      if (!is_in[size_type(v)]++)
+        all.push_back(v);
+    };
+    for (const auto& c : crossings_)
+      for (Face f : {c.first, c.second})
+        for (Vertex v : surface.vertices_around_face(surface.halfedge(f)))
+          add(v);
+    for (int i = 0; i < rings; ++i)
+      for (size_type j = 0, n = all.size(); j < n; ++j)
+        for (Vertex w : surface.vertices_around_target(surface.halfedge(all[j])))
+          add(w);
+    const auto is_on_cap = [&](Vertex v) {
+      for (Face f : surface.faces_around_target(surface.halfedge(v)))
+        if (result_.patch_of_face[f] < 0)
+          return true;
+      return false;
+    };
+    all.erase(std::remove_if(all.begin(), all.end(), is_on_cap), all.end());
+    std::sort(all.begin(), all.end());
+    return all;
+  }
+
+  Point_3 mean_of_neighbours(Vertex v) const {
+    const Surface& surface = result_.surface;
+    Vector_3 sum(0, 0, 0);
+    double n = 0;
+    for (Vertex w : surface.vertices_around_target(surface.halfedge(v))) {
+      sum = sum + (surface.point(w) - CGAL::ORIGIN);
+      ++n;
+    }
+    return CGAL::ORIGIN + sum / n;
+  }
+
+  // The number of sets that marked vertices make.
+  size_type number_of_connected(std::vector<char>& marked) const {
+    size_type number = 0;
+    for (size_type i = 0; i < marked.size(); ++i) {
+      if (!marked[i])
+        continue;
+      ++number;
+      marked[i] = 0;
+      std::vector<Vertex> front = {Vertex(Surface::size_type(i))};
+      while (!front.empty()) {
+        const Vertex v = front.back();
+        front.pop_back();
+        for (Vertex w : result_.surface.vertices_around_target(result_.surface.halfedge(v)))
+          if (marked[size_type(w)]) {
+            marked[size_type(w)] = 0;
+            front.push_back(w);
+          }
+      }
+    }
+    return number;
+  }
+
+  // Nothing, if the pieces that failed do not even fit together.
+  Sentence place_of_failure() const {
+    if (crossings_.empty())
+      return "";
+    const Surface& surface = result_.surface;
+    return " near " + place_of(surface.point(surface.target(surface.halfedge(crossings_.front().first))));
   }
 
   Piece_mesher& mesher_;
   Remeshed_surface result_;
   std::vector<size_type> piece_of_face_;
+  Face_pairs crossings_; // of the surface as it is, in order
+  size_type smoothed_places_ = 0;
 };
 
 CGAL_TUBULAR_MESHING_INLINE Remeshed_surface mesh_by_pieces(Piece_mesher& mesher) {

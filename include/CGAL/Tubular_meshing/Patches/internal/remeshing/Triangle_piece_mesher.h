@@ -53,6 +53,8 @@ public:
     return {};
   }
 
+  bool may_smooth() const override { return true; }
+
 protected:
   void divide_curves(std::vector<char>& concerned) override {
     std::vector<size_type> curves;
