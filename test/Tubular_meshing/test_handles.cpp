@@ -161,6 +161,21 @@ TEST_P(Handles, Patches_become_planar_in_any_direction) {
   expect_maps(turned, cut);
 }
 
+// As many independent loops as the lumen has, and no branch that strays to the wall.
+void expect_loops_of(const tubular::Centerline_graph& graph, int loops, double least_radius) {
+  EXPECT_EQ(int(graph.branches().size()) - int(graph.nodes().size()) + 1, loops);
+  for (const auto& b : graph.branches())
+    EXPECT_GT(b.min_radius, least_radius);
+}
+
+TEST_P(Handles, Centerlines_have_the_loops_of_the_lumen) {
+  const Mesh mesh = GetParam().make();
+  const double least_radius = 0.14; // narrower than the narrowest vessel
+  expect_loops_of(tubular::make_tubular_model(mesh).centerlines, GetParam().genus, least_radius);
+  const Mesh turned = transformed(mesh, rotation(1.1) * Transformation(CGAL::SCALING, 1e-3));
+  expect_loops_of(tubular::make_tubular_model(turned).centerlines, GetParam().genus, 1e-3 * least_radius);
+}
+
 std::string name_of(const testing::TestParamInfo<Sample>& info) {
   return info.param.name;
 }
@@ -192,17 +207,28 @@ void expect_valid(const tubular::Mixed_mesh& mesh, int genus) {
   EXPECT_EQ(report.boundary_euler, 2 - 2 * genus);
 }
 
-TEST(Meshes_with_loops, Are_valid) {
+TEST(Meshes_with_loops, Are_of_every_type) {
   for (bool loops : {true, false}) {
     SCOPED_TRACE(loops ? "all branches" : "shortest paths");
     const Model model = tubular::make_tubular_model(septum_with(1), tubular::parameters::loops(loops));
     tubular::Mesher_options options;
-    options.size.points_per_circumference = 8;
+    options.size.points_per_circumference = 16;
     tubular::Mesher mesher(model, options);
     expect_valid(mesher.isotropic(), 2);
     EXPECT_TRUE(mesher.report().fallbacks.empty());
     EXPECT_EQ(genus(mesher.surface(tubular::Surface_elements::triangles).surface), 2);
+    EXPECT_TRUE(CGAL::is_closed(mesher.surface(tubular::Surface_elements::quads).surface));
+    expect_valid(mesher.mixed(), 2);
   }
+}
+
+TEST(Meshes_with_loops, Have_layers_as_thick_as_there_is_room) {
+  const Model model = tubular::make_tubular_model(septum_with(1));
+  const tubular::Mesher_options options(tubular::parameters::points_per_circumference(16).wall_thickness(0.2));
+  tubular::Mesher mesher(model, options);
+  const tubular::Mixed_mesh mesh = mesher.mixed();
+  EXPECT_TRUE(tubular::validity_report(mesh).is_valid());
+  EXPECT_GT(mesher.report().wall.reduced_vertices, 0u); // the two sides of the septum share its thickness
 }
 
 } // namespace

@@ -7,6 +7,7 @@
 #include <CGAL/Tubular_meshing/Centerlines/build_centerline_graph.h>
 #include <CGAL/Tubular_meshing/Centerlines/compute_centerlines.h>
 #include <CGAL/Tubular_meshing/Centerlines/internal/Centerline_tracer.h>
+#include <CGAL/Tubular_meshing/Centerlines/internal/Surface_loops.h>
 #include <CGAL/Tubular_meshing/base/Canonical_frame.h>
 #include <CGAL/Tubular_meshing/base/Labelled_surface.h>
 #include <CGAL/Tubular_meshing/base/Nearest_tree.h>
@@ -32,13 +33,6 @@ inline void check_closed_surface(const Surface& surface) {
       if (!std::isfinite(surface.point(v)[k]))
         throw Input_error("Vertex " + std::to_string(std::size_t(v)) +
                           " of the surface has a coordinate that is not a number; repair the file.");
-}
-
-// Of a closed surface: the number of independent cycles inside it, half of those on it.
-inline int genus(const Surface& surface) {
-  const long characteristic =
-      long(surface.number_of_vertices()) - long(surface.number_of_edges()) + long(surface.number_of_faces());
-  return int((2 - characteristic) / 2);
 }
 
 // The graph in the canonical frame, as a graph of the caller's points.
@@ -92,6 +86,18 @@ struct Centerline_computation::Impl {
     return result;
   }
 
+  // Those of Surface_loops, in the frame.
+  std::vector<std::vector<Double_kernel::Point_3>> loops_on(const Surface& surface) const {
+    std::vector<std::vector<Double_kernel::Point_3>> result;
+    const Surface_loops found(surface);
+    for (const Surface_loops::Loop& loop : found.loops()) {
+      result.emplace_back();
+      for (auto v : loop)
+        result.back().push_back(frame.to_canonical(to_double_point(surface.point(v))));
+    }
+    return result;
+  }
+
   const Canonical_frame frame;
   const Point_3 root;
   Centerline_tracer tracer;
@@ -106,7 +112,8 @@ Centerline_computation::Centerline_computation(const Surface& surface, const Fac
     throw Input_error("Centerlines lead from an inlet to outlets, but the surface has no opening; name its ends, by "
                       "points.");
   impl_ = std::make_unique<Impl>(surface, patch, ends);
-  impl_->tracer.trace(loops ? genus(surface) : 0, everywhere);
+  impl_->tracer.trace(loops ? impl_->loops_on(surface) : std::vector<std::vector<Double_kernel::Point_3>>(),
+                      everywhere);
 }
 
 CGAL_TUBULAR_MESHING_INLINE Centerline_computation::~Centerline_computation() = default;

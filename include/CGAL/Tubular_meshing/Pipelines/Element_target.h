@@ -10,7 +10,6 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Tubular_meshing {
@@ -21,12 +20,13 @@ namespace CGAL::Tubular_meshing {
  * with points(), and tells of them, until add() says that it is done.
  *
  * The number of elements goes with a power of N: at first that which is given (3 for cells, 2 for faces), then that of
- * the meshes made so far. Two or three meshes are the rule.
+ * the meshes made so far. As soon as there is one mesh with fewer and one with more, the next ones are between them. The
+ * number may grow with any power of N, by steps, and need not grow everywhere. Two or three meshes are the rule.
  */
 class Element_target {
 public:
   static constexpr double tolerance = 0.1;
-  static constexpr std::size_t most_tries = 8;
+  static constexpr std::size_t most_tries = 12;
 
   /*! \param elements the number wanted
    * \param points the first N
@@ -61,10 +61,11 @@ public:
   /*! Whether the mesh that points() has made, of so many elements, is one of the number wanted, but for a tenth.
    * \throws Meshing_error if it is not, and no other N promises a better one */
   bool add(std::size_t elements) {
-    tries_.emplace_back(points_, double((std::max)(elements, std::size_t(1))));
-    if (std::abs(tries_.back().second - wanted_) <= tolerance * wanted_)
+    const Try t = {std::log(points_), std::log(double((std::max)(elements, std::size_t(1))) / wanted_), tries_.size()};
+    tries_.insert(std::upper_bound(tries_.begin(), tries_.end(), t), t);
+    if (std::abs(double(elements) - wanted_) <= tolerance * wanted_)
       return true;
-    const double next = limited(proposed());
+    const double next = limited(std::exp(proposed()));
     if (tries_.size() == most_tries || is_tried(next))
       fail();
     points_ = next;
@@ -72,52 +73,78 @@ public:
   }
 
 private:
-  static double limited(double points) { return (std::min)((std::max)(points, 3.), 1e4); }
+  // A mesh, by logarithms: of N, and of its elements against those wanted.
+  struct Try {
+    double n, excess;
+    std::size_t turn; // when it was made
+    bool operator<(const Try& t) const { return n < t.n; }
+  };
 
-  // Between the two meshes next to the wanted number, if there are; else by the power, as it was between the last two.
+  static constexpr double least_points = 3, most_points = 1e4;
+  static double limited(double points) { return (std::min)((std::max)(points, least_points), most_points); }
+
+  // Of two meshes whose N are neighbours, one with fewer and one with more elements than wanted: those next to the
+  // number. Where a mesh has fewer than another one of a smaller N, there are several.
+  std::size_t first_of_bracket() const {
+    std::size_t best = tries_.size();
+    const auto error = [&](std::size_t i) { return std::abs(tries_[i].excess) + std::abs(tries_[i + 1].excess); };
+    for (std::size_t i = 0; i + 1 < tries_.size(); ++i)
+      if ((tries_[i].excess < 0) != (tries_[i + 1].excess < 0) && (best == tries_.size() || error(i) < error(best)))
+        best = i;
+    return best;
+  }
+
   double proposed() const {
-    const std::pair<double, double>*below = nullptr, *above = nullptr;
-    for (const auto& t : tries_) {
-      if (t.second < wanted_ && (!below || t.second > below->second))
-        below = &t;
-      if (t.second > wanted_ && (!above || t.second < above->second))
-        above = &t;
-    }
-    const auto interpolated = [&](const auto& a, const auto& b) {
-      const double share = std::log(wanted_ / a.second) / std::log(b.second / a.second);
-      return std::exp(std::log(a.first) + share * std::log(b.first / a.first));
-    };
-    if (below && above)
-      return tries_.size() < 5 ? interpolated(*below, *above) : std::sqrt(below->first * above->first);
-    const auto& last = tries_.back();
+    const std::size_t first = first_of_bracket();
+    return first == tries_.size() ? beyond_all() : between(tries_[first], tries_[first + 1]);
+  }
+
+  /* As a power of N has it that goes through both. Where the number jumps, that comes to lie beside one of them again and
+   * again: then in the middle; and it is not nearer to one of the two than an eighth of the way. */
+  double between(const Try& a, const Try& b) const {
+    const std::size_t older = (std::min)(a.turn, b.turn);
+    const double share = a.excess / (a.excess - b.excess), least = 1. / 8;
+    if (older + 2 < tries_.size())
+      return (a.n + b.n) / 2;
+    return a.n + (std::min)((std::max)(share, least), 1 - least) * (b.n - a.n);
+  }
+
+  /* Further than the mesh next to the number of wanted ones, with the power between it and its neighbour, so far as that
+   * is likely. More elements are made with care: a mesh that is much too large takes long. */
+  double beyond_all() const {
+    const double least_power = 0.4, most_power = 5, finer = std::log(3.), coarser = std::log(6.);
+    const bool too_many = tries_.front().excess > 0;
+    const std::size_t last = tries_.size() - 1;
+    const Try& nearest = tries_[too_many ? 0 : last];
     double power = power_;
-    if (tries_.size() > 1) {
-      const auto& before = tries_[tries_.size() - 2];
-      power = std::log(last.second / before.second) / std::log(last.first / before.first);
+    if (last > 0) {
+      const Try& next = tries_[too_many ? 1 : last - 1];
+      power = (next.excess - nearest.excess) / (next.n - nearest.n);
     }
-    if (!(power > 0.5))
-      power = 0.5;
-    const double step = std::pow(wanted_ / last.second, 1 / power);
-    return last.first * (std::min)((std::max)(step, 0.2), 5.);
+    power = (std::min)((std::max)(power, least_power), most_power);
+    return nearest.n + (std::min)((std::max)(-nearest.excess / power, -coarser), finer);
   }
 
   bool is_tried(double points) const {
     return std::any_of(tries_.begin(), tries_.end(),
-                       [&](const auto& t) { return std::abs(t.first - points) <= 1e-3 * points; });
+                       [&](const Try& t) { return std::abs(t.n - std::log(points)) <= 1e-3; });
   }
 
   [[noreturn]] void fail() const {
-    const auto best = std::min_element(tries_.begin(), tries_.end(), [&](const auto& a, const auto& b) {
-      return std::abs(std::log(a.second / wanted_)) < std::abs(std::log(b.second / wanted_));
+    const auto best = std::min_element(tries_.begin(), tries_.end(), [&](const Try& a, const Try& b) {
+      return std::abs(a.excess) < std::abs(b.excess);
     });
-    const auto text = [](double x) { return std::to_string((long long)(x)); };
+    const auto text = [](double x) { return std::to_string(std::llround(x)); };
+    std::string advice = "ask for another number, or leave the limits of the mesh size out.";
+    if (std::exp(best->n) <= 1.001 * least_points && best->excess > 0)
+      advice = "that is the coarsest one: ask for more.";
     throw Meshing_error("A mesh of " + text(wanted_) + " elements was not found: the nearest one, with " +
-                        std::to_string(best->first) + " points per circumference, has " + text(best->second) +
-                        "; ask for another number, or leave the limits of the mesh size out.");
+                        std::to_string(std::exp(best->n)) + " points per circumference, has " +
+                        text(wanted_ * std::exp(best->excess)) + "; " + advice);
   }
 
   double wanted_, power_, points_;
-  std::vector<std::pair<double, double>> tries_; // points, elements
+  std::vector<Try> tries_; // by N
 };
 
 } // namespace CGAL::Tubular_meshing

@@ -73,6 +73,12 @@ public:
       visit_within(0, q, squared_bound, visit);
   }
 
+  // Calls visit(item) for the items in boxes that overlap the given one.
+  template <class Visit> void for_each_overlapping(const Box& box, const Visit& visit) const {
+    if (!nodes_.empty())
+      visit_overlapping(0, box, visit);
+  }
+
   // Calls visit(s, t) with s < t for each two items with overlapping boxes.
   template <class Visit> void for_each_overlap(const Visit& visit) const {
     if (!nodes_.empty())
@@ -129,6 +135,20 @@ private:
     for (int k : {nearer, 1 - nearer})
       if (d[k] < squared_bound)
         visit_within(children[k], q, squared_bound, visit);
+  }
+
+  template <class Visit> void visit_overlapping(Index n, const Box& box, const Visit& visit) const {
+    const Node& node = nodes_[n];
+    if (!node.box.overlaps(box))
+      return;
+    if (node.second_child != 0) {
+      visit_overlapping(n + 1, box, visit);
+      visit_overlapping(node.second_child, box, visit);
+      return;
+    }
+    for (Index k = node.first; k < node.last; ++k)
+      if (boxes_[order_[k]].overlaps(box))
+        visit(order_[k]);
   }
 
   template <class Visit> void overlaps_within(Index n, const Visit& visit) const {

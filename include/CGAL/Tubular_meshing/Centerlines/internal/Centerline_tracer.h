@@ -8,7 +8,7 @@
 #include <CGAL/Tubular_meshing/Centerlines/internal/Interior_voronoi_diagram.h>
 #include <CGAL/Tubular_meshing/Centerlines/internal/Sampled_surface.h>
 #include <CGAL/Tubular_meshing/Centerlines/internal/Voronoi_front.h>
-#include <CGAL/Tubular_meshing/Centerlines/internal/essential_meetings.h>
+#include <CGAL/Tubular_meshing/Centerlines/internal/Essential_meetings.h>
 #include <CGAL/Tubular_meshing/Centerlines/internal/Sample_refiner.h>
 #include <CGAL/Tubular_meshing/Centerlines/internal/smooth_line.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
@@ -54,20 +54,25 @@ public:
     diagram_.make_faces(surface_);
   }
 
-  /* Traces one line to each end but the first; and, of up to `loops` loops, one line or two each. Further ends can be
-   * added afterwards if the front is to run everywhere, not only as far as the ends. */
-  void trace(int loops, bool everywhere) {
+  /* Traces one line to each end but the first; and one line or two for each independent loop of the lumen, if loops of
+   * the surface are given, see Loop_linking. Further ends can be added afterwards if the front is to run everywhere,
+   * not only as far as the ends. */
+  void trace(const std::vector<std::vector<Diagram::Point>>& surface_loops, bool everywhere) {
     const std::vector<Index> outlets(poles_.begin() + 1, poles_.end());
-    front_.reset(new Voronoi_front(diagram_, poles_[0], loops > 0 || everywhere ? std::vector<Index>() : outlets));
+    front_.reset(
+        new Voronoi_front(diagram_, poles_[0], !surface_loops.empty() || everywhere ? std::vector<Index>() : outlets));
     for (std::size_t i = 1; i < ends_.size(); ++i) {
       if (!front_->has_reached(poles_[i]))
         throw Input_error("The inside of the surface does not connect its inlet with " + name(i) +
                           ": the surface is in several pieces, or closed in between.");
       trace_to(i);
     }
-    if (loops > 0)
-      for (const auto& meeting : essential_meetings(diagram_, *front_, std::size_t(loops)))
-        add_loop(*front_, meeting[0], meeting[1], lines_);
+    if (surface_loops.empty())
+      return;
+    const Essential_meetings::Wall wall(surface_.wall_triangles);
+    const Essential_meetings found(diagram_, *front_, surface_loops, wall);
+    for (const auto& meeting : found.meetings())
+      add_loop(*front_, meeting[0], meeting[1], lines_);
   }
 
   /* Traces a line to a vertex of the wall, by its number; false if none leads there. */
@@ -130,26 +135,22 @@ private:
   }
 
   // By one side of a loop to the meeting at its far side, and on, as blood would flow, to the nearest outlet that lies
-  // beyond; and by the other side likewise. Where there is none on either side, to the meeting and no further.
+  // beyond; and by the other side likewise. Where there is none beyond, so far back by the other side that they join.
   void add_loop(const Voronoi_front& front, Index a, Index b, std::vector<Sampled_line>& lines) const {
     const std::array<Index, 2> side = {{a, b}};
     const std::array<Sampled_line, 2> back = {{front.path_from(a), front.path_from(b)}};
-    bool leads_to_outlet = false;
     for (int i = 0; i < 2; ++i) {
       const Voronoi_front onward(diagram_, side[1 - i], {});
       const std::size_t outlet = nearest_outlet(onward, back[1 - i], back[i]);
-      if (outlet == 0)
-        continue;
-      leads_to_outlet = true;
       Sampled_line line = reversed(back[i]);
-      const Sampled_line rest = reversed(onward.path_from(poles_[outlet]));
-      line.insert(line.end(), rest.begin(), rest.end());
+      if (outlet == 0) {
+        const Sampled_line end = beginning_of(back[1 - i]);
+        line.insert(line.end(), end.begin(), end.end());
+      } else {
+        const Sampled_line rest = reversed(onward.path_from(poles_[outlet]));
+        line.insert(line.end(), rest.begin(), rest.end());
+      }
       lines.push_back(finished(std::move(line), outlet));
-    }
-    for (int i = 0; i < 2 && !leads_to_outlet; ++i) {
-      Sampled_line line = reversed(back[i]);
-      line.push_back(back[1 - i].front());
-      lines.push_back(finished(std::move(line), 0));
     }
   }
 
@@ -161,6 +162,17 @@ private:
           begins_along(reversed(onward.path_from(poles_[i])), way, other))
         nearest = i;
     return nearest;
+  }
+
+  static Sampled_line beginning_of(const Sampled_line& line) {
+    const double length = 2; // radii
+    Sampled_line result(1, line.front());
+    double walked = 0;
+    for (std::size_t i = 1; i < line.size() && walked < length; ++i) {
+      walked += distance(line[i - 1].point, line[i].point) / line[i].radius;
+      result.push_back(line[i]);
+    }
+    return result;
   }
 
   // Whether a path, two radii from its beginning, is nearer to `one` than to `other`.

@@ -31,6 +31,8 @@ public:
 
   // A run that stays within this many radii of the network is in the same vessel.
   static constexpr double out_of_vessel = 0.75;
+  // One that comes back joins it where it is within so many.
+  static constexpr double beside = 0.5;
 
   explicit Line_merger(double tolerance)
       : tolerance_(tolerance) {}
@@ -106,9 +108,14 @@ private:
 
   // Adds the run [begin, end[ of points that are off, if it is worth it.
   void add_run(const Sampled_line& line, std::size_t begin, std::size_t end) {
-    const bool leaves = begin > 0, rejoins = end < line.size();
-    if (!gets_out(begin, end) && !(leaves && rejoins && !connected(feet_[begin - 1], feet_[end])))
+    const bool leaves = begin > 0;
+    if (gets_out(begin, end)) {
+      if (leaves)
+        leave_out_what_is_beside(line, begin, end);
+    } else if (!(leaves && end < line.size() && !connected(feet_[begin - 1], feet_[end]))) {
       return;
+    }
+    const bool rejoins = end < line.size();
     Sampled_line run(line.begin() + begin, line.begin() + end);
     const std::size_t first = leaves ? attach(begin - 1) : none;
     const std::size_t last = rejoins ? attach(end) : none;
@@ -131,11 +138,40 @@ private:
       new_segment(path[i - 1], path[i]);
   }
 
+  /* A run that goes over into another vessel may have been beside the network for long, in the same vessel, or be so
+   * afterwards: where a lumen is flat, as beside a septum, there are several ways through it. It then joins the network
+   * where it comes near for good, as long as that is more than a radius before it would, or if it would not at all. */
+  void leave_out_what_is_beside(const Sampled_line& line, std::size_t& begin, std::size_t& end) const {
+    std::size_t first = begin, last = end - 1; // those that are out
+    while (first < end && !is_out(first))
+      ++first;
+    if (first == end)
+      return; // there is no network yet
+    while (!is_out(last))
+      --last;
+    const auto is_near = [&](std::size_t i) { return feet_[i].distance <= beside * feet_[i].radius; };
+    const auto is_far = [&](std::size_t i, std::size_t j) {
+      return j == line.size() || distance(line[i].point, line[j].point) > line[i].radius;
+    };
+    std::size_t comes_back = last + 1, leaves = first;
+    while (comes_back < end && !is_near(comes_back))
+      ++comes_back;
+    if (comes_back < end && is_far(comes_back, end))
+      end = comes_back;
+    while (leaves > begin && !is_near(leaves - 1))
+      --leaves;
+    // of a branch that does not come back, where it leaves is as it is
+    if (leaves > begin && end < line.size() && is_far(leaves - 1, begin))
+      begin = leaves;
+  }
+
+  bool is_out(std::size_t i) const { return feet_[i].distance > out_of_vessel * feet_[i].radius; }
+
   bool gets_out(std::size_t begin, std::size_t end) const {
     if (feet_[begin].segment == none || (begin == 0 && end == feet_.size()))
       return true;
     for (std::size_t i = begin; i < end; ++i)
-      if (feet_[i].distance > out_of_vessel * feet_[i].radius)
+      if (is_out(i))
         return true;
     return false;
   }

@@ -38,7 +38,8 @@ public:
   Voronoi_front(const Diagram& diagram, Index source, const std::vector<Index>& targets)
       : diagram_(diagram)
       , time_(diagram.points.size(), (std::numeric_limits<double>::infinity)())
-      , rank_(diagram.points.size(), none) {
+      , rank_(diagram.points.size(), none)
+      , parent_(diagram.points.size(), none) {
     std::vector<bool> wanted(diagram.points.size(), false);
     std::size_t missing = 0;
     for (Index t : targets)
@@ -47,7 +48,7 @@ public:
         ++missing;
       }
     Index reached = 0;
-    lower(source, 0);
+    lower(source, 0, none);
     while (!queue_.empty()) {
       const Index v = queue_.top().second;
       queue_.pop();
@@ -63,6 +64,8 @@ public:
   bool has_reached(Index v) const { return rank_[v] != none; }
   double time(Index v) const { return time_[v]; }
   Index rank(Index v) const { return rank_[v]; }
+  // A vertex of the same face from which, or from an edge of which, the front came; `none` at the source.
+  Index parent(Index v) const { return parent_[v]; }
 
   /* The path of steepest descent from a vertex to the source. It always gets there: among vertices that all but
    * coincide, as on surfaces with symmetries, small steps may go round in circles. When they have reached no vertex
@@ -125,9 +128,10 @@ private:
     return x.time + distance(x.point, c) / radius_at_c;
   }
 
-  void lower(Index v, double time) {
+  void lower(Index v, double time, Index parent) {
     if (time < time_[v]) {
       time_[v] = time;
+      parent_[v] = parent;
       queue_.emplace(time, v);
     }
   }
@@ -146,10 +150,11 @@ private:
           earliest = *w;
       for (const Index* w = begin; w != end; ++w)
         if (!has_reached(*w)) {
-          lower(*w, time_from(at_vertex(v), point(*w), radius(*w)));
+          lower(*w, time_from(at_vertex(v), point(*w), radius(*w)), v);
           for (Index u : {neighbors[0], neighbors[1], earliest})
             if (u != v && has_reached(u))
-              lower(*w, time_from(on_edge(v, u, best_departure(v, u, point(*w), radius(*w))), point(*w), radius(*w)));
+              lower(*w, time_from(on_edge(v, u, best_departure(v, u, point(*w), radius(*w))), point(*w), radius(*w)),
+                    v);
         }
     }
   }
@@ -214,6 +219,7 @@ private:
   const Diagram& diagram_;
   std::vector<double> time_;
   std::vector<Index> rank_; // in the order of arrival
+  std::vector<Index> parent_;
   typedef std::pair<double, Index> Event;
   std::priority_queue<Event, std::vector<Event>, std::greater<Event>> queue_;
 };

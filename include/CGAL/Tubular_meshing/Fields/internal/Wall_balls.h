@@ -56,7 +56,7 @@ public:
   const std::vector<Vector_3d>& directions() const { return directions_; }
 
 private:
-  static constexpr double facing = 0.70710678118654752; // the cosine of 45 degrees
+  static constexpr double facing = 0.86602540378443865; // the cosine of 30 degrees
   static constexpr double window = 0.5;                 // of the radius
   static constexpr double spacing = 0.2;                // of obstacles, of the radius
   // how far from its surface a ball touches a vertex, of its radius or that of the largest ball beside the vertex
