@@ -80,8 +80,9 @@ inline Skeleton spindle(double widest, double length = 20) {
 }
 
 /* Closes each loop of the border by a dome: copies of the loop that shrink to its center as an ellipse does, of a height
- * given in radii. Few rings do, as triangles are to be about as large as at the rim. */
-inline void dome_openings(Mesh& mesh, double height) {
+ * given in radii. Few rings do, as triangles are to be about as large as at the rim. Returns the faces of each dome. */
+inline std::vector<std::vector<Mesh::Face_index>> dome_openings(Mesh& mesh, double height) {
+  std::vector<std::vector<Mesh::Face_index>> domes;
   const bool inside_out = tubular::internal::is_inside_out(mesh, tubular::internal::border_loops(mesh));
   for (const auto& loop : tubular::internal::border_loops(mesh)) {
     const Point c = loop.shape.center;
@@ -95,6 +96,7 @@ inline void dome_openings(Mesh& mesh, double height) {
       from_center.push_back(mesh.point(mesh.target(h)) - c);
     }
     const std::size_t m = below.size();
+    domes.emplace_back();
     for (int k = 1; k < rings; ++k) {
       const double a = 0.5 * CGAL_PI * k / rings;
       ring.clear();
@@ -102,15 +104,16 @@ inline void dome_openings(Mesh& mesh, double height) {
         ring.push_back(mesh.add_vertex(c + std::cos(a) * d + std::sin(a) * height * loop.shape.radius * n));
       for (std::size_t i = 0; i < m; ++i) {
         const std::size_t j = (i + 1) % m;
-        mesh.add_face(below[i], below[j], ring[j]);
-        mesh.add_face(below[i], ring[j], ring[i]);
+        domes.back().push_back(mesh.add_face(below[i], below[j], ring[j]));
+        domes.back().push_back(mesh.add_face(below[i], ring[j], ring[i]));
       }
       below = ring;
     }
     const auto top = mesh.add_vertex(c + height * loop.shape.radius * n);
     for (std::size_t i = 0; i < m; ++i)
-      mesh.add_face(below[i], below[(i + 1) % m], top);
+      domes.back().push_back(mesh.add_face(below[i], below[(i + 1) % m], top));
   }
+  return domes;
 }
 
 /* Turned about two axes, scaled and moved. */

@@ -6,6 +6,7 @@
 #include "round_ends.h"
 
 #include <CGAL/Tubular_meshing/Generators/tubular_shapes.h>
+#include <CGAL/Tubular_meshing/Generators/tubular_surface.h>
 #include <CGAL/Tubular_meshing/IO/read_surface.h>
 #include <CGAL/Tubular_meshing/Openings/cut_round_ends.h>
 #include <CGAL/Tubular_meshing/Openings/openings.h>
@@ -14,6 +15,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <filesystem>
@@ -151,6 +153,43 @@ TEST(Round_ends, Those_at_points_are_cut_and_others_stay) {
   const auto report = tubular::cut_round_ends(mesh, np::blind_ends(std::vector<Point>{ends[2].center}));
   EXPECT_EQ(tubular::find_openings(mesh).size(), 2u);
   EXPECT_EQ(std::count_if(report.begin(), report.end(), [](const auto& r) { return r.reason == "kept"; }), 1);
+}
+
+TEST(Round_ends, Domes_of_any_height_close_vessels_whether_creases_bound_them_or_not) {
+  for (double n : {12., 24.})
+    for (double height : {0.3, 0.45, 0.6, 0.8, 1.2, 1.6}) {
+      SCOPED_TRACE("height " + std::to_string(height) + ", n " + std::to_string(n));
+      Mesh mesh;
+      tubular::generate_tubular_surface(tubular::y_bifurcation(), mesh, np::points_per_circumference(n));
+      dome_openings(mesh, height);
+      EXPECT_EQ(tubular::make_tubular_model(mesh).openings.size(), 3u);
+    }
+}
+
+TEST(Round_ends, A_needle_in_a_dome_or_in_a_sac_does_not_matter) {
+  const Skeleton y = tubular::y_bifurcation();
+  for (double out : {-0.8, 0.8}) {
+    Mesh mesh = round_tree(y, 20);
+    for (const End& end : y.ends()) {
+      auto& p = mesh.point(outermost(mesh, end.center, end.normal, 1.5 * end.radius));
+      p = p + out * end.radius * end.normal;
+    }
+    const Reports reports = tubular::cut_round_ends(mesh);
+    EXPECT_EQ(number_with(reports, ""), 3u) << out;
+    EXPECT_EQ(reports.size(), 3u) << out;
+  }
+  Skeleton s = tube_with_node();
+  add_sac(s, 1, Vector(1, 0, 0), 3.8, 2.4, 0.6, 3);
+  for (double angle : {0., 0.8, 1.6, 2.4}) {
+    Mesh mesh = round_tree(s, 20);
+    const Point center(3.8, 0, 7);
+    const Vector way(std::cos(angle) * std::cos(angle), std::sin(angle), std::cos(angle) * std::sin(angle));
+    auto& p = mesh.point(outermost(mesh, center, normalized(way), 4));
+    p = p - 1.2 * normalized(way);
+    const Reports reports = tubular::cut_round_ends(mesh);
+    EXPECT_EQ(number_with(reports, ""), 2u) << angle;
+    EXPECT_EQ(number_with(reports, "sac"), 1u) << angle;
+  }
 }
 
 // --- sacs ---

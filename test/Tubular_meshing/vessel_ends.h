@@ -66,18 +66,18 @@ inline Mesh::Halfedge_index cut_end(Mesh& mesh, const Point& tip, double radius,
   return rim;
 }
 
-/* Makes an end of a round tree open, or flat. */
-inline void finish_end(Mesh& mesh, const End& end, Kind kind) {
+/* Makes an end of a round tree open, or flat; returns the faces of the cap. */
+inline std::vector<Mesh::Face_index> finish_end(Mesh& mesh, const End& end, Kind kind) {
   if (kind == Kind::round)
-    return;
+    return {};
   const auto rim = cut_end(mesh, end.center, end.radius, end.center, end.normal);
-  if (kind == Kind::flat) {
-    std::vector<Mesh::Halfedge_index> loop;
-    for (auto h : CGAL::halfedges_around_face(rim, mesh))
-      loop.push_back(h);
-    const auto shape = tubular::internal::measure_rim(tubular::internal::rim_points(loop, mesh));
-    tubular::internal::fill_loop(loop, shape.plane, mesh);
-  }
+  if (kind == Kind::open)
+    return {};
+  std::vector<Mesh::Halfedge_index> loop;
+  for (auto h : CGAL::halfedges_around_face(rim, mesh))
+    loop.push_back(h);
+  const auto shape = tubular::internal::measure_rim(tubular::internal::rim_points(loop, mesh));
+  return tubular::internal::fill_loop(loop, shape.plane, mesh);
 }
 
 /* A tube along z of radius 1, and a branch that leaves it at an angle from its axis; the branch's end comes last. */

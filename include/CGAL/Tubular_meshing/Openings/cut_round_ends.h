@@ -18,7 +18,8 @@ namespace internal {
 
 std::vector<Round_end_report> cut_round_ends(Surface& surface, const Cut_round_ends_options& options);
 
-/* Cuts the ends at the points; all of them, where there are no points and the surface has no opening. */
+/* Cuts the ends at the points; all of them, where there are no points, and the surface has no opening or is closed and
+ * has ends behind creases. */
 std::vector<Round_end_report> open_round_ends(Surface& surface, const std::vector<Point_3>& points,
                                               const std::vector<Point_3>& blind_ends);
 
@@ -42,7 +43,8 @@ std::vector<Round_end_report> open_round_ends(Surface& surface, const std::vecto
  *   The plane lies there, or further out as far as the wall keeps 98.5 % of its distance from the axis.
  * - Where that plane does not cut the vessel in one loop, one nearer to the tip is taken, as of a stub that is short or
  *   widens like a funnel; else one further in, by at most two radii.
- * - Openings that the surface has already, open or capped flat, stay as they are.
+ * - Single vertices that stick out of the surface or into it, further than their neighbours are apart, do not count.
+ * - Openings that the surface has already, open, capped flat or behind a crease, stay as they are.
  *
  * \tparam TriangleMesh a model of `MutableFaceGraph`; a Surface is changed in place
  *
@@ -98,7 +100,9 @@ std::vector<Round_end_report> cut_round_ends(TriangleMesh& surface,
 /*! \ingroup PkgTubularMeshingOpenings
  *
  * opens what has to be open before a surface can be meshed for flow: cuts the round ends at the points, or all of them
- * where there are no points and the surface has no opening. make_tubular_model() does so by itself. */
+ * where there are no points and the surface has no opening. So it does where the surface is closed and has ends behind
+ * creases: of domes that close vessels some may meet the wall in a crease, and others go over into it smoothly.
+ * make_tubular_model() does all this by itself. */
 inline std::vector<Round_end_report> open_round_ends(Surface& surface, const std::vector<Point_3>& points = {},
                                                      const std::vector<Point_3>& blind_ends = {}) {
   return internal::open_round_ends(surface, points, blind_ends);

@@ -8,7 +8,11 @@
 #include <CGAL/Tubular_meshing/Openings/internal/Round_end_cutter.h>
 #include <CGAL/Tubular_meshing/Openings/internal/Vessel_ends.h>
 #include <CGAL/Tubular_meshing/Openings/openings.h>
+#include <CGAL/Tubular_meshing/Rims/crease_ends.h>
+#include <CGAL/Tubular_meshing/Rims/flat_ends.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
+
+#include <CGAL/boost/graph/helpers.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -63,6 +67,20 @@ CGAL_TUBULAR_MESHING_INLINE std::vector<Round_end_report> cut_round_ends(Surface
   return reports;
 }
 
+// Whether programs or persons have closed ends by domes: then some may meet the wall in a crease, and others go over into
+// it smoothly.
+inline bool has_creased_ends(const Surface& surface, const std::vector<Opening>& openings) {
+  if (openings.empty() || !CGAL::is_closed(surface))
+    return false;
+  const bool inside_out = is_inside_out(surface, {});
+  for (const Opening_site& site :
+       find_crease_ends(surface, inside_out, Flat_end_finder(surface, inside_out).find(certain_flat_end())))
+    for (const Opening& o : openings)
+      if (point_distance(site.shape.center, o.center) < 1e-6 * o.radius)
+        return true;
+  return false;
+}
+
 CGAL_TUBULAR_MESHING_INLINE std::vector<Round_end_report>
 open_round_ends(Surface& surface, const std::vector<Point_3>& points, const std::vector<Point_3>& blind_ends) {
   Find_openings_options but_for_blind_ends;
@@ -70,7 +88,7 @@ open_round_ends(Surface& surface, const std::vector<Point_3>& points, const std:
   const std::vector<Opening> openings = find_any_openings(surface, but_for_blind_ends);
   Cut_round_ends_options options;
   options.blind_ends = blind_ends;
-  options.all_round_ends = openings.empty() && points.empty();
+  options.all_round_ends = points.empty() && (openings.empty() || has_creased_ends(surface, openings));
   for (const Point_3& p : points)
     if (std::none_of(openings.begin(), openings.end(),
                      [&](const Opening& o) { return point_distance(p, o.center) <= 1.5 * o.radius; }))

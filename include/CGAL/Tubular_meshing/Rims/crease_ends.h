@@ -6,6 +6,7 @@
 
 #include <CGAL/Tubular_meshing/Rims/Opening_site.h>
 #include <CGAL/Tubular_meshing/Rims/disk_rim.h>
+#include <CGAL/Tubular_meshing/Rims/wall_at_cap.h>
 #include <CGAL/Tubular_meshing/base/Kernel.h>
 
 #include <algorithm>
@@ -36,15 +37,10 @@ public:
   Crease_end_finder(const Surface& mesh, bool inside_out)
       : mesh_(mesh)
       , inwards_(inside_out ? 1 : -1)
-      , normals_(mesh.num_faces(), Vector_3(0, 0, 0))
+      , normals_(unit_normals(mesh))
       , taken_(mesh.num_faces(), false) {
-    for (Face f : mesh.faces()) {
-      const Vector_3 n = area_vector(mesh.halfedge(f), mesh);
-      const double length = std::sqrt(n.squared_length());
-      area_ += length;
-      if (length > 0)
-        normals_[std::size_t(f)] = n / length;
-    }
+    for (Face f : mesh.faces())
+      area_ += std::sqrt(area_vector(mesh.halfedge(f), mesh).squared_length());
   }
 
   /* Ends that have been found already: their caps are not looked at. */
@@ -115,26 +111,11 @@ private:
     const Bulge bulge = measure_bulge(region.cap, s, mesh_, region.rim);
     return s.radius > 0 && !bulge.is_wide() && !bulge.is_long() && s.sag <= max_sag * s.radius &&
            4 * CGAL_PI * s.area >= min_roundness * s.perimeter * s.perimeter &&
-           number_of_corners(rim, s.center, 0.08 * s.radius) >= 5 && wall_stands_behind(region);
+           number_of_corners(rim, s.center, 0.08 * s.radius) >= 5 &&
+           wall_at_cap(region, normals_, inwards_, mesh_).stands(max_wall_cosine);
   }
 
-  bool wall_stands_behind(const Opening_site& region) const {
-    const Rim_plane& plane = region.shape.plane;
-    double behind = 0, cosine = 0, total = 0;
-    for (Halfedge h : region.rim) {
-      const Halfedge o = mesh_.opposite(h);
-      const Point_3 &a = mesh_.point(mesh_.source(o)), &b = mesh_.point(mesh_.target(o)),
-                    &c = mesh_.point(mesh_.target(mesh_.next(o)));
-      const double length = point_distance(a, b);
-      total += length;
-      cosine += length * (normals_[std::size_t(mesh_.face(o))] * plane.normal());
-      if (inwards_ * (plane.height(c) - (plane.height(a) + plane.height(b)) / 2) > 0)
-        behind += length;
-    }
-    return behind >= 0.9 * total && std::abs(cosine) <= 0.5 * total;
-  }
-
-  static constexpr double max_sag = 0.2, min_roundness = 0.55;
+  static constexpr double max_sag = 0.2, min_roundness = 0.55, max_wall_cosine = 0.5;
 
   const Surface& mesh_;
   const double inwards_;          // the direction into the lumen along a face's normal

@@ -15,6 +15,7 @@
 #include <cstddef>
 #include <unordered_map>
 #include <unordered_set>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Tubular_meshing::internal {
@@ -56,7 +57,7 @@ inline std::vector<Surface::Halfedge_index> rim_of_disk(const std::vector<Surfac
 /* How a disk of faces lies over its rim: an end of a vessel, flat, domed or dished, is no wider than its rim, as a sac
  * is, and does not reach far out of it, as a blind vessel does. */
 struct Bulge {
-  double width = 0; ///< the largest distance from the rim's axis over that of the rim itself
+  double width = 0; ///< the largest distance from the rim's axis but one, which may be a needle's, over the rim's own
   double area = 0;  ///< over the area that the rim bounds: 1 if flat, 2 for a half ball, 4.2 for a dome 2.5 radii high
 
   bool is_wide() const { return width > 1.25; }
@@ -69,15 +70,23 @@ inline Bulge measure_bulge(const std::vector<Surface::Face_index>& disk, const R
     const Vector_3 d = mesh.point(v) - shape.center;
     return std::sqrt((d - (d * shape.plane.normal()) * shape.plane.normal()).squared_length());
   };
-  double of_rim = 0, of_disk = 0, area = 0;
+  double of_rim = 0, area = 0;
+  std::pair<double, Surface::Vertex_index> farthest(0, Surface::null_vertex()), next = farthest;
   for (auto h : rim)
     of_rim = (std::max)(of_rim, from_axis(mesh.target(h)));
   for (auto f : disk) {
     area += std::sqrt(area_vector(mesh.halfedge(f), mesh).squared_length());
-    for (auto v : CGAL::vertices_around_face(mesh.halfedge(f), mesh))
-      of_disk = (std::max)(of_disk, from_axis(v));
+    for (auto v : CGAL::vertices_around_face(mesh.halfedge(f), mesh)) {
+      const double d = from_axis(v);
+      if (d > farthest.first) {
+        if (v != farthest.second)
+          next = farthest;
+        farthest = {d, v};
+      } else if (d > next.first && v != farthest.second)
+        next = {d, v};
+    }
   }
-  return {of_disk / of_rim, area / shape.area};
+  return {next.first / of_rim, area / shape.area};
 }
 
 } // namespace CGAL::Tubular_meshing::internal

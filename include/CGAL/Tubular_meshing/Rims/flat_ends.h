@@ -7,7 +7,9 @@
 #include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Rims/Opening_site.h>
 #include <CGAL/Tubular_meshing/Rims/disk_rim.h>
+#include <CGAL/Tubular_meshing/Rims/wall_at_cap.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <unordered_set>
@@ -43,14 +45,7 @@ public:
   Flat_end_finder(const Surface& mesh, bool inside_out)
       : mesh_(mesh)
       , inwards_(inside_out ? 1 : -1)
-      , normals_(mesh.num_faces(), Vector_3(0, 0, 0)) {
-    for (Face f : mesh.faces()) {
-      const Vector_3 n = area_vector(mesh.halfedge(f), mesh);
-      const double length = std::sqrt(n.squared_length());
-      if (length > 0)
-        normals_[std::size_t(f)] = n / length;
-    }
-  }
+      , normals_(unit_normals(mesh)) {}
 
   /* The regions that meet the criteria, in the order of their first faces. Linear in the size of the mesh. */
   std::vector<Opening_site> find(const Flat_end_criteria& criteria) {
@@ -163,7 +158,7 @@ private:
     const Rim_shape& s = region.shape;
     return s.radius > 0 && 4 * CGAL_PI * s.area >= criteria_.min_roundness * s.perimeter * s.perimeter &&
            is_flat(region) && number_of_corners(rim, s.center, 0.08 * s.radius) >= criteria_.corners &&
-           wall_stands_behind(region);
+           wall_at_cap(region, normals_, inwards_, mesh_).stands(max_wall_cosine(region));
   }
 
   bool is_flat(const Opening_site& region) const {
@@ -175,22 +170,8 @@ private:
     return true;
   }
 
-  // Whether the surface goes back on the inner side all around, and rather upright than level.
-  bool wall_stands_behind(const Opening_site& region) const {
-    const Rim_plane& plane = region.shape.plane;
-    double convex = 0, cosine = 0, total = 0;
-    for (Halfedge h : region.rim) {
-      const Halfedge o = mesh_.opposite(h);
-      const Point_3 &a = mesh_.point(mesh_.source(o)), &b = mesh_.point(mesh_.target(o)),
-                    &c = mesh_.point(mesh_.target(mesh_.next(o)));
-      const double length = point_distance(a, b);
-      total += length;
-      cosine += length * (normals_[std::size_t(mesh_.face(o))] * plane.normal());
-      if (inwards_ * (plane.height(c) - (plane.height(a) + plane.height(b)) / 2) > 0)
-        convex += length;
-    }
-    const double bound = is_disk(region) ? (std::max)(criteria_.max_wall_cosine, 0.85) : criteria_.max_wall_cosine;
-    return convex >= 0.9 * total && std::abs(cosine) <= bound * total;
+  double max_wall_cosine(const Opening_site& region) const {
+    return is_disk(region) ? (std::max)(criteria_.max_wall_cosine, 0.85) : criteria_.max_wall_cosine;
   }
 
   // Round all over: then the wall may lean far, as that of a bulb that is cut off wide open does.

@@ -28,7 +28,7 @@ public:
 
   /* False, with the mesh as it was, if no plane near the dome's base cuts the vessel in one loop. */
   bool cut(const Round_end& end, Vertex tip, Round_end_report& report) {
-    if (mesh_.is_removed(tip))
+    if (tip == Surface::null_vertex() || mesh_.is_removed(tip))
       return false; // by the cut of another end
     const double r = end.radius();
     const Vector_3 normal = end.direction();

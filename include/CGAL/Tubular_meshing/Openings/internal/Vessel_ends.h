@@ -10,7 +10,9 @@
 #include <CGAL/Tubular_meshing/Openings/Round_end_report.h>
 #include <CGAL/Tubular_meshing/Openings/internal/Blind_leaves.h>
 #include <CGAL/Tubular_meshing/Openings/internal/Round_end.h>
+#include <CGAL/Tubular_meshing/Openings/internal/Lumen_tree.h>
 #include <CGAL/Tubular_meshing/Openings/internal/Tip_finder.h>
+#include <CGAL/Tubular_meshing/Openings/internal/flatten_spikes.h>
 #include <CGAL/Tubular_meshing/Openings/openings.h>
 #include <CGAL/Tubular_meshing/Rims/Opening_site.h>
 #include <CGAL/Tubular_meshing/base/Labelled_surface.h>
@@ -37,7 +39,7 @@ class Vessel_ends {
 
 public:
   struct End {
-    Vertex tip; ///< of the surface that was given
+    Vertex tip; ///< of the surface that was given; null if none is near
     Round_end shape;
     bool is_sac;
     bool is_named; ///< a point says that it is to be cut
@@ -54,6 +56,8 @@ public:
     const std::vector<Point_3> named = points_away_from_openings(options.ends_to_cut);
     if (named.empty() && !options.all_round_ends)
       return;
+    find_originals();
+    flatten_spikes(closed_.surface);
     find_tips();
     const std::size_t number_of_tips = tips_.size();
     for (const Point_3& p : named)
@@ -146,15 +150,18 @@ private:
   bool is_leaf_at_opening(std::size_t node) const { return is_at_opening(graph_.points()[graph_.nodes()[node].point]); }
 
   void find_ends() {
+    const Lumen_tree tree(graph_);
     std::set<std::size_t> at_openings;
     for (std::size_t n = 0; n < graph_.nodes().size(); ++n)
-      if (graph_.nodes()[n].is_end() && is_leaf_at_opening(n))
+      if (tree.is_leaf(n) && is_leaf_at_opening(n))
         at_openings.insert(n);
+      else if (tree.is_leaf(n))
+        leaves_.push_back({n, 2 * Round_end(tree.line_from(n)).radius()});
     const std::map<std::size_t, Vertex> tips = tips_of_leaves();
     for (const Blind_leaves::Leaf& leaf : Blind_leaves(graph_, at_openings).leaves()) {
       const auto tip = tips.find(leaf.node);
-      if (tip != tips.end())
-        add_end(tip->second, leaf.shape, leaf.kind == Blind_end_kind::sac);
+      ends_.push_back(End{tip == tips.end() ? Surface::null_vertex() : originals_[std::size_t(tip->second)], leaf.shape,
+                          leaf.kind == Blind_end_kind::sac, false, false});
     }
   }
 
@@ -184,22 +191,14 @@ private:
   std::size_t leaf_at(const Point_3& tip) const {
     std::size_t best = Opening::no_branch;
     double least = (std::numeric_limits<double>::infinity)();
-    for (std::size_t n = 0; n < graph_.nodes().size(); ++n)
-      if (graph_.nodes()[n].is_end() && !is_leaf_at_opening(n)) {
-        const std::size_t p = graph_.nodes()[n].point;
-        const double d = point_distance(tip, graph_.points()[p]);
-        if (d < least && d <= 2 * graph_.radii()[p]) {
-          least = d;
-          best = n;
-        }
+    for (const Leaf& leaf : leaves_) {
+      const double d = point_distance(tip, graph_.points()[graph_.nodes()[leaf.node].point]);
+      if (d < least && d <= leaf.reach) {
+        least = d;
+        best = leaf.node;
       }
+    }
     return best;
-  }
-
-  void add_end(Vertex tip, const Round_end& shape, bool is_sac) {
-    const Vertex v = vertex_of_surface(closed_.surface.point(tip));
-    if (v != Surface::null_vertex())
-      ends_.push_back(End{v, shape, is_sac, false, false});
   }
 
   // A tip near the point, else the wall at the point itself.
@@ -209,10 +208,11 @@ private:
       if (is_at(p, end) && (nearest == nullptr || distance(p, end) < distance(p, *nearest)))
         nearest = &end;
     if (nearest == nullptr) {
-      const std::size_t leaf = leaf_at(closed_.surface.point(at)), before = ends_.size();
-      if (leaf != Opening::no_branch)
-        add_end(at, Round_end(Lumen_tree(graph_).line_from(leaf)), false);
-      if (ends_.size() == before)
+      const std::size_t leaf = leaf_at(closed_.surface.point(at));
+      if (leaf != Opening::no_branch && originals_[std::size_t(at)] != Surface::null_vertex())
+        ends_.push_back(
+            End{originals_[std::size_t(at)], Round_end(Lumen_tree(graph_).line_from(leaf)), false, false, false});
+      else
         throw Input_error("No vessel ends at " + coordinates(p) +
                           ", where an opening is to be: give a point at its end.");
       nearest = &ends_.back();
@@ -221,26 +221,37 @@ private:
   }
 
   double distance(const Point_3& p, const End& end) const {
-    return (std::min)(point_distance(p, surface_.point(end.tip)), point_distance(p, end.shape.center()));
+    const double d = point_distance(p, end.shape.center());
+    return end.tip == Surface::null_vertex() ? d : (std::min)(d, point_distance(p, surface_.point(end.tip)));
   }
   bool is_at(const Point_3& p, const End& end) const { return distance(p, end) <= 2 * end.shape.radius(); }
 
-  // Closing openings numbers the vertices anew, but does not move those far from them.
-  Vertex vertex_of_surface(const Point_3& p) {
-    if (vertices_.empty())
-      for (Vertex v : surface_.vertices())
-        vertices_.emplace(std::array<double, 3>{{surface_.point(v).x(), surface_.point(v).y(), surface_.point(v).z()}},
-                          v);
-    const auto found = vertices_.find({{p.x(), p.y(), p.z()}});
-    return found == vertices_.end() ? Surface::null_vertex() : found->second;
+  // Closing openings gives the vertices other numbers, but does not move those far from them.
+  void find_originals() {
+    std::map<std::array<double, 3>, Vertex> at;
+    const auto key = [](const Point_3& p) { return std::array<double, 3>{{p.x(), p.y(), p.z()}}; };
+    for (Vertex v : surface_.vertices())
+      at.emplace(key(surface_.point(v)), v);
+    originals_.assign(closed_.surface.num_vertices(), Surface::null_vertex());
+    for (Vertex v : closed_.surface.vertices()) {
+      const auto found = at.find(key(closed_.surface.point(v)));
+      if (found != at.end())
+        originals_[std::size_t(v)] = found->second;
+    }
   }
+
+  struct Leaf {
+    std::size_t node;
+    double reach; ///< of its dome
+  };
 
   const Surface& surface_;
   Labelled_surface closed_;
   std::vector<Opening> openings_;
-  std::map<std::array<double, 3>, Vertex> vertices_; ///< of the surface that was given
-  std::vector<Vertex> tips_;                         ///< of the closed surface
+  std::vector<Vertex> originals_; ///< by vertex of the closed surface: that of the surface that was given, or null
+  std::vector<Vertex> tips_;      ///< of the closed surface
   Centerline_graph graph_;
+  std::vector<Leaf> leaves_;
   std::vector<End> ends_;
 };
 
