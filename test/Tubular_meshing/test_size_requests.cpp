@@ -198,6 +198,53 @@ TEST(Size_requests, Meshes_follow_them_in_any_place_and_unit) {
 
 // --- the number of elements ---
 
+// Makes "meshes" until there is one of the number wanted; returns how many.
+template <class Count> std::size_t tries_for(double wanted, double first, const Count& count) {
+  tubular::Element_target target(wanted, first, 3);
+  for (std::size_t tries = 1;; ++tries) {
+    const std::size_t elements = std::size_t(count(target.points()));
+    if (target.add(elements)) {
+      EXPECT_NEAR(double(elements), wanted, 0.1 * wanted);
+      return tries;
+    }
+  }
+}
+
+TEST(Element_target, Finds_powers_of_any_sort) {
+  for (double power : {0.5, 1., 1.5, 2., 3., 4.})
+    for (double wanted : {1e3, 3e5, 2e7}) {
+      const double factor = power < 1.5 ? 50 : 5;
+      if (factor * std::pow(1e4, power) < wanted)
+        continue; // no N has so many
+      const auto count = [&](double points) { return factor * std::pow(points, power) + 100; };
+      EXPECT_LE(tries_for(wanted, 20, count), 8u) << power << " " << wanted;
+    }
+}
+
+TEST(Element_target, Finds_numbers_that_grow_little_at_first) {
+  for (double base : {1e3, 1e4, 1e5})
+    for (double factor : {1.2, 2., 5.})
+      for (double first : {4., 15., 40.}) {
+        const auto count = [&](double points) { return base + std::pow(points, 3); };
+        EXPECT_LE(tries_for(factor * base, first, count), 7u) << base << " " << factor;
+      }
+}
+
+// Steps of a tenth, and numbers that are up to 5 % off, now more, now less: they do not grow everywhere.
+TEST(Element_target, Finds_numbers_that_grow_by_steps_and_are_noisy) {
+  for (double power : {1., 2., 3.})
+    for (double first : {5., 20., 60.}) {
+      const auto steps = [&](double points) {
+        return 100 * std::pow(1.1, std::floor(std::log(points) / std::log(1.1) * power));
+      };
+      const auto noise = [&](double points) {
+        return 100 * std::pow(points, power) * (1 + 0.05 * std::sin(1e4 * points));
+      };
+      EXPECT_LE(tries_for(steps(17), first, steps), 9u) << power;
+      EXPECT_LE(tries_for(noise(17), first, noise), 9u) << power;
+    }
+}
+
 TEST(Element_target, Says_when_there_is_no_such_mesh) {
   tubular::Element_target constant(1000, 20, 3), jump(1000, 20, 3);
   EXPECT_THROW(
@@ -227,6 +274,14 @@ TEST(Number_of_elements, Is_met_by_each_type_of_mesh) {
     if (tubular::default_volume_mesher() != tubular::Volume_mesher::mesh_3 && tubular::has_lemon())
       expect_near(mesher.mixed().number_of_cells(), "mixed");
   }
+}
+
+// Its layers at the wall alone have tens of thousands.
+TEST(Number_of_elements, Is_met_by_anisotropic_meshes) {
+  const double wanted = 80000;
+  const auto model = model_of(tubular::y_bifurcation());
+  Mesher mesher(model, parameters::number_of_elements(wanted));
+  EXPECT_NEAR(double(mesher.anisotropic().number_of_cells()), wanted, 0.1 * wanted);
 }
 
 } // namespace
