@@ -168,7 +168,7 @@ TEST(Round_ends, Domes_of_any_height_close_vessels_whether_creases_bound_them_or
 
 TEST(Round_ends, A_needle_in_a_dome_or_in_a_sac_does_not_matter) {
   const Skeleton y = tubular::y_bifurcation();
-  for (double out : {-0.8, 0.8}) {
+  for (double out : {-0.8, 0.8, 1.6}) {
     Mesh mesh = round_tree(y, 20);
     for (const End& end : y.ends()) {
       auto& p = mesh.point(outermost(mesh, end.center, end.normal, 1.5 * end.radius));

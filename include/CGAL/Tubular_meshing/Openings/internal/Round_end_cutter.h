@@ -45,19 +45,20 @@ public:
       origins.push_back(end.center() + further * r * normal);
     for (double back : {0.2, 0.4, 0.7, 1., 1.5, 2.})
       origins.push_back(end.behind_base(back * r));
-    for (const Point_3& origin : origins)
-      if (cut_by(origin, normal, end, tip, report))
-        return true;
+    for (double room : {1.2, 3.}) // radii beyond the tip; the second for a needle that stands out of the dome
+      for (const Point_3& origin : origins)
+        if (cut_by(origin, normal, room, end, tip, report))
+          return true;
     return false;
   }
 
 private:
-  bool cut_by(const Point_3& origin, const Vector_3& normal, const Round_end& end, Vertex tip,
+  bool cut_by(const Point_3& origin, const Vector_3& normal, double room, const Round_end& end, Vertex tip,
               Round_end_report& report) {
     const double r = end.radius();
     if (!((mesh_.point(tip) - origin) * normal > 0.1 * r))
       return false;
-    const double reach = point_distance(mesh_.point(tip), origin) + 1.2 * r;
+    const double reach = point_distance(mesh_.point(tip), origin) + room * r;
     const auto border = trim_by_plane(mesh_, origin, normal, std::vector<Vertex>{tip}, reach);
     if (border == Surface::null_halfedge())
       return false;

@@ -38,9 +38,10 @@ public:
     }
   }
 
-  /* A vertex at the end of the longest way along the surface, or nearly so: a tip of a closed one. */
+  /* A vertex at the end of the longest way along the surface, or nearly so: a tip of a closed one. It does not depend on
+   * the order of the vertices. */
   Vertex farthest_of_all() {
-    Vertex v = *mesh_.vertices().begin();
+    Vertex v = farthest_from_middle();
     for (int sweep = 0; sweep < 3; ++sweep) {
       measure_ways({v});
       v = farthest();
@@ -63,20 +64,24 @@ public:
     return tips_;
   }
 
-  /* Those from the source, and those from the farthest of these: a branch that leads back to one leads away from the
-   * other. */
-  std::vector<Vertex> find_from_both_ends(const std::vector<Vertex>& source) {
-    std::vector<Vertex> tips = find(source);
-    if (tips.empty())
-      return tips;
+  /* Those from the source, from the farthest of these, and from the places farthest from all sources before: a branch
+   * that leads back to one leads away from another, and a stub that the front passes along from one is seen from
+   * another. */
+  std::vector<Vertex> find_from_all_sides(const std::vector<Vertex>& source) {
+    std::vector<Vertex> tips = find(source), sources = source;
     std::vector<bool> known(mesh_.num_vertices(), false);
     for (Vertex v : tips)
       known[std::size_t(v)] = true;
     for (Vertex v : source)
       known[std::size_t(v)] = true;
-    for (Vertex v : find({tips.front()}))
-      if (!known[std::size_t(v)])
-        tips.push_back(v);
+    for (int side = 0; side < 3 && !tips.empty(); ++side) {
+      sources.push_back(farthest_from(sources));
+      for (Vertex v : find({sources.back()}))
+        if (!known[std::size_t(v)]) {
+          known[std::size_t(v)] = true;
+          tips.push_back(v);
+        }
+    }
     return tips;
   }
 
@@ -94,6 +99,21 @@ private:
   };
 
   double way(Vertex v) const { return way_[std::size_t(v)]; }
+
+  Vertex farthest_from_middle() const {
+    const Point_3 o = mesh_.point(*mesh_.vertices().begin());
+    Vector_3 sum(0, 0, 0);
+    double area = 0;
+    for (Vertex v : mesh_.vertices()) {
+      sum = sum + area_[std::size_t(v)] * (mesh_.point(v) - o);
+      area += area_[std::size_t(v)];
+    }
+    const Point_3 middle = area > 0 ? Point_3(o + sum / area) : o;
+    return *std::max_element(mesh_.vertices().begin(), mesh_.vertices().end(), [&](Vertex v, Vertex w) {
+      return CGAL::squared_distance(mesh_.point(v), middle) < CGAL::squared_distance(mesh_.point(w), middle);
+    });
+  }
+
   Vertex farthest() const {
     std::size_t best = 0;
     for (std::size_t i = 0; i < way_.size(); ++i)

@@ -116,7 +116,7 @@ private:
       source.push_back(finder.farthest_of_all());
       tips_ = source;
     }
-    for (Vertex tip : finder.find_from_both_ends(source))
+    for (Vertex tip : finder.find_from_all_sides(source))
       if (!is_at_opening(closed_.surface.point(tip)))
         tips_.push_back(tip);
   }
