@@ -56,11 +56,11 @@ public:
   const std::vector<Vector_3d>& directions() const { return directions_; }
 
 private:
-  static constexpr double facing = 0.86602540378443865; // the cosine of 30 degrees
+  static constexpr double facing = 0.85716730070211233; // the cosine of 31 degrees
   static constexpr double window = 0.5;                 // of the radius
   static constexpr double spacing = 0.2;                // of obstacles, of the radius
-  // how far from its surface a ball touches a vertex, of its radius or that of the largest ball beside the vertex
-  static constexpr double touch = 0.15;
+  // how far from its surface a ball touches a vertex, of its radius or that of the fourth largest ball beside the vertex
+  static constexpr double touch = 0.1;
   // the cosine of the angle between a ball's radius and the normal there; less, as long as normals are not averaged
   static constexpr double touching = 0.5, touching_at_first = 0.25;
   static constexpr std::size_t most_near = 96; // vertices of a window
@@ -230,7 +230,7 @@ private:
    * What noise, or the steps of an image, make of a ball does not matter where others that touch are larger; and a few
    * that are too large do not either. */
   void filter(double least_cosine) {
-    const std::vector<double> nearby = largest_nearby();
+    const std::vector<double> nearby = large_nearby();
     std::vector<std::array<float, witnesses>> largest(size(), std::array<float, witnesses>{}); // descending
     Wall_neighborhood near(wall_, most_near);
     for (Index v = 0; v < size(); ++v) {
@@ -252,13 +252,15 @@ private:
       radii_[v] = last_of(largest[v]);
   }
 
-  /* The largest radius among the nearest vertices, as far as neighbours' neighbours: more than what noise makes of
-   * single balls, but not what the balls of a sac, which pass by the vertices of its neck, are. */
-  std::vector<double> largest_nearby() const {
+  /* The fourth largest radius among the nearest vertices, as far as neighbours' neighbours: more than what noise makes
+   * of single balls, but not what the balls of a sac, which pass by the vertices of its neck, are. */
+  std::vector<double> large_nearby() const {
     std::vector<double> result(size(), 0.);
     const auto distance = [&](Index v) { return (std::max)(window * radii_[v], 2.02 * longest_edge(v)); };
     for_each_window(distance, [&](Index v, Wall_neighborhood& near, double reach) {
-      near.for_each(v, reach, [&](Index w, double) { result[v] = (std::max)(result[v], radii_[w]); });
+      std::array<float, witnesses> largest{};
+      near.for_each(v, reach, [&](Index w, double) { insert(float(radii_[w]), largest); });
+      result[v] = last_of(largest);
     });
     return result;
   }

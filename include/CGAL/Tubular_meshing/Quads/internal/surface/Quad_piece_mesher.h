@@ -70,6 +70,8 @@ protected:
 
   bool mesh_patch(size_type k, Piece& piece) override {
     kinds_[k] = Quad_piece_kind::unstructured;
+    if (fineness_[k] < least_fineness_of_quads)
+      return make_triangles(k, piece);
     if (!chains_.is_tube(k))
       return make_unstructured(k, piece) && (piece.empty() || covers(k, piece) || make_triangles(k, piece));
     kinds_[k] = Quad_piece_kind::grid;
@@ -104,6 +106,8 @@ protected:
 
 private:
   static constexpr double good_grid = 0.3; // η
+  // Where quads still meet each other when they have been made finer so often, triangles come next: quads take long.
+  static constexpr double least_fineness_of_quads = 0.4;
 
   double size_of(size_type k, const Point_3& p) const { return fineness_[k] * size_(p); }
 

@@ -41,8 +41,8 @@ private:
   Nearest_tree<Double_kernel::Triangle_3> tree_;
 };
 
-/* The wall of a surface of quads as a whole. Its first vertices are those on rims, which stay; normals are the means of
- * the quads' own. */
+/* The quads of a wall as a whole. Its first vertices are those on rims and of triangles, which stay; normals are the
+ * means of the quads' own. */
 struct Wall_quads {
   Quad_patch mesh;
   std::vector<Vertex> vertices;           // of the surface, for each of the mesh's
@@ -51,13 +51,14 @@ struct Wall_quads {
   explicit Wall_quads(const Remeshed_surface& result)
       : number_(std::size_t(result.surface.number_of_vertices()), -1) {
     const Surface& surface = result.surface;
+    const auto is_quad_of_wall = [&](auto f) { return result.patch_of_face[f] >= 0 && surface.degree(f) == 4; };
     for (auto f : surface.faces())
-      if (result.patch_of_face[f] < 0)
+      if (!is_quad_of_wall(f))
         for (Vertex v : surface.vertices_around_face(surface.halfedge(f)))
           number_of(v, surface);
     mesh.on_loops = mesh.places.size();
     for (auto f : surface.faces())
-      if (result.patch_of_face[f] >= 0) {
+      if (is_quad_of_wall(f)) {
         add_quad(surface, f);
         patch_of_quad.push_back(std::size_t(result.patch_of_face[f]));
       }
