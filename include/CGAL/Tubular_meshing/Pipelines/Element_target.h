@@ -42,6 +42,8 @@ public:
   }
 
   /*! The first N for a mesh of tetrahedra, or one with layers and walls of other cells beside them.
+   * \param elements the number wanted
+   * \param points some N
    * \param estimate of the number of tetrahedra with `points` */
   static double first_points(double elements, double points, double estimate) {
     return points * std::cbrt(elements / estimate);
