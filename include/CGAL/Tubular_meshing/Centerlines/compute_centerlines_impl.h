@@ -61,6 +61,11 @@ inline Centerline_graph from_canonical(const Centerline_graph& graph, const Cano
   return result;
 }
 
+// Independent ones, of a graph of one piece.
+inline std::size_t number_of_loops(const Centerline_graph& graph) {
+  return graph.branches().size() + 1 - graph.nodes().size();
+}
+
 struct Centerline_computation::Impl {
   Impl(const Surface& surface, const Face_patch_map& patch, const std::vector<std::pair<Point_3, int>>& ends)
       : frame(points_of(surface, ends.size()))
@@ -98,8 +103,24 @@ struct Centerline_computation::Impl {
     return result;
   }
 
+  Centerline_graph merged(const std::vector<Sampled_line>& lines, const Build_centerline_graph_options& options) const {
+    Centerline_polylines polylines;
+    for (const Sampled_line& line : lines) {
+      polylines.lines.emplace_back();
+      for (const Line_point& p : line) {
+        polylines.lines.back().push_back(polylines.points.size());
+        polylines.points.push_back(to_core(p.point));
+      }
+    }
+    const auto radius = [&](const Point_3& p) { return std::sqrt(wall.nearest(to_double_point(p)).squared_distance); };
+    Centerline_graph result;
+    build_centerline_graph(polylines, radius, result, options);
+    return result;
+  }
+
   const Canonical_frame frame;
   const Point_3 root;
+  std::size_t loops = 0; // of the lumen; 0 also if they are not wanted
   Centerline_tracer tracer;
   const Nearest_tree<Double_kernel::Triangle_3> wall;
 };
@@ -112,8 +133,11 @@ Centerline_computation::Centerline_computation(const Surface& surface, const Fac
     throw Input_error("Centerlines lead from an inlet to outlets, but the surface has no opening; name its ends, by "
                       "points.");
   impl_ = std::make_unique<Impl>(surface, patch, ends);
-  impl_->tracer.trace(loops ? impl_->loops_on(surface) : std::vector<std::vector<Double_kernel::Point_3>>(),
-                      everywhere);
+  std::vector<std::vector<Double_kernel::Point_3>> on_surface;
+  if (loops)
+    on_surface = impl_->loops_on(surface);
+  impl_->loops = on_surface.size() / 2;
+  impl_->tracer.trace(on_surface, everywhere);
 }
 
 CGAL_TUBULAR_MESHING_INLINE Centerline_computation::~Centerline_computation() = default;
@@ -124,19 +148,19 @@ CGAL_TUBULAR_MESHING_INLINE bool Centerline_computation::add_end(Surface::Vertex
 
 CGAL_TUBULAR_MESHING_INLINE void
 Centerline_computation::make_graph(Centerline_graph& graph, const Build_centerline_graph_options& options) const {
-  Centerline_polylines polylines;
-  for (const Sampled_line& line : impl_->tracer.lines()) {
-    polylines.lines.emplace_back();
-    for (const Line_point& p : line) {
-      polylines.lines.back().push_back(polylines.points.size());
-      polylines.points.push_back(to_core(p.point));
-    }
+  std::vector<Sampled_line> lines = impl_->tracer.lines();
+  Centerline_graph merged = impl_->merged(lines, options);
+  // The two lines of a loop may part once more where the lumen is wide: one that adds nothing else is left out.
+  for (std::size_t i = lines.size(); i-- > 0 && impl_->loops > 0 && number_of_loops(merged) > impl_->loops;) {
+    std::vector<Sampled_line> fewer = lines;
+    fewer.erase(fewer.begin() + std::ptrdiff_t(i));
+    Centerline_graph other = impl_->merged(fewer, options);
+    if (number_of_loops(other) < impl_->loops || number_of_loops(other) >= number_of_loops(merged) ||
+        other.number_of_ends() < merged.number_of_ends())
+      continue;
+    lines = std::move(fewer);
+    merged = std::move(other);
   }
-  const auto radius = [&](const Point_3& p) {
-    return std::sqrt(impl_->wall.nearest(to_double_point(p)).squared_distance);
-  };
-  Centerline_graph merged;
-  build_centerline_graph(polylines, radius, merged, options);
   graph = from_canonical(merged, impl_->frame, impl_->root);
 }
 

@@ -18,6 +18,7 @@
 #include <cstdint>
 #include <map>
 #include <random>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Tubular_meshing::internal {
@@ -28,7 +29,7 @@ namespace CGAL::Tubular_meshing::internal {
  * Two neighbours in the diagram, the ways by which the front came to them, and the step from one to the other make a
  * closed line; if it is linked with a loop on the surface (see Loop_linking), the two ways are in different vessels.
  * Holes in the diagram, which irregular samples tear, do not count, however wide the ways round them are; nor do lines
- * that leave the surface, as they may close to a wall that is concave. The earliest meetings are those where vessels
+ * that leave the surface, as they may close to a wall that is concave, unless there are no others. The earliest meetings are those where vessels
  * are wide.
  *
  * To tell which of all neighbours have come by different ways, the linking numbers of the ways along the front's tree
@@ -58,6 +59,11 @@ public:
 
 private:
   static constexpr int most_trials = 200; // of edges that should have the same numbers
+  static constexpr int most_steps_back = 8;
+
+  static bool is_zero(const Loop_linking::Numbers& numbers) {
+    return std::all_of(numbers.begin(), numbers.end(), [](long x) { return x == 0; });
+  }
 
   std::uint64_t share(Index a, Index b) const {
     std::uint64_t sum = 0;
@@ -98,6 +104,8 @@ private:
     const std::size_t most = weights_.size() / 2;
     Independent_numbers found;
     std::map<std::uint64_t, int> trials; // by what stands for the linking numbers, whatever the direction
+    std::vector<std::pair<Edge, Loop_linking::Numbers>>
+        crossing; // of each of these the first whose line leaves the surface
     for (const Edge& ranks : edges()) {
       if (found.size() == most)
         break;
@@ -108,15 +116,31 @@ private:
       int& n = trials[(std::min)(round, -round)];
       if (++n > most_trials)
         continue;
-      const std::vector<Diagram::Point> line = line_round(e);
-      const Loop_linking::Numbers numbers = numbers_of(line);
-      // the ways of steepest descent may be others than those of the tree
-      if (std::all_of(numbers.begin(), numbers.end(), [](long x) { return x == 0; }) || crosses_wall(line))
+      // the ways of steepest descent may be others than those of the tree, but are not from a little before the edge
+      Edge from = e;
+      std::vector<Diagram::Point> line = line_round(from);
+      Loop_linking::Numbers numbers = numbers_of(line);
+      for (int step = 0; step < most_steps_back && is_zero(numbers); ++step) {
+        for (Index& v : from)
+          v = front_.parent(v) != Diagram::none ? front_.parent(v) : v;
+        line = line_round(from);
+        numbers = numbers_of(line);
+      }
+      if (is_zero(numbers))
         continue;
+      if (crosses_wall(line)) {
+        if (n == 1)
+          crossing.emplace_back(from, numbers);
+        continue;
+      }
       n = most_trials;
       if (found.add(numbers))
-        meetings_.push_back(e);
+        meetings_.push_back(from);
     }
+    // Lines cut corners where the surface is coarse: such ones are taken for the loops that no other line goes round.
+    for (const auto& c : crossing)
+      if (found.size() < most && found.add(c.second))
+        meetings_.push_back(c.first);
   }
 
   /* Whether the closed line along the tree is so short that, with the room that its vertices have, it goes round nothing
