@@ -56,11 +56,11 @@ public:
   const std::vector<Vector_3d>& directions() const { return directions_; }
 
 private:
-  static constexpr double facing = 0.85716730070211233; // the cosine of 31 degrees
+  static constexpr double facing = 0.80901699437494742; // the cosine of 36 degrees
   static constexpr double window = 0.5;                 // of the radius
   static constexpr double spacing = 0.2;                // of obstacles, of the radius
   // how far from its surface a ball touches a vertex, of its radius or that of the fourth largest ball beside the vertex
-  static constexpr double touch = 0.1;
+  static constexpr double touch = 0.12;
   // the cosine of the angle between a ball's radius and the normal there; less, as long as normals are not averaged
   static constexpr double touching = 0.5, touching_at_first = 0.25;
   static constexpr std::size_t most_near = 96; // vertices of a window
