@@ -12,6 +12,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -35,7 +36,9 @@ class IO : public ::testing::Test {
 protected:
   void SetUp() override {
     const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
-    directory = fs::temp_directory_path() / (std::string("tubular_meshing_test_io_") + info->name());
+    std::string name = std::string("tubular_meshing_test_io_") + info->test_suite_name() + "_" + info->name();
+    std::replace(name.begin(), name.end(), '/', '_'); // of tests with a type or a value
+    directory = fs::temp_directory_path() / name;
     fs::remove_all(directory);
     fs::create_directories(directory);
   }
