@@ -51,23 +51,52 @@ inline Shift_holder wanted_shifts(const Surface& mesh, Face_patch_map patch, con
   return Shift_holder(std::move(from), std::move(shift));
 }
 
+// Each of them once, however often it is named.
+inline void hold_back(std::vector<std::size_t> points, Shift_holder& shifts) {
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  for (std::size_t i : points)
+    shifts.hold_back(i);
+}
+
+/* Triangles keep a fair shape, or most of what they had of it: one that has to move far for its size, as at the foot of a
+ * branch, would lose it. Ends, as what is held back goes to where it was. */
+inline void keep_shapes(const Surface& mesh, Shift_holder& shifts) {
+  const double fair = 0.55, kept = 0.8; // γ_T, and the part of it that a triangle keeps in any case
+  std::vector<std::array<std::size_t, 3>> triangles;
+  for (auto f : mesh.faces())
+    if (mesh.degree(f) == 3) {
+      const auto h = mesh.halfedge(f);
+      triangles.push_back(
+          {{std::size_t(mesh.source(h)), std::size_t(mesh.target(h)), std::size_t(mesh.target(mesh.next(h)))}});
+    }
+  for (;;) {
+    std::vector<std::size_t> at_fault;
+    for (const auto& t : triangles) {
+      const double gamma = triangle_gamma(shifts[t[0]], shifts[t[1]], shifts[t[2]]);
+      if (gamma < fair && gamma < kept * triangle_gamma(shifts.from(t[0]), shifts.from(t[1]), shifts.from(t[2])))
+        at_fault.insert(at_fault.end(), t.begin(), t.end());
+    }
+    if (at_fault.empty())
+      return;
+    hold_back(std::move(at_fault), shifts);
+  }
+}
+
 // Moves a surface; where it would meet itself, less.
 inline void move_without_crossings(Surface& mesh, Shift_holder& shifts) {
+  keep_shapes(mesh, shifts);
   for (int round = 0; round < 12; ++round) {
     for (auto v : mesh.vertices())
       mesh.point(v) = shifts.point(std::size_t(v));
-    const auto crossings = crossing_faces(mesh);
-    if (crossings.empty())
-      return;
-    std::vector<std::size_t> near;
-    for (const auto& c : crossings)
+    std::vector<std::size_t> at_fault;
+    for (const auto& c : crossing_faces(mesh))
       for (auto f : {c.first, c.second})
         for (auto v : mesh.vertices_around_face(mesh.halfedge(f)))
-          near.push_back(std::size_t(v));
-    std::sort(near.begin(), near.end());
-    near.erase(std::unique(near.begin(), near.end()), near.end());
-    for (std::size_t v : near)
-      shifts.hold_back(v);
+          at_fault.push_back(std::size_t(v));
+    if (at_fault.empty())
+      return;
+    hold_back(std::move(at_fault), shifts);
   }
   shifts.hold_all_back();
   for (auto v : mesh.vertices())
@@ -212,10 +241,7 @@ inline void keep_tetrahedra(const Mixed_mesh& mesh, Shift_holder& shifts) {
     }
     if (at_fault.empty())
       return;
-    std::sort(at_fault.begin(), at_fault.end());
-    at_fault.erase(std::unique(at_fault.begin(), at_fault.end()), at_fault.end());
-    for (std::size_t v : at_fault)
-      shifts.hold_back(v);
+    hold_back(std::move(at_fault), shifts);
   }
   shifts.hold_all_back();
 }
