@@ -43,14 +43,15 @@ public:
     for (std::size_t f = 0; f < facets.size(); ++f)
       register_at(facets[f].v, f, facets_at_);
     // where one stands in another's way, it is tried again when that has gone
-    std::vector<Index> todo;
+    std::vector<Index> remaining;
     for (Index v = first; v < points.size(); ++v)
       if (!facets_at_[v - first].empty())
-        todo.push_back(v);
-    while (!todo.empty()) {
-      const std::size_t before = todo.size();
-      todo.erase(std::remove_if(todo.begin(), todo.end(), [&](Index v) { return bring_inside(v); }), todo.end());
-      if (todo.size() == before)
+        remaining.push_back(v);
+    while (!remaining.empty()) {
+      const std::size_t before = remaining.size();
+      remaining.erase(std::remove_if(remaining.begin(), remaining.end(), [&](Index v) { return bring_inside(v); }),
+                      remaining.end());
+      if (remaining.size() == before)
         return false;
     }
     facets.erase(std::remove_if(facets.begin(), facets.end(), [](const Facet& f) { return is_gone(f); }), facets.end());

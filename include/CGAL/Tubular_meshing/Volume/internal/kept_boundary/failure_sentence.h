@@ -7,6 +7,7 @@
 #include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/Child_process.h>
 #include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/base/Sentence.h>
+#include <CGAL/Tubular_meshing/base/Vector_3d.h>
 #include <CGAL/Tubular_meshing/base/crossing_pairs.h>
 
 #include <csignal>
