@@ -81,6 +81,7 @@ private:
   struct Junction {
     Junction_partition partition;
     Vector_3d center;
+    double reach;                 // how far from the center its wall is at most
     std::vector<Wall_ring> rings; // of each region, counterclockwise about its direction outward
     std::vector<Section> sections;
   };
@@ -138,10 +139,19 @@ private:
       weights += w;
     }
     j.center = (1 / weights) * sum;
+    j.reach = 4 * *std::max_element(radii.begin(), radii.end());
     std::vector<Vector_3d> directions;
     for (std::size_t i = 0; i < paths.size(); ++i)
       directions.push_back(
           normalized(paths[i].point((std::min)(exits[i] + 0.75 * radii[i], paths[i].length())) - j.center));
+#ifdef HXDEBUG
+    std::printf("junction %zu node (%.4f %.4f %.4f) center (%.4f %.4f %.4f)\n", n, node.point.x, node.point.y,
+                node.point.z, j.center.x, j.center.y, j.center.z);
+    for (std::size_t i = 0; i < paths.size(); ++i)
+      std::printf("   vessel %zu length %.4f exit %.4f radius %.4f at node %.4f direction %.3f %.3f %.3f\n",
+                  node.ends[i].vessel, paths[i].length(), exits[i], radii[i], paths[i].radii[0], directions[i].x,
+                  directions[i].y, directions[i].z);
+#endif
     const auto partition = Junction_partitioner(directions).partition();
     if (!partition) {
       refused_.push_back(n);
@@ -158,10 +168,10 @@ private:
     return (std::sin((1 - t) * angle) / std::sin(angle)) * a + (std::sin(t * angle) / std::sin(angle)) * b;
   }
 
-  Vector_3d wall_from(const Vector_3d& p, const Vector_3d& d) const {
-    const double r = wall_.distance(p), bound = 4 * r;
+  // The wall seen from p, no farther than the bound.
+  Vector_3d wall_from(const Vector_3d& p, const Vector_3d& d, double bound) const {
     const double hit = wall_.along(p, d, bound);
-    return hit < bound ? p + hit * d : wall_.nearest(p + 1.5 * r * d);
+    return hit < bound ? p + hit * d : wall_.nearest(p + 0.5 * bound * d);
   }
 
   void make_junction_vertices(Junction& j) {
@@ -170,7 +180,7 @@ private:
     std::vector<std::vector<Vector_3d>> side_points(p.sides.size());
     std::vector<Vector_3d> corner_points;
     for (const Vector_3d& d : p.corners)
-      corner_points.push_back(wall_from(j.center, d));
+      corner_points.push_back(wall_from(j.center, d, j.reach));
     for (std::size_t k = 0; k < p.sides.size(); ++k) {
       const auto& side = p.sides[k];
       std::vector<Vector_3d>& points = side_points[k];
@@ -178,7 +188,7 @@ private:
       for (int i = 1; i < 2 * s_; ++i) {
         const Vector_3d d = i <= s_ ? between(p.corners[side.from], side.middle, double(i) / s_)
                                     : between(side.middle, p.corners[side.to], double(i - s_) / s_);
-        points.push_back(wall_from(j.center, d));
+        points.push_back(wall_from(j.center, d, j.reach));
       }
       points.push_back(corner_points[side.to]);
     }
@@ -276,12 +286,21 @@ private:
     return {std::atan2(s, c), ahead, behind};
   }
 
+  // How far a ring reaches beyond a plane.
+  static double reach(const Wall_ring& ring, const Vector_3d& p, const Vector_3d& normal) {
+    double most = -(std::numeric_limits<double>::infinity)();
+    for (const Vector_3d& q : ring.points)
+      most = (std::max)(most, dot(q - p, normal));
+    return most;
+  }
+
   Wall_ring planar_ring(const Vector_3d& center, const Vector_3d& tangent, const Vector_3d& u, double turn) const {
     Wall_ring ring{center, {}};
     const Vector_3d w = cross(tangent, u);
+    const double bound = 4 * wall_.distance(center);
     for (int a = 0; a < around_; ++a) {
       const double angle = turn + 2 * pi * a / around_;
-      ring.points.push_back(wall_from(center, std::cos(angle) * u + std::sin(angle) * w));
+      ring.points.push_back(wall_from(center, std::cos(angle) * u + std::sin(angle) * w, bound));
     }
     return ring;
   }
@@ -390,8 +409,34 @@ private:
     if (last < path.length())
       result.push_back(path.point(last), path.radius(last));
     result.push_back(end[1], path.radii.back());
+    return smoothed(result);
+  }
+
+  // Sampled finely, and without bends that are sharp against the vessel's width.
+  static Vessel_path smoothed(const Vessel_path& path) {
+    Vessel_path result;
+    double least = path.radii[0];
+    for (double r : path.radii)
+      least = (std::min)(least, r);
+    const std::size_t n = std::size_t((std::min)((std::max)(std::ceil(4 * path.length() / least), 16.), 4000.));
+    std::vector<Vector_3d> p;
+    for (std::size_t i = 0; i <= n; ++i)
+      p.push_back(path.point(path.length() * double(i) / double(n)));
+    const double step = path.length() / double(n);
+    for (int round = 0; round < 400; ++round) {
+      std::vector<Vector_3d> q = p;
+      for (std::size_t i = 1; i < n; ++i) {
+        const double r = path.radius(step * double(i)), width = smoothing_ * r; // of the kernel
+        if (double(round) < 2 * width * width / (step * step))
+          q[i] = 0.5 * p[i] + 0.25 * (p[i - 1] + p[i + 1]);
+      }
+      p.swap(q);
+    }
+    for (std::size_t i = 0; i <= n; ++i)
+      result.push_back(p[i], path.radius(step * double(i)));
     return result;
   }
+  static inline double smoothing_ = 0.7;
   Vector_3d rim_center(int opening) const {
     Vector_3d sum;
     for (const Vector_3d& p : rims_.at(opening))
@@ -425,10 +470,10 @@ private:
     if (junction[0])
       turn[0] = place_of(ring[0], t0, u0).turn;
     if (junction[1]) {
-      const double own = place_of(mirrored(ring[1], 0), t1, u1).turn; // a quarter more for each of the turns
+      const double own = place_of(mirrored(ring[1], 0), t1, u1).turn; // a quarter less for each of the turns
       const double wanted = turn[0] ? *turn[0] : own;
-      turns = ((int(std::lround((wanted - own) / (pi / 2))) % 4) + 4) % 4;
-      turn[1] = wanted + std::remainder(own + turns * pi / 2 - wanted, 2 * pi);
+      turns = ((int(std::lround((own - wanted) / (pi / 2))) % 4) + 4) % 4;
+      turn[1] = wanted + std::remainder(own - turns * pi / 2 - wanted, 2 * pi);
       ring[1] = mirrored(ring[1], turns);
       section[1] = mirrored(section[1], turns);
     }
@@ -446,8 +491,13 @@ private:
       }
 
     // where sections are planar
-    double first = place_of(ring[0], t0, u0).ahead + 0.5 * path.radius(0);
-    double last = place_of(ring[1], t1, u1).behind + 0.5 * path.radius(length);
+    const double step = 0.05 * (path.radius(0) + path.radius(length));
+    double first = 0, last = 0;
+    while (first < length && reach(ring[0], path.point(first), frames.at(first).first) > -0.4 * path.radius(first))
+      first += step;
+    while (last < length && reach(ring[1], path.point(length - last), -1 * frames.at(length - last).first) >
+                                -0.4 * path.radius(length - last))
+      last += step;
     if (first + last > length) {
       const double f = length / (first + last);
       first *= f;
