@@ -77,6 +77,7 @@ private:
   // The vertices of a section: those of the core, and of the wall round it.
   struct Section {
     std::vector<Index> core, wall;
+    std::vector<Index> dome; // of a blind end: on the wall, above those of the core
   };
   struct Junction {
     Junction_partition partition;
@@ -305,6 +306,45 @@ private:
     return ring;
   }
 
+  // Round a blind end, half of the way from the vessel's side to its tip.
+  Wall_ring dome_ring(const Vector_3d& center, const Vector_3d& tangent, const Vector_3d& u, double turn,
+                      double ahead) const {
+    Wall_ring ring{center, {}};
+    const Vector_3d w = cross(tangent, u);
+    const double bound = 4 * wall_.distance(center);
+    for (int a = 0; a < around_; ++a) {
+      const double angle = turn + 2 * pi * a / around_;
+      const Vector_3d d = std::cos(angle) * u + std::sin(angle) * w + ahead * tangent;
+      ring.points.push_back(wall_from(center, normalized(d), bound));
+    }
+    return ring;
+  }
+
+  /* The end of the core in a blind end, and what lies above it on the wall. */
+  Section dome_section(const Wall_ring& ring, const Vector_3d& out) {
+    Section section;
+    for (const Vector_3d& p : ring.points)
+      section.wall.push_back(add(p));
+    section.dome.resize(disc_.size());
+    for (int a = 0; a < around_; ++a)
+      section.dome[disc_.boundary()[a]] = section.wall[a];
+    const double bound = 4 * wall_.distance(ring.center);
+    constexpr double core = 0.6; // of the way to the wall
+    for (std::size_t v = 0; v < disc_.size(); ++v) {
+      const Disc_grid::Place& place = disc_.place(v);
+      const Disc_grid::Polar polar = disc_.polar(v, corner_distance);
+      const Vector_3d d = ring.at(polar.step) - ring.center, across = normalized(d - dot(d, out) * out);
+      const double tilt = double((std::max)(place.x, place.y)) / s_ * pi / 4;
+      const Vector_3d top = (std::max)(place.x, place.y) == s_
+                                ? ring.at(polar.step)
+                                : wall_from(ring.center, normalized(std::cos(tilt) * out + std::sin(tilt) * across), bound);
+      if ((std::max)(place.x, place.y) < s_)
+        section.dome[v] = add(top);
+      section.core.push_back(add(ring.center + core * (top - ring.center)));
+    }
+    return section;
+  }
+
   // Round an opening: at equal distances along its rim, counterclockwise about the direction.
   Wall_ring rim_ring(int opening, const Vector_3d& tangent, const Vector_3d& u, double turn) const {
     std::vector<Vector_3d> rim = rims_.at(opening);
@@ -392,6 +432,11 @@ private:
         skipped[e] = exit_abscissa(paths, region_of(vessel.nodes[e], v, e == 1));
       } else if (node.opening)
         end[e] = rim_center(node.opening);
+      else {
+        const Vessel_path from_tip = e == 0 ? path : path.reversed();
+        skipped[e] = dome_depth(from_tip);
+        end[e] = from_tip.point(skipped[e]);
+      }
     }
     const double sum = skipped[0] + skipped[1];
     if (sum > 0.8 * path.length()) {
@@ -437,6 +482,15 @@ private:
     return result;
   }
   static inline double smoothing_ = 0.7;
+  /* How far inside of a blind end's tip the ball lies that touches the wall beside it. */
+  double dome_depth(const Vessel_path& path) const {
+    const Vector_3d out = -1 * path.tangent(0, path.radii.front());
+    const double gap = wall_.along(path.points.front(), out, 2 * wall_.distance(path.points.front()));
+    double a = 0;
+    while (a < 0.7 * path.length() && wall_.distance(path.point(a)) > 0.95 * (a + gap))
+      a += 0.05 * (path.radius(a) + 0.01 * path.length());
+    return (std::min)(a, 0.7 * path.length());
+  }
   Vector_3d rim_center(int opening) const {
     Vector_3d sum;
     for (const Vector_3d& p : rims_.at(opening))
@@ -533,6 +587,8 @@ private:
     for (int e = 0; e < 2; ++e)
       if (network_.nodes[vessel.nodes[e]].opening)
         add_cap(section[e], e == 0, network_.nodes[vessel.nodes[e]].opening);
+      else if (!junction[e])
+        add_dome(section[e], e == 0);
   }
 
   Wall_ring mixed(const Wall_ring& from, const Wall_ring& to, const Vessel_path& path, double a, double t) const {
@@ -581,6 +637,18 @@ private:
       mesh_.hexahedra.push_back(
           {{a.core[c], a.wall[i], a.wall[j], a.core[d], b.core[c], b.wall[i], b.wall[j], b.core[d]}}, labels::lumen);
       mesh_.quads.push_back({{a.wall[i], a.wall[j], b.wall[j], b.wall[i]}}, labels::wall);
+    }
+  }
+
+  void add_dome(const Section& s, bool first) {
+    for (const auto& q : disc_.quads()) {
+      std::array<Index, 4> low, high;
+      for (int i = 0; i < 4; ++i) {
+        low[i] = s.core[q[first ? 3 - i : i]];
+        high[i] = s.dome[q[first ? 3 - i : i]];
+      }
+      mesh_.hexahedra.push_back({{low[0], low[1], low[2], low[3], high[0], high[1], high[2], high[3]}}, labels::lumen);
+      mesh_.quads.push_back({{high[0], high[1], high[2], high[3]}}, labels::wall);
     }
   }
 
