@@ -82,7 +82,8 @@ private:
   struct Junction {
     Junction_partition partition;
     Vector_3d center;
-    double reach;                 // how far from the center its wall is at most
+    std::vector<Vector_3d> directions; // of the vessels
+    double reach; // how far from the center its wall is at most
     std::vector<Wall_ring> rings; // of each region, counterclockwise about its direction outward
     std::vector<Section> sections;
   };
@@ -141,7 +142,7 @@ private:
     }
     j.center = (1 / weights) * sum;
     j.reach = 4 * *std::max_element(radii.begin(), radii.end());
-    std::vector<Vector_3d> directions;
+    std::vector<Vector_3d>& directions = j.directions;
     for (std::size_t i = 0; i < paths.size(); ++i)
       directions.push_back(
           normalized(paths[i].point((std::min)(exits[i] + 0.75 * radii[i], paths[i].length())) - j.center));
@@ -175,24 +176,86 @@ private:
     return hit < bound ? p + hit * d : wall_.nearest(p + 0.5 * bound * d);
   }
 
+  // A direction between two vessels, turned toward the one on the left of the side.
+  static Vector_3d turned(const Junction& j, const Junction_partition::Side& side, const Vector_3d& d, double angle) {
+    const Vector_3d across = j.directions[side.regions[0]] - j.directions[side.regions[1]];
+    return std::cos(angle) * d + std::sin(angle) * normalized(across - dot(across, d) * d);
+  }
+
+  /* By how much a direction between two vessels is to be turned to see the crotch between them: where the wall is
+   * nearest. */
+  double turn_to_crotch(const Junction& j, const Junction_partition::Side& side, const Vector_3d& d) const {
+    constexpr int steps = 8;
+    double step = 0.06, middle = 0;
+    const auto cost = [&](double angle) {
+      return wall_.along(j.center, turned(j, side, d, angle), j.reach) * (1 + 3 * angle * angle);
+    };
+    for (int round = 0; round < 3; ++round) {
+      double least = (std::numeric_limits<double>::infinity)(), best = middle;
+      for (int k = -steps; k <= steps; ++k) {
+        const double c = cost(middle + step * k);
+        if (c < least) {
+          least = c;
+          best = middle + step * k;
+        }
+      }
+      middle = best;
+      step /= steps;
+    }
+    return middle;
+  }
+
+  /* The same along a side, from `first` at its one end to `last` at the other. */
+  std::vector<double> turns_to_crotch(const Junction& j, const Junction_partition::Side& side,
+                                      const std::vector<Vector_3d>& directions, double first, double last) const {
+    std::vector<double> result(directions.size(), first);
+    result.back() = last;
+    for (std::size_t i = 1; i + 1 < directions.size(); ++i)
+      result[i] = turn_to_crotch(j, side, directions[i]);
+    for (int round = 0; round < 2; ++round) {
+      const std::vector<double> before = result;
+      for (std::size_t i = 1; i + 1 < result.size(); ++i)
+        result[i] = 0.5 * before[i] + 0.25 * (before[i - 1] + before[i + 1]);
+    }
+    return result;
+  }
+
   void make_junction_vertices(Junction& j) {
     const Junction_partition& p = j.partition;
     // the wall along each side, both corners included
     std::vector<std::vector<Vector_3d>> side_points(p.sides.size());
     std::vector<Vector_3d> corner_points;
-    for (const Vector_3d& d : p.corners)
-      corner_points.push_back(wall_from(j.center, d, j.reach));
+    // a corner between two vessels lies in their crotch
+    std::vector<std::vector<std::size_t>> sides_at(p.corners.size());
+    for (std::size_t k = 0; k < p.sides.size(); ++k) {
+      sides_at[p.sides[k].from].push_back(k);
+      sides_at[p.sides[k].to].push_back(k);
+    }
+    std::vector<double> corner_turn(p.corners.size(), 0);
+    for (std::size_t c = 0; c < p.corners.size(); ++c) {
+      const auto& side = p.sides[sides_at[c].front()];
+      if (sides_at[c].size() == 2)
+        corner_turn[c] = turn_to_crotch(j, side, p.corners[c]);
+      corner_points.push_back(wall_from(j.center, turned(j, side, p.corners[c], corner_turn[c]), j.reach));
+    }
     for (std::size_t k = 0; k < p.sides.size(); ++k) {
       const auto& side = p.sides[k];
       std::vector<Vector_3d>& points = side_points[k];
+      std::vector<Vector_3d> directions;
+      for (int i = 0; i <= 2 * s_; ++i)
+        directions.push_back(i <= s_ ? between(p.corners[side.from], side.middle, double(i) / s_)
+                                     : between(side.middle, p.corners[side.to], double(i - s_) / s_));
+      const std::vector<double> turns = turns_to_crotch(j, side, directions, corner_turn[side.from], corner_turn[side.to]);
       points.push_back(corner_points[side.from]);
-      for (int i = 1; i < 2 * s_; ++i) {
-        const Vector_3d d = i <= s_ ? between(p.corners[side.from], side.middle, double(i) / s_)
-                                    : between(side.middle, p.corners[side.to], double(i - s_) / s_);
-        points.push_back(wall_from(j.center, d, j.reach));
-      }
+      for (int i = 1; i < 2 * s_; ++i)
+        points.push_back(wall_from(j.center, turned(j, side, directions[i], turns[i]), j.reach));
       points.push_back(corner_points[side.to]);
     }
+#ifdef HXDEBUG
+    for (std::size_t k = 0; k < p.sides.size(); ++k)
+      for (std::size_t i = 0; i < side_points[k].size(); ++i)
+        std::printf("    side %zu regions %zu %zu point %.3f %.3f %.3f distance %.3f wall %.4f\n", k, p.sides[k].regions[0], p.sides[k].regions[1], side_points[k][i].x, side_points[k][i].y, side_points[k][i].z, norm(side_points[k][i] - j.center), wall_.distance(side_points[k][i]));
+#endif
     std::vector<Index> corner_wall, side_wall(p.sides.size() * (2 * s_ + 1));
     for (const Vector_3d& q : corner_points)
       corner_wall.push_back(add(q));
