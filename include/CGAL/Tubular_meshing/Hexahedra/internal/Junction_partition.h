@@ -149,6 +149,9 @@ private:
   }
 
   void evaluate() {
+    for (int m : missing_)
+      if (m != 0)
+        return;
     const std::optional<Junction_partition> p = made();
     if (!p)
       return;

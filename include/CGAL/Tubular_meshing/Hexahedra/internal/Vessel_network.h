@@ -5,61 +5,19 @@
 #define CGAL_TUBULAR_MESHING_HEXAHEDRA_INTERNAL_VESSEL_NETWORK_H
 
 #include <CGAL/Tubular_meshing/Centerlines/Centerline_graph.h>
-#include <CGAL/Tubular_meshing/base/Opening.h>
+#include <CGAL/Tubular_meshing/Hexahedra/internal/Vessel_path.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
-#include <CGAL/Tubular_meshing/base/labels.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Tubular_meshing::internal {
-
-/* A polyline with a radius at each point. */
-struct Vessel_path {
-  std::vector<Vector_3d> points;
-  std::vector<double> radii, abscissa;
-
-  void push_back(const Vector_3d& p, double r) {
-    const double a = points.empty() ? 0 : abscissa.back() + norm(p - points.back());
-    if (!points.empty() && a == abscissa.back())
-      return;
-    points.push_back(p);
-    radii.push_back(r);
-    abscissa.push_back(a);
-  }
-  double length() const { return abscissa.back(); }
-
-  // A place on the path: the segment, and how far along.
-  std::pair<std::size_t, double> at(double a) const {
-    const auto next = std::upper_bound(abscissa.begin() + 1, abscissa.end() - 1, a);
-    const std::size_t i = std::size_t(next - abscissa.begin()) - 1;
-    return {i, (std::min)((std::max)((a - abscissa[i]) / (abscissa[i + 1] - abscissa[i]), 0.), 1.)};
-  }
-  Vector_3d point(double a) const {
-    const auto [i, t] = at(a);
-    return (1 - t) * points[i] + t * points[i + 1];
-  }
-  double radius(double a) const {
-    const auto [i, t] = at(a);
-    return (1 - t) * radii[i] + t * radii[i + 1];
-  }
-  // The direction of the chord over `width`.
-  Vector_3d tangent(double a, double width) const {
-    const double first = (std::max)(a - width / 2, 0.), last = (std::min)(a + width / 2, length());
-    return normalized(point(last) - point(first));
-  }
-  Vessel_path reversed() const {
-    Vessel_path result;
-    for (std::size_t i = points.size(); i-- > 0;)
-      result.push_back(points[i], radii[i]);
-    return result;
-  }
-};
 
 /* The vessels between junctions and ends: branches of the centerline graph, but for those between two junctions that are
  * nearer to each other than a part of their radius. The junctions there are one. */
@@ -79,14 +37,16 @@ public:
     Vector_3d point;
     std::vector<Vessel_end> ends;
     int opening = 0; // the label of its cap; 0 for a junction, and for a vessel's blind end
-    bool is_junction() const { return ends.size() > 2; }
+    bool is_junction() const { return ends.size() > 1; }
+    bool is_blind() const { return ends.size() == 1 && opening == 0; }
   };
 
   std::vector<Vessel> vessels;
   std::vector<Node> nodes;
+  std::vector<int> openings_without_vessel;
 
-  /* `nearness`: in radii, how near junctions are that become one. */
-  Vessel_network(const Centerline_graph& graph, const std::vector<Opening>& openings, double nearness) {
+  /* `openings`: the centers of the caps by their labels. `nearness`: in radii, how near junctions are that become one. */
+  Vessel_network(const Centerline_graph& graph, const std::map<int, Vector_3d>& openings, double nearness) {
     std::vector<std::size_t> merged(graph.nodes().size());
     std::iota(merged.begin(), merged.end(), std::size_t(0));
     const auto root = [&](std::size_t n) {
@@ -131,11 +91,41 @@ public:
         nodes[v.nodes[1]].ends.push_back({vessels.size(), true});
         vessels.push_back(std::move(v));
       }
-    for (const Opening& o : openings)
-      if (o.node != Opening::no_branch)
-        nodes[node_of(o.node)].opening = o.patch;
+    for (const auto& [label, center] : openings)
+      if (Node* n = end_near(center))
+        n->opening = label;
+      else
+        openings_without_vessel.push_back(label);
   }
 
+  // The end of a vessel at the node where its path begins, or ends: its place among the node's.
+  std::size_t place_at(std::size_t node, std::size_t vessel, bool last) const {
+    const std::vector<Vessel_end>& ends = nodes[node].ends;
+    std::size_t i = 0;
+    while (ends[i].vessel != vessel || ends[i].last != last)
+      ++i;
+    return i;
+  }
+
+private:
+  // The end that lies in an opening: not farther from its center than the vessel is wide.
+  Node* end_near(const Vector_3d& center) {
+    Node* nearest = nullptr;
+    double least = (std::numeric_limits<double>::infinity)();
+    for (Node& n : nodes)
+      if (n.is_blind()) {
+        const Vessel_path& path = vessels[n.ends.front().vessel].path;
+        const double r = n.ends.front().last ? path.radii.back() : path.radii.front();
+        const double d = norm(n.point - center);
+        if (d < least && d < 2 * r) {
+          least = d;
+          nearest = &n;
+        }
+      }
+    return nearest;
+  }
+
+public:
   // From the node on.
   Vessel_path path_from(const Vessel_end& e) const {
     return e.last ? vessels[e.vessel].path.reversed() : vessels[e.vessel].path;

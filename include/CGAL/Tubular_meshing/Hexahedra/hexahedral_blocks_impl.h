@@ -1,0 +1,252 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_HEXAHEDRA_HEXAHEDRAL_BLOCKS_IMPL_H
+#define CGAL_TUBULAR_MESHING_HEXAHEDRA_HEXAHEDRAL_BLOCKS_IMPL_H
+
+#include <CGAL/Tubular_meshing/Centerlines/Wall_distance.h>
+#include <CGAL/Tubular_meshing/Hexahedra/hexahedral_blocks.h>
+#include <CGAL/Tubular_meshing/Hexahedra/internal/Block_builder.h>
+#include <CGAL/Tubular_meshing/Hexahedra/optimize_hexahedra.h>
+#include <CGAL/Tubular_meshing/base/element_measures.h>
+#include <CGAL/Tubular_meshing/base/exceptions.h>
+#include <CGAL/Tubular_meshing/base/parallel.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Tubular_meshing::internal {
+
+/* The rims between the wall and the caps. */
+inline Opening_rims opening_rims(const Surface& surface, Face_patch_map patch) {
+  std::map<int, std::map<Vertex, Vertex>> next;
+  for (Halfedge h : surface.halfedges()) {
+    const int label = patch[surface.face(h)];
+    if (label != labels::wall && patch[surface.face(surface.opposite(h))] == labels::wall)
+      next[label][surface.source(h)] = surface.target(h);
+  }
+  Opening_rims rims;
+  for (const auto& [label, edges] : next) {
+    std::vector<Vector_3d> points;
+    const Vertex start = edges.begin()->first;
+    Vertex v = start;
+    do {
+      points.push_back(Vector_3d(surface.point(v)));
+      v = edges.at(v);
+    } while (v != start);
+    rims.emplace(label, Opening_rim(std::move(points)));
+  }
+  return rims;
+}
+
+/* Tries to make blocks, and finds where they do not fit. */
+class Hexahedral_blocks_maker {
+public:
+  Hexahedral_blocks_maker(const Surface& surface, Face_patch_map patch, const Centerline_graph& graph,
+                          Length_function size, const Hexahedral_blocks_options& options)
+      : surface_(surface)
+      , patch_(patch)
+      , size_(size)
+      , options_(options)
+      , wall_(surface, patch)
+      , rims_(opening_rims(surface, patch))
+      , rings_(wall_, rims_, 8 * (std::max)(1, int(std::lround(options.points_per_circumference / 8))))
+      , network_(graph, centers(rims_), nearness) {}
+
+  Hexahedral_blocks make() {
+    Hexahedral_blocks result;
+    result.points_per_circumference = std::size_t(rings_.around());
+    result.blocks = 12 * network_.vessels.size();
+    for (const auto& n : network_.nodes)
+      result.junctions += n.is_junction();
+    check_network(result);
+    if (!result.refused.empty())
+      return result;
+    choose_starts(result);
+    if (!result.refused.empty())
+      return result;
+    optimize(result);
+    check_cover(result);
+    return result;
+  }
+
+private:
+  static constexpr double nearness = 1.3;        // of junctions that are one, in radii
+  static constexpr std::size_t most_vessels = 8; // of a junction
+  static constexpr double fair = 0.15;           // the scaled Jacobian from which on a start is as good as any
+  static constexpr double least = 0.02;          // that a hexahedron has in the end
+
+  static std::map<int, Vector_3d> centers(const Opening_rims& rims) {
+    std::map<int, Vector_3d> result;
+    for (const auto& [label, rim] : rims)
+      result.emplace(label, rim.center);
+    return result;
+  }
+
+  void refuse(Hexahedral_blocks& result, const Vector_3d& place, const std::string& reason) const {
+    result.refused.push_back({as<Point_3>(place), reason});
+  }
+
+  void check_network(Hexahedral_blocks& result) const {
+    for (int label : network_.openings_without_vessel)
+      refuse(result, rims_.at(label).center, "No vessel of the centerlines leads to the opening there.");
+    for (const auto& n : network_.nodes)
+      if (n.ends.size() > most_vessels)
+        refuse(result, n.point,
+               "There " + std::to_string(n.ends.size()) + " vessels meet: more than " + std::to_string(most_vessels) +
+                   ".");
+    for (const auto& v : network_.vessels)
+      if (v.path.points.size() < 2)
+        refuse(result, network_.nodes[v.nodes[0]].point, "A vessel there has no length.");
+  }
+
+  // The scaled Jacobian of each hexahedron.
+  std::vector<double> qualities(const Mixed_mesh& mesh) const {
+    std::vector<double> result(mesh.hexahedra.size());
+    for_each_range(result.size(), options_.number_of_threads, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i) {
+        std::array<Vector_3d, 8> p;
+        for (int k = 0; k < 8; ++k)
+          p[k] = Vector_3d(mesh.points[mesh.hexahedra.vertices[i][k]]);
+        result[i] = scaled_jacobian<8>(p);
+      }
+    });
+    return result;
+  }
+
+  // By how much the hexahedra of each node fall short.
+  std::vector<double> shortfalls(const Network_blocks& blocks, double wanted) const {
+    std::vector<double> result(network_.nodes.size(), 0);
+    const std::vector<double> q = qualities(blocks.mesh);
+    for (std::size_t i = 0; i < q.size(); ++i)
+      result[blocks.node[i]] += (std::max)(wanted - q[i], 0.);
+    return result;
+  }
+
+  Network_blocks built(const std::vector<std::optional<Junction_shape>>& shapes) const {
+    const double core = (std::min)(0.72, 0.9 - options_.layer_thickness);
+    return Block_builder(network_, shapes, wall_, rings_, rims_, size_, core).build();
+  }
+
+  /* Gives each junction the start by which its hexahedra are best before optimization. */
+  void choose_starts(Hexahedral_blocks& result) {
+    const std::vector<Junction_start>& tries = Junction_start::tries();
+    const std::size_t n = network_.nodes.size();
+    std::vector<double> best(n, (std::numeric_limits<double>::infinity)());
+    shapes_.resize(n);
+    std::vector<std::size_t> open; // junctions to try
+    for (std::size_t i = 0; i < n; ++i)
+      if (network_.nodes[i].is_junction())
+        open.push_back(i);
+    for (const Junction_start& start : tries) {
+      std::vector<std::optional<Junction_shape>> shapes = shapes_;
+      std::vector<std::optional<Junction_shape>> tried(open.size());
+      for_each_task(open.size(), options_.number_of_threads, [&](std::size_t k) {
+        tried[k].emplace(network_, open[k], rings_, wall_, start, rings_.around() / 4);
+      });
+      for (std::size_t k = 0; k < open.size(); ++k)
+        if (tried[k]->partition)
+          shapes[open[k]] = std::move(tried[k]);
+      for (std::size_t i : open)
+        if (!shapes[i]) {
+          refuse(result, network_.nodes[i].point,
+                 "The directions of the vessels that meet there cannot be divided into regions.");
+          return;
+        }
+      Network_blocks blocks = built(shapes);
+      const std::vector<double> shortfall = shortfalls(blocks, fair);
+      std::vector<std::size_t> still_open;
+      for (std::size_t i : open) {
+        if (shortfall[i] < best[i]) {
+          best[i] = shortfall[i];
+          shapes_[i] = std::move(shapes[i]);
+        }
+        if (best[i] > 0)
+          still_open.push_back(i);
+      }
+      open.swap(still_open);
+      if (open.empty())
+        break;
+    }
+  }
+
+  void optimize(Hexahedral_blocks& result) {
+    Network_blocks blocks = built(shapes_);
+    result.twist = blocks.twist;
+    Optimize_hexahedra_options optimization;
+    optimization.number_of_threads = options_.number_of_threads;
+    optimization.quality_wanted = 0.1;
+    const Optimize_hexahedra_report untangled =
+        internal::optimize_hexahedra(blocks.mesh, surface_, patch_, optimization);
+    optimization.quality_wanted = 0.5;
+    result.optimization = internal::optimize_hexahedra(blocks.mesh, surface_, patch_, optimization);
+    result.optimization.inverted_before = untangled.inverted_before;
+    result.optimization.min_scaled_jacobian_before = untangled.min_scaled_jacobian_before;
+    result.optimization.mean_scaled_jacobian_before = untangled.mean_scaled_jacobian_before;
+    const std::vector<double> shortfall = shortfalls(blocks, least);
+    for (std::size_t i = 0; i < shortfall.size(); ++i)
+      if (shortfall[i] > 0)
+        refuse(result, network_.nodes[i].point,
+               network_.nodes[i].is_junction() ? "The hexahedra of the junction there do not untangle."
+                                               : "The hexahedra of the vessel's end there do not untangle.");
+    result.mesh = std::move(blocks.mesh);
+  }
+
+  /* Refuses a mesh that misses a part of the surface. */
+  void check_cover(Hexahedral_blocks& result) const {
+    std::vector<std::array<Point_3, 3>> triangles;
+    const Mixed_mesh& mesh = result.mesh;
+    for (std::size_t i = 0; i < mesh.quads.size(); ++i) {
+      const auto& q = mesh.quads.vertices[i];
+      triangles.push_back({mesh.points[q[0]], mesh.points[q[1]], mesh.points[q[2]]});
+      triangles.push_back({mesh.points[q[0]], mesh.points[q[2]], mesh.points[q[3]]});
+    }
+    const Wall_distance distance(triangles);
+    std::vector<double> missed(surface_.number_of_vertices(), 0); // in mesh sizes
+    for_each_range(missed.size(), options_.number_of_threads, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i) {
+        const Point_3& p = surface_.point(Vertex(Surface::size_type(i)));
+        missed[i] = distance(p) / size_(p);
+      }
+    });
+    constexpr double most = 2;
+    const std::size_t worst = std::size_t(std::max_element(missed.begin(), missed.end()) - missed.begin());
+    if (missed[worst] > most)
+      refuse(result, Vector_3d(surface_.point(Vertex(Surface::size_type(worst)))),
+             "A part of the vessel there has no centerline.");
+  }
+
+  const Surface& surface_;
+  Face_patch_map patch_;
+  Length_function size_;
+  const Hexahedral_blocks_options& options_;
+  Wall_of_lumen wall_;
+  Opening_rims rims_;
+  Wall_rings rings_;
+  Vessel_network network_;
+  std::vector<std::optional<Junction_shape>> shapes_; // of each node that is a junction
+};
+
+CGAL_TUBULAR_MESHING_INLINE Hexahedral_blocks make_hexahedral_blocks(const Surface& surface, Face_patch_map patch,
+                                                                     const Centerline_graph& graph,
+                                                                     Length_function size,
+                                                                     const Hexahedral_blocks_options& options) {
+  if (!(options.points_per_circumference >= 8))
+    throw Parameter_error("Hexahedra in blocks need 8 points round a vessel, or more.");
+  if (!(options.layer_thickness >= 0 && options.layer_thickness <= 0.8))
+    throw Parameter_error("Layers along the wall may take up 0.8 radii of a vessel, not more.");
+  return Hexahedral_blocks_maker(surface, patch, graph, size, options).make();
+}
+
+} // namespace CGAL::Tubular_meshing::internal
+
+#endif // CGAL_TUBULAR_MESHING_HEXAHEDRA_HEXAHEDRAL_BLOCKS_IMPL_H
