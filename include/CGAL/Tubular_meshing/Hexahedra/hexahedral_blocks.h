@@ -38,7 +38,8 @@ struct Hexahedral_blocks_options {
  * A place where no blocks would fit, and why. */
 struct Refused_blocks {
   Point_3 place;
-  std::string reason; ///< a sentence
+  std::string reason;           ///< a sentence
+  Surface::Vertex_index missed; ///< of the surface: the tip of a vessel without a centerline; else null
 };
 
 /*! \ingroup PkgTubularMeshingHexahedra

@@ -20,6 +20,7 @@
 #include <map>
 #include <numeric>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -57,26 +58,21 @@ public:
       , patch_(patch)
       , size_(size)
       , options_(options)
+      , graph_(graph)
       , wall_(surface, patch)
       , rims_(opening_rims(surface, patch))
       , rings_(wall_, rims_, 8 * (std::max)(1, int(std::lround(options.points_per_circumference / 8))))
-      , network_(graph, centers(rims_), nearness) {}
+      , network_(graph, centers(rims_), nearness, {}) {}
 
+  /* Where hexahedra do not untangle, the junction is made one with the nearest, if there is one as near. */
   Hexahedral_blocks make() {
-    Hexahedral_blocks result;
-    result.points_per_circumference = std::size_t(rings_.around());
-    result.blocks = 12 * network_.vessels.size();
-    for (const auto& n : network_.nodes)
-      result.junctions += n.is_junction();
-    check_network(result);
-    if (!result.refused.empty())
-      return result;
-    choose_starts(result);
-    if (!result.refused.empty())
-      return result;
-    optimize(result);
-    check_cover(result);
-    return result;
+    std::set<std::size_t> joined;
+    for (int round = 0;; ++round) {
+      Hexahedral_blocks result = made();
+      if (tangled_.empty() || round == most_rounds || !join(joined))
+        return result;
+      network_ = Vessel_network(graph_, centers(rims_), nearness, joined);
+    }
   }
 
 private:
@@ -84,6 +80,50 @@ private:
   static constexpr std::size_t most_vessels = 8; // of a junction
   static constexpr double fair = 0.15;           // the scaled Jacobian from which on a start is as good as any
   static constexpr double least = 0.02;          // that a hexahedron has in the end
+
+  static constexpr int most_rounds = 3; // in which junctions are joined
+
+  Hexahedral_blocks made() {
+    Hexahedral_blocks result;
+    tangled_.clear();
+    result.points_per_circumference = std::size_t(rings_.around());
+    result.blocks = 12 * network_.vessels.size();
+    for (const auto& n : network_.nodes)
+      result.junctions += n.is_junction();
+    check_network(result);
+    if (result.refused.empty())
+      choose_starts(result);
+    if (!result.refused.empty())
+      return result;
+    optimize(result);
+    check_cover(result);
+    return result;
+  }
+
+  /* Adds the vessels on which tangled junctions reach farthest into their neighbors. False if there is none. */
+  bool join(std::set<std::size_t>& joined) const {
+    const std::size_t before = joined.size();
+    for (std::size_t n : tangled_) {
+      double most = 0.7; // of a vessel's length, what junctions at both of its ends take up
+      std::size_t branch = std::size_t(-1);
+      for (const auto& e : network_.nodes[n].ends) {
+        const auto& vessel = network_.vessels[e.vessel];
+        const std::size_t other = vessel.nodes[e.last ? 0 : 1];
+        if (!shapes_[n] || !shapes_[other] || other == n)
+          continue;
+        const double share = (shapes_[n]->exits[network_.place_at(n, e.vessel, e.last)] +
+                              shapes_[other]->exits[network_.place_at(other, e.vessel, !e.last)]) /
+                             vessel.path.length();
+        if (share > most) {
+          most = share;
+          branch = vessel.branch;
+        }
+      }
+      if (branch != std::size_t(-1))
+        joined.insert(branch);
+    }
+    return joined.size() > before;
+  }
 
   static std::map<int, Vector_3d> centers(const Opening_rims& rims) {
     std::map<int, Vector_3d> result;
@@ -93,7 +133,7 @@ private:
   }
 
   void refuse(Hexahedral_blocks& result, const Vector_3d& place, const std::string& reason) const {
-    result.refused.push_back({as<Point_3>(place), reason});
+    result.refused.push_back({as<Point_3>(place), reason, Surface::null_vertex()});
   }
 
   void check_network(Hexahedral_blocks& result) const {
@@ -142,7 +182,7 @@ private:
     const std::vector<Junction_start>& tries = Junction_start::tries();
     const std::size_t n = network_.nodes.size();
     std::vector<double> best(n, (std::numeric_limits<double>::infinity)());
-    shapes_.resize(n);
+    shapes_.assign(n, std::nullopt);
     std::vector<std::size_t> open; // junctions to try
     for (std::size_t i = 0; i < n; ++i)
       if (network_.nodes[i].is_junction())
@@ -194,10 +234,12 @@ private:
     result.optimization.mean_scaled_jacobian_before = untangled.mean_scaled_jacobian_before;
     const std::vector<double> shortfall = shortfalls(blocks, least);
     for (std::size_t i = 0; i < shortfall.size(); ++i)
-      if (shortfall[i] > 0)
+      if (shortfall[i] > 0) {
+        tangled_.push_back(i);
         refuse(result, network_.nodes[i].point,
                network_.nodes[i].is_junction() ? "The hexahedra of the junction there do not untangle."
                                                : "The hexahedra of the vessel's end there do not untangle.");
+      }
     result.mesh = std::move(blocks.mesh);
   }
 
@@ -219,21 +261,31 @@ private:
       }
     });
     constexpr double most = 2;
-    const std::size_t worst = std::size_t(std::max_element(missed.begin(), missed.end()) - missed.begin());
-    if (missed[worst] > most)
-      refuse(result, Vector_3d(surface_.point(Vertex(Surface::size_type(worst)))),
-             "A part of the vessel there has no centerline.");
+    for (;;) {
+      const std::size_t worst = std::size_t(std::max_element(missed.begin(), missed.end()) - missed.begin());
+      if (missed[worst] <= most)
+        return;
+      const Vertex tip = Vertex(Surface::size_type(worst));
+      const Point_3& p = surface_.point(tip);
+      result.refused.push_back({p, "A part of the vessel there has no centerline.", tip});
+      const double around = 1.5 * missed[worst] * size_(p); // of the same part
+      for (std::size_t i = 0; i < missed.size(); ++i)
+        if (CGAL::squared_distance(surface_.point(Vertex(Surface::size_type(i))), p) <= around * around)
+          missed[i] = 0;
+    }
   }
 
   const Surface& surface_;
   Face_patch_map patch_;
   Length_function size_;
   const Hexahedral_blocks_options& options_;
+  const Centerline_graph& graph_;
   Wall_of_lumen wall_;
   Opening_rims rims_;
   Wall_rings rings_;
   Vessel_network network_;
   std::vector<std::optional<Junction_shape>> shapes_; // of each node that is a junction
+  std::vector<std::size_t> tangled_;                  // nodes whose hexahedra do not untangle
 };
 
 CGAL_TUBULAR_MESHING_INLINE Hexahedral_blocks make_hexahedral_blocks(const Surface& surface, Face_patch_map patch,

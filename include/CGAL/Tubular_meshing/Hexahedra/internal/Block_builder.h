@@ -67,6 +67,8 @@ public:
   }
 
 private:
+  static constexpr double dome_ahead = 0.3; // by how much the last ring of a blind end leads to its tip
+
   // The vertices of a section: those of the core, and of the wall round it.
   struct Section {
     std::vector<Index> core, wall;
@@ -155,7 +157,7 @@ private:
       Vector_3d top = ring.at(disc_.polar(v, core_).step);
       if (from_center < s_) {
         const Vector_3d d = top - ring.center, across = normalized(d - dot(d, out) * out);
-        const double tilt = double(from_center) / s_ * pi / 4;
+        const double tilt = double(from_center) / s_ * std::atan(1 / dome_ahead);
         top = rings_.seen(ring.center, normalized(std::cos(tilt) * out + std::sin(tilt) * across), bound);
         section.dome[v] = add(top);
       }
@@ -183,14 +185,15 @@ private:
     return std::size_t(2 * s_ * turns - a + 2 * around_) % std::size_t(around_);
   }
 
-  /* How far inside of a blind end's tip the ball lies that touches the wall beside it. */
+  /* How far inside of a blind end's tip the last section is: half a radius from the center of the ball that touches
+   * the wall beside the tip, too. */
   double dome_depth(const Vessel_path& path) const {
     const Vector_3d tip = path.points.front(), out = -1 * path.tangent(0, path.radii.front());
     const double gap = wall_.along(tip, out, 2 * wall_.distance(tip)), most = 0.7 * path.length();
     double a = 0;
     while (a < most && wall_.distance(path.point(a)) > 0.95 * (a + gap))
       a += 0.05 * path.radius(a) + 0.001 * path.length();
-    return (std::min)(a, most);
+    return (std::max)((std::min)(a, most) - 0.5 * (a + gap), 0.);
   }
 
   // From the center of the first section to that of the last.
@@ -259,9 +262,9 @@ private:
           ends[e].ring = rings_.on_rim(opening, frame, *ends[e].turn);
           ends[e].section = section_of(ends[e].ring);
         } else {
-          const double ahead = e == 1 ? 1 : -1;
+          const double ahead = e == 1 ? dome_ahead : -dome_ahead;
           ends[e].ring = rings_.across(path.point(abscissa[e]), frame, *ends[e].turn, ahead);
-          ends[e].section = dome_section(ends[e].ring, ahead * frame.tangent);
+          ends[e].section = dome_section(ends[e].ring, (e == 1 ? 1. : -1.) * frame.tangent);
         }
       }
     return ends;

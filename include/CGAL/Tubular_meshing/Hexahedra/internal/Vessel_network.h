@@ -14,6 +14,7 @@
 #include <limits>
 #include <map>
 #include <numeric>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -45,8 +46,10 @@ public:
   std::vector<Node> nodes;
   std::vector<int> openings_without_vessel;
 
-  /* `openings`: the centers of the caps by their labels. `nearness`: in radii, how near junctions are that become one. */
-  Vessel_network(const Centerline_graph& graph, const std::map<int, Vector_3d>& openings, double nearness) {
+  /* `openings`: the centers of the caps by their labels. `nearness`: in radii, how near junctions are that become one;
+   * those at the ends of the branches in `joined` do in any case. */
+  Vessel_network(const Centerline_graph& graph, const std::map<int, Vector_3d>& openings, double nearness,
+                 const std::set<std::size_t>& joined) {
     std::vector<std::size_t> merged(graph.nodes().size());
     std::iota(merged.begin(), merged.end(), std::size_t(0));
     const auto root = [&](std::size_t n) {
@@ -58,7 +61,7 @@ public:
     for (std::size_t b = 0; b < graph.branches().size(); ++b) {
       const auto& branch = graph.branches()[b];
       const bool inner = !graph.nodes()[branch.source].is_end() && !graph.nodes()[branch.target].is_end();
-      if (!inner || branch.length >= nearness * branch.max_radius)
+      if (!inner || (branch.length >= nearness * branch.max_radius && joined.count(b) == 0))
         continue;
       const std::size_t s = root(branch.source), t = root(branch.target);
       contracted[b] = s != t; // else it closes a loop
