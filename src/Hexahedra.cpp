@@ -2,3 +2,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Tubular_meshing/Hexahedra/optimize_hexahedra_impl.h>
+#include <CGAL/Tubular_meshing/Hexahedra/subdivide_into_hexahedra_impl.h>

@@ -5,5 +5,6 @@
 #include <CGAL/Tubular_meshing/Volume/anisotropic_tetrahedral_remeshing_impl.h>
 #include <CGAL/Tubular_meshing/Volume/fill_keeping_boundary_impl.h>
 #include <CGAL/Tubular_meshing/Volume/fill_with_pyramids_and_tetrahedra_impl.h>
+#include <CGAL/Tubular_meshing/Volume/move_boundary_to_surface_impl.h>
 #include <CGAL/Tubular_meshing/Volume/optimize_tetrahedra_impl.h>
 #include <CGAL/Tubular_meshing/Volume/preserve_volume_impl.h>

@@ -14,6 +14,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <set>
 #include <string>
 
 #ifdef TUBULAR_MESH_TOOL
@@ -96,6 +99,94 @@ TEST_F(Tool, Grows_a_wall_around_an_anisotropic_mesh) {
   EXPECT_GT(mesh.prisms.size(), 0u);
   ASSERT_EQ(mesh.point_arrays.size(), 1u);
   EXPECT_EQ(mesh.point_arrays[0].values.size(), 6 * mesh.points.size());
+}
+
+TEST_F(Tool, Makes_a_mesh_of_hexahedra_alone) {
+  NEEDS_FILLING();
+  const std::string input = make("y.off", bifurcation().surface);
+  const Outcome outcome = succeed({input,
+                                   "-t",
+                                   "hexahedral",
+                                   "-n",
+                                   "14",
+                                   "--hex-method",
+                                   "subdivision",
+                                   "--boundary-layer-prisms",
+                                   "3",
+                                   "--first-height",
+                                   "0.05",
+                                   "--wall",
+                                   "0.2",
+                                   "--wall-layers",
+                                   "2",
+                                   "--second-wall",
+                                   "0.1",
+                                   "-o",
+                                   out("mesh.vtu"),
+                                   "--report",
+                                   out("r.json")});
+  const Mesh mesh = mesh_in(out("mesh.vtu"));
+  expect_valid(mesh);
+  EXPECT_EQ(mesh.number_of_cells(), mesh.hexahedra.size());
+  EXPECT_EQ(mesh.number_of_facets(), mesh.quads.size());
+  EXPECT_EQ(count(mesh.hexahedra.label, 2), 2 * count(mesh.quads.label, 1));
+  EXPECT_EQ(count(mesh.hexahedra.label, 3), 2 * count(mesh.quads.label, 1));
+  EXPECT_EQ(mesh.region_names.at(2), "wall");
+  const Json r = json_in(out("r.json"));
+  EXPECT_EQ(r["valid"], true);
+  EXPECT_EQ(r["type"], "hexahedral");
+  EXPECT_EQ(r["cells"]["hexahedra"], mesh.hexahedra.size());
+  EXPECT_EQ(r["hexahedral"]["method"], "subdivision");
+  EXPECT_TRUE(r["hexahedral"]["why_no_blocks"].is_null());
+  EXPECT_LT(std::abs(r["volume"]["relative_difference"].get<double>()), 0.003);
+  EXPECT_NE(outcome.out.find("by subdivision"), std::string::npos) << outcome.out;
+}
+
+// The default is blocks; where there are none that is said, in the summary and in the report.
+TEST_F(Tool, Says_how_hexahedra_were_made) {
+  NEEDS_FILLING();
+  const std::string input = make("tube.off", tube().surface);
+  const Outcome outcome =
+      succeed({input, "-t", "hexahedral", "-n", "12", "-o", out("mesh.vtu"), "--report", out("r.json")});
+  const Json r = json_in(out("r.json")), h = r["hexahedral"];
+  EXPECT_EQ(h["method"] == "blocks", h["why_no_blocks"].is_null());
+  if (h["method"] == "subdivision") {
+    EXPECT_NE(outcome.out.find(h["why_no_blocks"].get<std::string>()), std::string::npos) << outcome.out;
+    EXPECT_EQ(r["fallbacks"].size(), 1u);
+  }
+  const Mesh mesh = mesh_in(out("mesh.vtu"));
+  EXPECT_EQ(mesh.number_of_cells(), mesh.hexahedra.size());
+}
+
+TEST_F(Tool, Writes_nothing_where_blocks_cannot_be_had_and_nothing_else_is_wanted) {
+  const std::string input = make("tube.off", tube().surface);
+  const Outcome outcome = run({input, "-t", "hexahedral", "-n", "12", "--hex-fallback", "none", "-o", out("mesh.vtu"),
+                               "--report", out("r.json")});
+  if (outcome.status == done) {
+    EXPECT_EQ(json_in(out("r.json"))["hexahedral"]["method"], "blocks");
+    return;
+  }
+  EXPECT_EQ(outcome.status, meshing) << outcome.err;
+  EXPECT_NE(outcome.err.find("blocks"), std::string::npos) << outcome.err;
+  EXPECT_TRUE(fs::is_empty(output_directory()));
+}
+
+TEST_F(Tool, Writes_hexahedra_to_every_format) {
+  NEEDS_FILLING();
+  const std::string input = make("tube.off", tube().surface);
+  std::set<std::size_t> numbers;
+  for (const char* file : {"mesh.vtu", "mesh.msh", "mesh.mesh"}) {
+    succeed({input, "-t", "hexahedral", "--hex-method", "subdivision", "-n", "10", "-o", out(file)});
+    const Mesh mesh = mesh_in(out(file));
+    expect_valid(mesh);
+    EXPECT_EQ(mesh.number_of_cells(), mesh.hexahedra.size()) << file;
+    numbers.insert(mesh.hexahedra.size());
+  }
+  EXPECT_EQ(numbers.size(), 1u);
+  succeed({input, "-t", "hexahedral", "--hex-method", "subdivision", "-n", "10", "-o", out("mesh.inp")});
+  const std::string inp = bytes_of(out("mesh.inp"));
+  EXPECT_NE(inp.find("C3D8"), std::string::npos);
+  EXPECT_EQ(inp.find("C3D4"), std::string::npos);
 }
 
 TEST_F(Tool, Makes_a_surface_of_quads) {

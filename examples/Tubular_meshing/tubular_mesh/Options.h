@@ -24,6 +24,7 @@ struct Options {
   Layers wall = {0, 4, 1}, second_wall = {0, 0, 0}; // 0: as the wall
   std::string wall_elements = "auto";
   int boundary_layer_prisms = 0;
+  std::string hex_method = "blocks", hex_fallback = "subdivision";
   std::string repair = "auto";
   bool smooth = false, loops = false, no_loops = false;
   double flow_extensions = 0;
@@ -49,6 +50,7 @@ struct Options {
   bool is_anisotropic() const { return type == "anisotropic"; }
   bool is_anisotropic_surface() const { return makes_surface_only() && surface_elements == "anisotropic"; }
   bool is_mixed() const { return type == "mixed"; }
+  bool is_hexahedral() const { return type == "hexahedral"; }
   // of the layers inside the lumen, in local radii
   double first_layer() const { return first_height > 0 ? first_height : boundary_layer / 20; }
   bool has_wall() const { return wall.thickness > 0; }

@@ -223,6 +223,42 @@ void add_patches(Json& report, const tubular::Remeshed_surface& surface) {
     report["patches"]["smoothed_places"] = r.smoothed_places;
 }
 
+// How hexahedra were made, and where not in blocks.
+void add_hexahedral(Json& report, const tubular::Hexahedral_report& h) {
+  Json junctions = Json::array();
+  for (const auto& j : h.junctions_without_blocks)
+    junctions.push_back({{"junction", j.junction}, {"place", vector_of(j.place)}, {"reason", j.reason}});
+  report["hexahedral"] = {{"method", tubular::name_of(h.method)},
+                          {"why_no_blocks", h.why_no_blocks.empty() ? Json() : Json(h.why_no_blocks)},
+                          {"junctions", h.number_of_junctions},
+                          {"junctions_without_blocks", junctions},
+                          {"blocks", h.number_of_blocks},
+                          {"irregular_edges", h.irregular_edges},
+                          {"twist", h.twist},
+                          {"boundary",
+                           {{"largest_shift", h.boundary.largest_shift},
+                            {"vertices_not_found", h.boundary.not_found},
+                            {"vertices_held_back", h.boundary.held_back}}}};
+}
+
+void print_hexahedral(const Json& h) {
+  const bool has_blocks = h["method"] == "blocks";
+  if (has_blocks)
+    std::printf("%ld blocks of hexahedra at %ld junctions; %ld irregular edges inside\n", h["blocks"].get<long>(),
+                h["junctions"].get<long>(), h["irregular_edges"].get<long>());
+  else
+    std::printf("hexahedra by subdivision of tetrahedra and prisms\n");
+  for (const auto& j : h["junctions_without_blocks"])
+    std::printf("note: no blocks at junction %ld, at (%g, %g, %g): %s\n", j["junction"].get<long>(),
+                j["place"][0].get<double>(), j["place"][1].get<double>(), j["place"][2].get<double>(),
+                j["reason"].get<std::string>().c_str());
+  const long off = h["boundary"]["vertices_not_found"].get<long>() + h["boundary"]["vertices_held_back"].get<long>();
+  if (off > 0)
+    std::printf("note: %ld vertices could not go all of the way to the surface; cells would have turned over, or the "
+                "wall met itself\n",
+                off);
+}
+
 // Of a surface of quads.
 void add_quads(Json& report, const tubular::Quad_report& quads) {
   report["quads"] = {{"structured", quads.structured_quads},
@@ -442,6 +478,8 @@ void print_summary(const Json& r, bool verbose) {
     print_patches(r["patches"]);
   if (r.contains("quads"))
     print_quads(r["quads"]);
+  if (r.contains("hexahedral"))
+    print_hexahedral(r["hexahedral"]);
   print_volume(r["volume"]);
   std::printf("\n%-12s %6s %10s %12s %12s %12s\n", "opening", "patch", "facets", "radius", "area", "in the mesh");
   for (const auto& o : r["openings"])
@@ -491,6 +529,8 @@ Run_report::Run_report(const Run& run)
     add_patches(report, run.surface);
   if (run.surface.quads.wall_quads() > 0)
     add_quads(report, run.surface.quads);
+  if (run.options.is_hexahedral())
+    add_hexahedral(report, run.meshing.hexahedral);
   if (run.options.makes_surface_only())
     describe_surface(report, run.surface);
   if (run.options.is_anisotropic_surface())

@@ -74,12 +74,15 @@ void check_layers(const Options& o) {
     throw tubular::Parameter_error("A surface has no cells, hence no --wall; choose another --type.");
   if (!o.makes_surface_only() && o.surface_elements != "triangles")
     throw tubular::Parameter_error("--surface-elements is for --type surface; --type mixed has quads on its own.");
-  if (o.is_mixed() && o.wall_elements == "tetrahedra")
-    throw tubular::Parameter_error("The wall of a mixed mesh is of hexahedra, which match its quads: leave "
-                                   "--wall-elements away, or choose --type isotropic.");
+  if ((o.is_mixed() || o.is_hexahedral()) && o.wall_elements == "tetrahedra")
+    throw tubular::Parameter_error("The wall of a " + o.type +
+                                   " mesh is of hexahedra, which match its quads: leave --wall-elements away, or "
+                                   "choose --type isotropic.");
+  if (!o.is_hexahedral() && (o.hex_method != "blocks" || o.hex_fallback != "subdivision"))
+    throw tubular::Parameter_error("--hex-method and --hex-fallback are for --type hexahedral.");
   if (o.boundary_layer_prisms > 0 && (o.makes_surface_only() || o.is_anisotropic()))
     throw tubular::Parameter_error(
-        "--boundary-layer-prisms is for the types isotropic and mixed" +
+        "--boundary-layer-prisms is for the types isotropic, mixed and hexahedral" +
         std::string(o.is_anisotropic() ? "; anisotropic tetrahedra are layers already." : "."));
   if (o.boundary_layer_prisms > 0 && o.surface_mesher == "mesh_3")
     throw tubular::Parameter_error("Layers inside the lumen grow from the mesh of --surface-mesher parametric.");
@@ -91,16 +94,16 @@ void check_layers(const Options& o) {
 } // namespace
 
 bool Options::meshes_patches() const {
-  if (type != "isotropic" || boundary_layer_prisms > 0)
+  if ((type != "isotropic" && !is_hexahedral()) || boundary_layer_prisms > 0)
     return true;
   return surface_mesher.empty() ? !fills_by_mesh_3(*this) : surface_mesher == "parametric";
 }
 
 void check(const Options& o) {
-  const std::set<std::string> types = {"isotropic", "anisotropic", "mixed", "surface"};
+  const std::set<std::string> types = {"isotropic", "anisotropic", "mixed", "hexahedral", "surface"};
   if (types.count(o.type) == 0)
     throw tubular::Parameter_error("There is no type of mesh named \"" + o.type +
-                                   "\"; the types are: isotropic, anisotropic, mixed, surface.");
+                                   "\"; the types are: isotropic, anisotropic, mixed, hexahedral, surface.");
   check_mesher(o);
   check_layers(o);
   if (!o.outlets.empty() && o.inlet.empty())

@@ -26,6 +26,21 @@ inline void declare_mesher_options(CLI::App& app, Options& o) {
       ->check(CLI::IsMember({"mesh_3", "tetgen", "ccdt"}).description(""));
 }
 
+inline void declare_hexahedral_options(CLI::App& app, Options& o) {
+  const char* const group = "Meshes of type hexahedral";
+  app.add_option("--hex-method", o.hex_method,
+                 "blocks along the vessels; or subdivision of tetrahedra and prisms, for any shape")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"blocks", "subdivision"}).description(""))
+      ->group(group);
+  app.add_option("--hex-fallback", o.hex_fallback,
+                 "where a junction cannot have blocks: subdivision of the whole mesh; mixed cells in that junction; or "
+                 "none, no mesh")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"subdivision", "mixed", "none"}).description(""))
+      ->group(group);
+}
+
 inline void declare_wall_options(CLI::App& app, const std::string& name, const char* what, Options::Layers& layers) {
   const char* const group = "Layers outside the lumen";
   auto* wall = app.add_option("--" + name, layers.thickness, std::string("thickness of ") + what + ", in local radii")
@@ -199,8 +214,8 @@ inline void declare_options(CLI::App& app, Options& o, const std::string& versio
                  "mesh to write: .vtu .msh .mesh .inp; a surface: .stl .vtp .msh .ply .off .obj .vtk")
       ->required();
   app.add_option("-t,--type", o.type,
-                 "kind of mesh: isotropic or anisotropic (tetrahedra), mixed (hexahedra, pyramids, tetrahedra) or "
-                 "surface (no cells)")
+                 "kind of mesh: isotropic or anisotropic (tetrahedra), mixed (hexahedra, pyramids, tetrahedra), "
+                 "hexahedral (hexahedra alone) or surface (no cells)")
       ->capture_default_str();
   app.add_option("--surface-elements", o.surface_elements,
                  "of a surface: triangles; anisotropic triangles, as of --type anisotropic; or quads")
@@ -222,6 +237,7 @@ inline void declare_options(CLI::App& app, Options& o, const std::string& versio
                "move the wall outward by so much that mesh and openings have the surface's volume and areas, not those "
                "of facets inside of it (default: yes)");
   declare_mesher_options(app, o);
+  declare_hexahedral_options(app, o);
   declare_layer_options(app, o);
   declare_metric_options(app, o);
   declare_surface_options(app, o);

@@ -113,6 +113,22 @@ void add(tubular::Preserve_volume_report& all, const tubular::Preserve_volume_re
   all.held_back += part.held_back;
 }
 
+void add(tubular::Hexahedral_report& all, const tubular::Hexahedral_report& part) {
+  if (part.method == tubular::Hexahedral_method::subdivision)
+    all.method = part.method; // of all that are joined, not only blocks
+  if (all.why_no_blocks.empty())
+    all.why_no_blocks = part.why_no_blocks;
+  all.junctions_without_blocks.insert(all.junctions_without_blocks.end(), part.junctions_without_blocks.begin(),
+                                      part.junctions_without_blocks.end());
+  all.number_of_junctions += part.number_of_junctions;
+  all.number_of_blocks += part.number_of_blocks;
+  all.irregular_edges += part.irregular_edges;
+  all.twist.insert(all.twist.end(), part.twist.begin(), part.twist.end());
+  all.boundary.largest_shift = (std::max)(all.boundary.largest_shift, part.boundary.largest_shift);
+  all.boundary.not_found += part.boundary.not_found;
+  all.boundary.held_back += part.boundary.held_back;
+}
+
 template <class T> void append(std::vector<T>& all, const std::vector<T>& part) {
   all.insert(all.end(), part.begin(), part.end());
 }
@@ -184,6 +200,7 @@ void join(Run& run, std::vector<Part> parts) {
       add(run.meshing.boundary_layer, part.meshing.boundary_layer);
       add(run.meshing.wall, part.meshing.wall);
       add(run.meshing.volume, part.meshing.volume);
+      add(run.meshing.hexahedral, part.meshing.hexahedral);
       add(run.wall, part.wall);
     }
     models.push_back(std::move(part.model));

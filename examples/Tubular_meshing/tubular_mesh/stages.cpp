@@ -47,6 +47,17 @@ tubular::Volume_mesher volume_mesher(const Options& o) {
                                      : tubular::Volume_mesher::mesh_3;
 }
 
+tubular::Hexahedral_method hexahedral_method(const Options& o) {
+  return o.hex_method == "blocks" ? tubular::Hexahedral_method::blocks : tubular::Hexahedral_method::subdivision;
+}
+
+tubular::Hexahedral_fallback hexahedral_fallback(const Options& o) {
+  typedef tubular::Hexahedral_fallback Fallback;
+  return o.hex_fallback == "subdivision" ? Fallback::subdivision
+         : o.hex_fallback == "mixed"     ? Fallback::mixed
+                                         : Fallback::none;
+}
+
 // The inlet's name, where it is not given by a point.
 std::string name_of_inlet(const Options& o) {
   Point_3 point;
@@ -129,6 +140,8 @@ auto mesher_parameters(const Run& run, Stage_clock& clock) {
       .growth(o.growth)
       .smoothing_ratio(o.smoothing_ratio)
       .curvature_points(o.curvature_points)
+      .hexahedral_method(hexahedral_method(o))
+      .hexahedral_fallback(hexahedral_fallback(o))
       .preserve_volume(o.preserve_volume)
       .number_of_threads(o.threads)
       .observer([&clock](const char* stage) { clock.begin(stage); });
@@ -201,9 +214,10 @@ void make_mesh(Run& run, tubular::Mesher& mesher) {
     run.mesh = without_cells(run.surface, run.model);
     return;
   }
-  run.mesh = run.options.is_anisotropic() ? mesher.anisotropic()
-             : run.options.is_mixed()     ? mesher.mixed()
-                                          : mesher.isotropic();
+  run.mesh = run.options.is_anisotropic()  ? mesher.anisotropic()
+             : run.options.is_mixed()      ? mesher.mixed()
+             : run.options.is_hexahedral() ? mesher.hexahedral()
+                                           : mesher.isotropic();
   run.surface = mesher.kept_surface();
   run.meshing = mesher.report();
 }

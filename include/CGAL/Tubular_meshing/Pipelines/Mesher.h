@@ -6,6 +6,7 @@
 
 #include <CGAL/Tubular_meshing/Layers/Layer_report.h>
 #include <CGAL/Tubular_meshing/Patches/Remeshed_surface.h>
+#include <CGAL/Tubular_meshing/Pipelines/Hexahedral_report.h>
 #include <CGAL/Tubular_meshing/Pipelines/Mesher_options.h>
 #include <CGAL/Tubular_meshing/Pipelines/Tubular_model.h>
 #include <CGAL/Tubular_meshing/Volume/preserve_volume.h>
@@ -26,7 +27,8 @@ namespace CGAL::Tubular_meshing {
 struct Mesher_report {
   std::vector<std::string> fallbacks; ///< a sentence each time another way was taken than the one chosen, and why
   Layer_report boundary_layer;        ///< where layers inside the lumen had to be thinner
-  Layer_report wall;                  ///< likewise those of a mixed mesh's wall
+  Layer_report wall;                  ///< likewise those of the wall of a mixed or hexahedral mesh
+  Hexahedral_report hexahedral;       ///< how a hexahedral mesh was made
   Preserve_volume_report volume;      ///< how the mesh got the volume of the surface; all zero if it did not
 };
 
@@ -71,14 +73,24 @@ struct Mesher_report {
  *   \cgalParamNEnd
  *   \cgalParamNBegin{boundary_layer_prisms}
  *     \cgalParamDescription{number of layers of prisms (on quads, of hexahedra) along the wall inside the lumen, of
- *       isotropic and mixed meshes; see extrude_boundary_layer(). They need TetGen or CGAL 6.1}
+ *       isotropic, mixed and hexahedral meshes; see extrude_boundary_layer(). They need TetGen or CGAL 6.1}
  *     \cgalParamType{int}
  *     \cgalParamDefault{0}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{wall_thickness}
- *     \cgalParamDescription{of the wall of a mixed mesh, in local radii; 0: there is none}
+ *     \cgalParamDescription{of the wall of a mixed or hexahedral mesh, in local radii; 0: there is none}
  *     \cgalParamType{double}
  *     \cgalParamDefault{0}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{hexahedral_method}
+ *     \cgalParamDescription{how a hexahedral mesh is made}
+ *     \cgalParamType{`Hexahedral_method`}
+ *     \cgalParamDefault{`Hexahedral_method::blocks`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{hexahedral_fallback}
+ *     \cgalParamDescription{what is done where there are no blocks to be had}
+ *     \cgalParamType{`Hexahedral_fallback`}
+ *     \cgalParamDefault{`Hexahedral_fallback::subdivision`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{preserve_volume}
  *     \cgalParamDescription{whether the wall's vertices move so that the mesh has the volume of the surface, branch by
@@ -168,6 +180,19 @@ public:
    *
    * \throws Meshing_error also if this program was built without LEMON, or with neither TetGen nor CGAL 6.1 */
   Mixed_mesh mixed();
+
+  /*! Hexahedra alone. By `hexahedral_method` these are blocks along the vessels, or tetrahedra and prisms of a coarser
+   * mesh, subdivided. In the second way they come to any shape that isotropic() meshes: the coarser mesh has 1.6 times
+   * the mesh size, so that there are about as many hexahedra as there are tetrahedra in an isotropic mesh of the same N;
+   * each boundary layer of prisms is one of hexahedra, and so is each of the vessel's wall, if one is wanted. New
+   * vertices are brought to the surface, and then, unless `preserve_volume` is false, all of the wall's are moved so
+   * that the mesh has the surface's volume.
+   *
+   * Where blocks are asked for and cannot be had, `hexahedral_fallback` says what is done, and
+   * Mesher_report::hexahedral what was, and why. kept_surface() is empty after a mesh by subdivision.
+   *
+   * \throws Meshing_error also if there are no blocks, and the fallback makes no mesh either */
+  Mixed_mesh hexahedral();
 
   /*! The surface alone (sections 2.4, 2.5): closed, conforming, free of self-intersections, its vertices on the model's
    * surface, or, unless `preserve_volume` is false, next to it, so that it encloses the same volume. */

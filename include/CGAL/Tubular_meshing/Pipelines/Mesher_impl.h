@@ -10,13 +10,16 @@
 #include <CGAL/Tubular_meshing/Fields/Centerline_sizing_field.h>
 #include <CGAL/Tubular_meshing/Fields/Local_radius.h>
 #include <CGAL/Tubular_meshing/Fields/Refined_metric_field.h>
+#include <CGAL/Tubular_meshing/Hexahedra/subdivide_into_hexahedra.h>
 #include <CGAL/Tubular_meshing/Layers/append_mesh.h>
+#include <CGAL/Tubular_meshing/Volume/move_boundary_to_surface.h>
 #include <CGAL/Tubular_meshing/Volume/preserve_volume.h>
 #include <CGAL/Tubular_meshing/Pipelines/Element_target.h>
 #include <CGAL/Tubular_meshing/Pipelines/Mesher.h>
 #include <CGAL/Tubular_meshing/Pipelines/internal/Model_in_its_frame.h>
 #include <CGAL/Tubular_meshing/Pipelines/internal/check_mesh_of_model.h>
 #include <CGAL/Tubular_meshing/Pipelines/internal/check_requests.h>
+#include <CGAL/Tubular_meshing/Pipelines/internal/mesh_by_blocks.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 
 #include <algorithm>
@@ -86,6 +89,7 @@ public:
     report_ = Mesher_report();
     kept_ = Remeshed_surface();
     moves_wall_ = options_.preserve_volume;
+    coarsening_ = 1;
     try {
       auto mesh = make();
       frame_.bring_back(mesh);
@@ -147,14 +151,26 @@ public:
             internal::fill_with_pyramids_and_tetrahedra(closed, patch, size(), filling, pyramids);
           });
       name_patches(mesh);
-      if (options_.wall) {
-        stage("wall");
-        report_.wall = internal::extrude_wall(mesh, radius(), *options_.wall);
-        report_.wall.worst_place = frame_.from_frame(report_.wall.worst_place);
-      }
+      add_wall(mesh);
       stage("check");
       internal::check_differences(mesh, *model_, frame_.surface().surface);
       return mesh;
+    });
+  }
+
+  Mixed_mesh hexahedral() {
+    return made([&] {
+      check_memory();
+      std::optional<Mixed_mesh> mesh;
+      if (options_.hexahedral_method == Hexahedral_method::blocks)
+        mesh = by_blocks();
+      if (!mesh)
+        mesh = by_subdivision();
+      name_patches(*mesh);
+      add_wall(*mesh);
+      stage("check");
+      internal::check_differences(*mesh, *model_, frame_.surface().surface);
+      return std::move(*mesh);
     });
   }
 
@@ -186,6 +202,17 @@ private:
       size_.emplace(radius(), options_.size);
     }
     return *size_;
+  }
+
+  /* The mesh size, or that of cells which are to be subdivided: larger. */
+  struct Scaled_size {
+    const Centerline_sizing_field* size;
+    double factor;
+    double operator()(const Point_3& p) const { return factor * (*size)(p); }
+  };
+  Scaled_size scaled_size() {
+    const Centerline_sizing_field& field = size();
+    return {&field, coarsening_};
   }
 
   // The one radius that sizes, layers and walls are relative to.
@@ -271,8 +298,8 @@ private:
 
   /* The surface patch by patch in the parametric plane, then the lumen between its triangles. */
   Mixed_mesh by_patches() {
-    size();
-    kept_ = triangles_in_frame(size());
+    const Scaled_size size = scaled_size();
+    kept_ = triangles_in_frame(size);
     const Labelled_surface& wall = patches().surface;
     check_layers_can_be_kept(options_.volume_mesher);
     const bool keeps = options_.volume_mesher != Volume_mesher::mesh_3;
@@ -281,9 +308,9 @@ private:
     Mixed_mesh mesh = fill_within_layers(kept_, [&](const Surface& closed, Face_patch_map patch, Mixed_mesh& filling) {
       stage("tetrahedra");
       if (keeps)
-        internal::fill_keeping_boundary(closed, patch, size(), filling, options_.filling);
+        internal::fill_keeping_boundary(closed, patch, size, filling, options_.filling);
       else
-        internal::fill_with_mesh_3(closed, patch, size(), filling, options_.mesh_3);
+        internal::fill_with_mesh_3(closed, patch, size, filling, options_.mesh_3);
       stage("optimization");
       Optimize_tetrahedra_options optimization = options_.optimization;
       optimization.keep_boundary = keeps;
@@ -306,7 +333,7 @@ private:
       Mixed_mesh mesh;
       stage("tetrahedra");
       internal::fill_with_mesh_3(
-          s.surface, s.patch, [&](const Point_3& p) { return factor * size()(p); }, mesh, options_.mesh_3);
+          s.surface, s.patch, [&](const Point_3& p) { return factor * scaled_size()(p); }, mesh, options_.mesh_3);
       stage("optimization");
       internal::optimize_tetrahedra(mesh, s.surface, s.patch, options_.optimization);
       stage("check");
@@ -318,6 +345,61 @@ private:
     }
     throw Meshing_error("The mesh came out with " + differences +
                         ": the surface may intersect itself, or have parts much narrower than the mesh size there.");
+  }
+
+  // The local radius, as far as the mesh size goes with it.
+  auto limited_radius() {
+    return [&field = size(), points = points()](const Point_3& p) { return field(p) * points / (2 * CGAL_PI); };
+  }
+
+  /* Hexahedra in blocks; none where these cannot be had and another method is to be taken. */
+  std::optional<Mixed_mesh> by_blocks() {
+    Hexahedral_report& report = report_.hexahedral;
+    std::optional<Mixed_mesh> mesh = internal::mesh_by_blocks(frame_, size(), options_, report);
+    for (Junction_without_blocks& j : report.junctions_without_blocks)
+      j.place = frame_.from_frame(j.place);
+    if (mesh)
+      return mesh;
+    const std::string why = "There are no blocks of hexahedra along the vessels: " + report.why_no_blocks;
+    if (options_.hexahedral_fallback == Hexahedral_fallback::none)
+      throw Meshing_error(why + "; the method or the fallback subdivision makes hexahedra of any shape.");
+    if (options_.hexahedral_fallback == Hexahedral_fallback::mixed)
+      throw Meshing_error(why + ", so that there is nothing between which the fallback mixed could fill junctions; the "
+                                "fallback subdivision makes hexahedra of any shape.");
+    report_.fallbacks.push_back(why + ". All hexahedra are made by subdivision.");
+    return mesh;
+  }
+
+  /* Tetrahedra and prisms of a coarser mesh, subdivided: four hexahedra of each tetrahedron are as many as there are
+   * tetrahedra of 1.6 times smaller edges. A coarse mesh is no coarser than its topology can bear. */
+  Mixed_mesh by_subdivision() {
+    const double cube_root_of_four = 1.5874, fewest_points = 6;
+    report_.hexahedral.method = Hexahedral_method::subdivision;
+    moves_wall_ = false; // its new vertices are to be on the surface first
+    coarsening_ = (std::min)((std::max)(points() / fewest_points, 1.), cube_root_of_four);
+    Mixed_mesh mesh = isotropic_in_frame(options_.surface_mesher);
+    kept_ = Remeshed_surface(); // its triangles are subdivided
+    stage("subdivision");
+    mesh = subdivide_into_hexahedra(mesh);
+    const Labelled_surface& s = frame_.surface();
+    Move_boundary_to_surface_options moving;
+    moving.number_of_threads = options_.size.number_of_threads;
+    report_.hexahedral.boundary =
+        internal::move_boundary_to_surface(mesh, s.surface, s.patch, limited_radius(), moving);
+    frame_.bring_back(report_.hexahedral.boundary);
+    stage("check");
+    internal::check_differences(mesh, *model_, s.surface);
+    moves_wall_ = options_.preserve_volume;
+    give_volume_to(mesh);
+    return mesh;
+  }
+
+  void add_wall(Mixed_mesh& mesh) {
+    if (!options_.wall)
+      return;
+    stage("wall");
+    report_.wall = internal::extrude_wall(mesh, radius(), *options_.wall);
+    report_.wall.worst_place = frame_.from_frame(report_.wall.worst_place);
   }
 
   /* Meshes the lumen by fill(surface, patch, mesh): all of it, or, where layers are wanted along the wall, what they
@@ -372,9 +454,7 @@ private:
       return;
     stage("volume");
     const Labelled_surface& s = frame_.surface();
-    const double points = options_.size.points_per_circumference;
-    const auto radius = [&](const Point_3& p) { return size()(p) * points / (2 * CGAL_PI); };
-    note_volume(internal::preserve_volume(mesh, s.surface, s.patch, radius, volume_options()));
+    note_volume(internal::preserve_volume(mesh, s.surface, s.patch, limited_radius(), volume_options()));
     stage("check");
     internal::check_differences(mesh, *model_, frame_.surface().surface);
   }
@@ -401,6 +481,7 @@ private:
   Mesher_report report_;
   std::string stage_;
   bool moves_wall_ = true;
+  double coarsening_ = 1; // of the mesh size, for cells that are to be subdivided
 };
 
 CGAL_TUBULAR_MESHING_INLINE Mesher::Mesher(const Tubular_model& model, const Mesher_options& options)
@@ -432,6 +513,9 @@ CGAL_TUBULAR_MESHING_INLINE Mixed_mesh Mesher::anisotropic() {
 }
 CGAL_TUBULAR_MESHING_INLINE Mixed_mesh Mesher::mixed() {
   return impl_->fitted([&] { return impl_->mixed(); }, internal::number_of_cells, 3, Element_target::first_points);
+}
+CGAL_TUBULAR_MESHING_INLINE Mixed_mesh Mesher::hexahedral() {
+  return impl_->fitted([&] { return impl_->hexahedral(); }, internal::number_of_cells, 3, Element_target::first_points);
 }
 CGAL_TUBULAR_MESHING_INLINE Remeshed_surface Mesher::surface(Surface_elements elements) {
   return impl_->fitted([&] { return impl_->surface(elements); },

@@ -11,6 +11,7 @@
 #include <CGAL/Tubular_meshing/Patches/cut_by_centerlines.h>
 #include <CGAL/Tubular_meshing/Patches/parameterize_patch.h>
 #include <CGAL/Tubular_meshing/Patches/remesh_patches.h>
+#include <CGAL/Tubular_meshing/Pipelines/Hexahedral_report.h>
 #include <CGAL/Tubular_meshing/Quads/quadrangulate_patches.h>
 #include <CGAL/Tubular_meshing/Volume/Volume_mesher.h>
 #include <CGAL/Tubular_meshing/Volume/anisotropic_tetrahedral_remeshing.h>
@@ -59,10 +60,12 @@ struct Mesher_options {
   Optimize_tetrahedra_options optimization;
   Anisotropic_tetrahedral_remeshing_options remeshing;
   Extrude_boundary_layer_options boundary_layer;
-  std::optional<Extrude_wall_options> wall; ///< of a mixed mesh; none: there is no wall
+  std::optional<Extrude_wall_options> wall; ///< of a mixed or hexahedral mesh; none: there is no wall
 
   Volume_mesher volume_mesher = default_volume_mesher(); ///< what fills the surface mesh
   Surface_mesher surface_mesher = Surface_mesher::parametric;
+  Hexahedral_method hexahedral_method = Hexahedral_method::blocks; ///< of a hexahedral mesh
+  Hexahedral_fallback hexahedral_fallback = Hexahedral_fallback::subdivision;
   double number_of_elements = 0;             ///< cells, of a surface faces, about as many as N is found for; 0: by N
   bool preserve_volume = true;               ///< whether the wall is moved so that the mesh has the surface's volume
   std::function<void(const char*)> observer; ///< receives the name of each stage as it begins
@@ -89,6 +92,8 @@ struct Mesher_options {
                             volume_mesher == Volume_mesher::mesh_3 ? Surface_mesher::mesh_3 : surface_mesher);
     if (choose(np, internal_np::wall_thickness, 0.) != 0)
       wall.emplace(np);
+    hexahedral_method = choose(np, internal_np::hexahedral_method, hexahedral_method);
+    hexahedral_fallback = choose(np, internal_np::hexahedral_fallback, hexahedral_fallback);
     number_of_elements = choose(np, internal_np::number_of_elements, number_of_elements);
     preserve_volume = choose(np, internal_np::preserve_volume, preserve_volume);
     observer = choose(np, internal_np::observer, observer);

@@ -40,6 +40,11 @@ template <class... Arguments> Mixed_mesh make_mixed_mesh(Arguments&&... model_or
   return Mesher(std::forward<Arguments>(model_or_surface)...).mixed();
 }
 
+/// Mesher::hexahedral(): hexahedra alone.
+template <class... Arguments> Mixed_mesh make_hexahedral_mesh(Arguments&&... model_or_surface) {
+  return Mesher(std::forward<Arguments>(model_or_surface)...).hexahedral();
+}
+
 /// Mesher::surface(): isotropic triangles.
 template <class... Arguments> Remeshed_surface make_isotropic_surface_mesh(Arguments&&... model_or_surface) {
   return Mesher(std::forward<Arguments>(model_or_surface)...).surface(Surface_elements::triangles);

@@ -85,11 +85,11 @@ Preserve_volume_report preserve_volume(Labelled_surface& mesh, const FaceGraph& 
 
 /*! \ingroup PkgTubularMeshingVolume
  *
- * does the same for a mesh of tetrahedra whose boundary is not that of a surface mesh, as Mesh_3 makes it or
- * anisotropic_tetrahedral_remeshing(). Vertices inside follow those of the wall, fully next to it, less and less up to
+ * does the same for a mesh whose boundary is not that of a surface mesh, as Mesh_3 makes it,
+ * anisotropic_tetrahedral_remeshing(), or subdivide_into_hexahedra() with what comes after it. Vertices inside follow those of the wall, fully next to it, less and less up to
  * half the local radius, so that layers along the wall keep their thickness. Vertices in an opening stay in its plane.
  *
- * \param mesh tetrahedra and their boundary triangles, without a wall
+ * \param mesh cells of any kind and their boundary facets, without a wall
  * \param input,input_patch,np as above
  * \param radius the local radius: a function object of a `Point_3`
  */

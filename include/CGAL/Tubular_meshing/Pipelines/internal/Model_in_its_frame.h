@@ -16,6 +16,7 @@
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/Patches/Remeshed_surface.h>
 #include <CGAL/Tubular_meshing/Pipelines/Tubular_model.h>
+#include <CGAL/Tubular_meshing/Volume/move_boundary_to_surface.h>
 #include <CGAL/Tubular_meshing/Volume/preserve_volume.h>
 #include <CGAL/Tubular_meshing/base/labels.h>
 #include <CGAL/Tubular_meshing/base/parameters.h>
@@ -87,6 +88,8 @@ public:
     for (auto& area : report.area)
       area.second *= scale * scale;
   }
+
+  void bring_back(Move_boundary_to_surface_report& report) const { report.largest_shift *= frame_.scale(); }
 
   Point_3 from_frame(const Point_3& p) const {
     const auto q = frame_.from_canonical(to_double_point(p));

@@ -11,6 +11,7 @@
 
 #include <cmath>
 #include <map>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -90,6 +91,26 @@ public:
   // The same for the rim of an opening, n in its plane.
   static double distance_to_rim(const Opening& opening, const Vector_3d& x, const Vector_3d& n, double bound) {
     return along(x, n, bound, opening.rim);
+  }
+
+  /* The point of the wall nearest to x, up to a bound, and where the wall faces to the same side as n; none where what
+   * is nearest is another part of the wall. */
+  std::optional<Vector_3d> nearest_on_wall(const Vector_3d& x, const Vector_3d& n, double bound) const {
+    const auto found = wall_.nearest(to_double_point(x), bound * bound);
+    if (found.index >= wall_.size())
+      return std::nullopt;
+    const Double_kernel::Triangle_3& t = wall_.shape(found.index);
+    const Vector_3d normal = normalized(cross(Vector_3d(t[1]) - Vector_3d(t[0]), Vector_3d(t[2]) - Vector_3d(t[0])));
+    if (!(dot(normal, n) > 0)) // so large an angle for the sake of creases, where n is between two sides
+      return std::nullopt;
+    return Vector_3d(found.point);
+  }
+  // The same for the rim of an opening.
+  static std::optional<Vector_3d> nearest_on_rim(const Opening& opening, const Vector_3d& x, double bound) {
+    const auto found = opening.rim.nearest(to_double_point(x), bound * bound);
+    if (found.index >= opening.rim.size())
+      return std::nullopt;
+    return Vector_3d(found.point);
   }
 
 private:

@@ -1,0 +1,110 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_PRESERVING_HOLD_SHIFTS_BACK_H
+#define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_PRESERVING_HOLD_SHIFTS_BACK_H
+
+#include <CGAL/Tubular_meshing/Patches/pieces/crossing_faces.h>
+#include <CGAL/Tubular_meshing/Volume/internal/preserving/Shift_holder.h>
+#include <CGAL/Tubular_meshing/base/Kernel.h>
+#include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
+#include <CGAL/Tubular_meshing/base/cell_topology.h>
+#include <CGAL/Tubular_meshing/base/element_measures.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Tubular_meshing::internal {
+
+// Each of them once, however often it is named.
+inline void hold_back(std::vector<std::size_t> points, Shift_holder& shifts) {
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  for (std::size_t i : points)
+    shifts.hold_back(i);
+}
+
+/* Triangles keep a fair shape, or most of what they had of it: one that has to move far for its size, as at the foot of a
+ * branch, would lose it. Ends, as what is held back goes to where it was. */
+inline void keep_shapes(const Surface& mesh, Shift_holder& shifts) {
+  const double fair = 0.55, kept = 0.8; // γ_T, and the part of it that a triangle keeps in any case
+  std::vector<std::array<std::size_t, 3>> triangles;
+  for (auto f : mesh.faces())
+    if (mesh.degree(f) == 3) {
+      const auto h = mesh.halfedge(f);
+      triangles.push_back(
+          {{std::size_t(mesh.source(h)), std::size_t(mesh.target(h)), std::size_t(mesh.target(mesh.next(h)))}});
+    }
+  for (;;) {
+    std::vector<std::size_t> at_fault;
+    for (const auto& t : triangles) {
+      const double gamma = triangle_gamma(shifts[t[0]], shifts[t[1]], shifts[t[2]]);
+      if (gamma < fair && gamma < kept * triangle_gamma(shifts.from(t[0]), shifts.from(t[1]), shifts.from(t[2])))
+        at_fault.insert(at_fault.end(), t.begin(), t.end());
+    }
+    if (at_fault.empty())
+      return;
+    hold_back(std::move(at_fault), shifts);
+  }
+}
+
+// Moves a surface; where it would meet itself, less.
+inline void move_without_crossings(Surface& mesh, Shift_holder& shifts) {
+  keep_shapes(mesh, shifts);
+  for (int round = 0; round < 12; ++round) {
+    for (auto v : mesh.vertices())
+      mesh.point(v) = shifts.point(std::size_t(v));
+    std::vector<std::size_t> at_fault;
+    for (const auto& c : crossing_faces(mesh))
+      for (auto f : {c.first, c.second})
+        for (auto v : mesh.vertices_around_face(mesh.halfedge(f)))
+          at_fault.push_back(std::size_t(v));
+    if (at_fault.empty())
+      return;
+    hold_back(std::move(at_fault), shifts);
+  }
+  shifts.hold_all_back();
+  for (auto v : mesh.vertices())
+    mesh.point(v) = shifts.point(std::size_t(v));
+}
+
+template <std::size_t N>
+void add_points_of_crushed_cells(const Element_block<N>& cells, const Shift_holder& shifts, double least,
+                                 std::vector<std::size_t>& points) {
+  for (const auto& c : cells.vertices)
+    for (const Corner& corner : Cell_topology<N>::corners()) {
+      std::array<std::uint32_t, 4> t;
+      for (std::size_t k = 0; k < 4; ++k)
+        t[k] = c[std::size_t(corner[k])];
+      const double before = signed_volume(shifts.from(t[0]), shifts.from(t[1]), shifts.from(t[2]), shifts.from(t[3]));
+      if (!(signed_volume(shifts[t[0]], shifts[t[1]], shifts[t[2]], shifts[t[3]]) > least * before)) {
+        points.insert(points.end(), c.begin(), c.end());
+        break;
+      }
+    }
+}
+
+/* Cells keep a fair part of their volume at each of their corners: those at fault hold their points back, and then those
+ * around. If that comes to no end nothing moves at all. */
+inline void keep_cells(const Mixed_mesh& mesh, Shift_holder& shifts) {
+  const double least = 0.3; // of the volume
+  for (int round = 0; round < 12; ++round) {
+    std::vector<std::size_t> at_fault;
+    add_points_of_crushed_cells(mesh.tetrahedra, shifts, least, at_fault);
+    add_points_of_crushed_cells(mesh.pyramids, shifts, least, at_fault);
+    add_points_of_crushed_cells(mesh.prisms, shifts, least, at_fault);
+    add_points_of_crushed_cells(mesh.hexahedra, shifts, least, at_fault);
+    if (at_fault.empty())
+      return;
+    hold_back(std::move(at_fault), shifts);
+  }
+  shifts.hold_all_back();
+}
+
+} // namespace CGAL::Tubular_meshing::internal
+
+#endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_PRESERVING_HOLD_SHIFTS_BACK_H
