@@ -81,7 +81,7 @@ private:
   static constexpr double fair = 0.15;           // the scaled Jacobian from which on a start is as good as any
   static constexpr double least = 0.02;          // that a hexahedron has in the end
 
-  static constexpr int most_rounds = 3; // in which junctions are joined
+  static constexpr int most_rounds = 1; // in which junctions are joined
 
   Hexahedral_blocks made() {
     Hexahedral_blocks result;
