@@ -225,14 +225,14 @@ void add_patches(Json& report, const tubular::Remeshed_surface& surface) {
 
 // How hexahedra were made, and where not in blocks.
 void add_hexahedral(Json& report, const tubular::Hexahedral_report& h) {
-  Json junctions = Json::array();
-  for (const auto& j : h.junctions_without_blocks)
-    junctions.push_back({{"junction", j.junction}, {"place", vector_of(j.place)}, {"reason", j.reason}});
+  Json places = Json::array();
+  for (const auto& p : h.places_without_blocks)
+    places.push_back({{"place", vector_of(p.place)}, {"reason", p.reason}});
   report["hexahedral"] = {{"method", tubular::name_of(h.method)},
-                          {"why_no_blocks", h.why_no_blocks.empty() ? Json() : Json(h.why_no_blocks)},
                           {"junctions", h.number_of_junctions},
-                          {"junctions_without_blocks", junctions},
+                          {"places_without_blocks", places},
                           {"blocks", h.number_of_blocks},
+                          {"points_per_circumference", h.points_per_circumference},
                           {"irregular_edges", h.irregular_edges},
                           {"twist", h.twist},
                           {"boundary",
@@ -244,14 +244,14 @@ void add_hexahedral(Json& report, const tubular::Hexahedral_report& h) {
 void print_hexahedral(const Json& h) {
   const bool has_blocks = h["method"] == "blocks";
   if (has_blocks)
-    std::printf("%ld blocks of hexahedra at %ld junctions; %ld irregular edges inside\n", h["blocks"].get<long>(),
-                h["junctions"].get<long>(), h["irregular_edges"].get<long>());
+    std::printf("%ld blocks of hexahedra, %ld points round each vessel, %ld junctions; %ld irregular edges inside\n",
+                h["blocks"].get<long>(), h["points_per_circumference"].get<long>(), h["junctions"].get<long>(),
+                h["irregular_edges"].get<long>());
   else
     std::printf("hexahedra by subdivision of tetrahedra and prisms\n");
-  for (const auto& j : h["junctions_without_blocks"])
-    std::printf("note: no blocks at junction %ld, at (%g, %g, %g): %s\n", j["junction"].get<long>(),
-                j["place"][0].get<double>(), j["place"][1].get<double>(), j["place"][2].get<double>(),
-                j["reason"].get<std::string>().c_str());
+  for (const auto& p : h["places_without_blocks"])
+    std::printf("note: no blocks near (%g, %g, %g): %s\n", p["place"][0].get<double>(), p["place"][1].get<double>(),
+                p["place"][2].get<double>(), p["reason"].get<std::string>().c_str());
   const long off = h["boundary"]["vertices_not_found"].get<long>() + h["boundary"]["vertices_held_back"].get<long>();
   if (off > 0)
     std::printf("note: %ld vertices could not go all of the way to the surface; cells would have turned over, or the "

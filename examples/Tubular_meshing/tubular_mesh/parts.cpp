@@ -116,10 +116,9 @@ void add(tubular::Preserve_volume_report& all, const tubular::Preserve_volume_re
 void add(tubular::Hexahedral_report& all, const tubular::Hexahedral_report& part) {
   if (part.method == tubular::Hexahedral_method::subdivision)
     all.method = part.method; // of all that are joined, not only blocks
-  if (all.why_no_blocks.empty())
-    all.why_no_blocks = part.why_no_blocks;
-  all.junctions_without_blocks.insert(all.junctions_without_blocks.end(), part.junctions_without_blocks.begin(),
-                                      part.junctions_without_blocks.end());
+  all.places_without_blocks.insert(all.places_without_blocks.end(), part.places_without_blocks.begin(),
+                                   part.places_without_blocks.end());
+  all.points_per_circumference = (std::max)(all.points_per_circumference, part.points_per_circumference);
   all.number_of_junctions += part.number_of_junctions;
   all.number_of_blocks += part.number_of_blocks;
   all.irregular_edges += part.irregular_edges;

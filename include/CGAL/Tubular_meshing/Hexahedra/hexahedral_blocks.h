@@ -13,6 +13,8 @@
 #include <CGAL/Tubular_meshing/base/convert_surface.h>
 #include <CGAL/Tubular_meshing/base/parameters.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -53,11 +55,17 @@ struct Hexahedral_blocks {
   std::size_t points_per_circumference = 0; ///< a multiple of eight
   std::size_t junctions = 0;                ///< of vessels; ends are none
   std::size_t blocks = 0;                   ///< four squares of the core and eight of the ring, a vessel
+  std::size_t irregular_edges = 0;          ///< of the blocks, inside of the lumen, round which there are not four
   std::vector<double> twist;                ///< of each vessel, from end to end, in radians
   Optimize_hexahedra_report optimization;
 };
 
 namespace internal {
+
+/* N as blocks have it: a multiple of eight. */
+inline int blocks_points(double points_per_circumference) {
+  return 8 * (std::max)(1, int(std::lround(points_per_circumference / 8)));
+}
 
 Hexahedral_blocks make_hexahedral_blocks(const Surface& surface, Face_patch_map patch, const Centerline_graph& graph,
                                          Length_function size, const Hexahedral_blocks_options& options);

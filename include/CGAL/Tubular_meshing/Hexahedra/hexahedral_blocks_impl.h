@@ -61,7 +61,7 @@ public:
       , graph_(graph)
       , wall_(surface, patch)
       , rims_(opening_rims(surface, patch))
-      , rings_(wall_, rims_, 8 * (std::max)(1, int(std::lround(options.points_per_circumference / 8))))
+      , rings_(wall_, rims_, blocks_points(options.points_per_circumference))
       , network_(graph, centers(rims_), nearness, {}) {}
 
   /* Where hexahedra do not untangle, the junction is made one with the nearest, if there is one as near. */
@@ -138,7 +138,7 @@ private:
 
   void check_network(Hexahedral_blocks& result) const {
     for (int label : network_.openings_without_vessel)
-      refuse(result, rims_.at(label).center, "No vessel of the centerlines leads to the opening there.");
+      refuse(result, rims_.at(label).center, "no centerline leads to the opening");
     for (const auto& n : network_.nodes)
       if (n.ends.size() > most_vessels)
         refuse(result, n.point,
@@ -146,7 +146,7 @@ private:
                    ".");
     for (const auto& v : network_.vessels)
       if (v.path.points.size() < 2)
-        refuse(result, network_.nodes[v.nodes[0]].point, "A vessel there has no length.");
+        refuse(result, network_.nodes[v.nodes[0]].point, "a vessel has no length");
   }
 
   // The scaled Jacobian of each hexahedron.
@@ -199,7 +199,7 @@ private:
       for (std::size_t i : open)
         if (!shapes[i]) {
           refuse(result, network_.nodes[i].point,
-                 "The directions of the vessels that meet there cannot be divided into regions.");
+                 "the directions of the vessels that meet cannot be divided into regions");
           return;
         }
       Network_blocks blocks = built(shapes);
@@ -237,10 +237,27 @@ private:
       if (shortfall[i] > 0) {
         tangled_.push_back(i);
         refuse(result, network_.nodes[i].point,
-               network_.nodes[i].is_junction() ? "The hexahedra of the junction there do not untangle."
-                                               : "The hexahedra of the vessel's end there do not untangle.");
+               network_.nodes[i].is_junction() ? "the hexahedra of a junction do not untangle"
+                                               : "the hexahedra of a vessel's end do not untangle");
       }
     result.mesh = std::move(blocks.mesh);
+    result.irregular_edges = irregular_edges();
+  }
+
+  /* Along the core's corners, three blocks meet, and as many round the tip of a blind end; at the corner of a junction
+   * between k vessels 2 k do, in the core and in the ring. */
+  std::size_t irregular_edges() const {
+    std::size_t result = 0;
+    for (const auto& v : network_.vessels) {
+      result += 4;
+      for (std::size_t n : v.nodes)
+        result += network_.nodes[n].is_blind() ? 8 : 0;
+    }
+    for (const auto& shape : shapes_)
+      if (shape)
+        for (std::size_t c = 0; c < shape->partition->corners.size(); ++c)
+          result += shape->partition->degree(c) == 2 ? 0 : 2;
+    return result;
   }
 
   /* Refuses a mesh that misses a part of the surface. */
@@ -267,7 +284,7 @@ private:
         return;
       const Vertex tip = Vertex(Surface::size_type(worst));
       const Point_3& p = surface_.point(tip);
-      result.refused.push_back({p, "A part of the vessel there has no centerline.", tip});
+      result.refused.push_back({p, "a part of the vessel has no centerline", tip});
       const double around = 1.5 * missed[worst] * size_(p); // of the same part
       for (std::size_t i = 0; i < missed.size(); ++i)
         if (CGAL::squared_distance(surface_.point(Vertex(Surface::size_type(i))), p) <= around * around)

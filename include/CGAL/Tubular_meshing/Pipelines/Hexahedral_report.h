@@ -35,24 +35,23 @@ inline const char* name_of(Hexahedral_method method) {
 }
 
 /*! \ingroup PkgTubularMeshingPipelines
- * A junction where there are no blocks. */
-struct Junction_without_blocks {
-  std::size_t junction; ///< its number: that of the node of the Centerline_graph
-  Point_3 place;        ///< its centre
-  std::string reason;   ///< part of a sentence
+ * A place where there can be no blocks: a junction, as a rule. */
+struct Place_without_blocks {
+  Point_3 place;
+  std::string reason; ///< part of a sentence
 };
 
 /*! \ingroup PkgTubularMeshingPipelines
  * How Mesher::hexahedral() has made its mesh. */
 struct Hexahedral_report {
-  Hexahedral_method method = Hexahedral_method::blocks; ///< that made the mesh
-  std::string why_no_blocks; ///< where blocks were asked for, and none were made: why, as part of a sentence
-  std::vector<Junction_without_blocks> junctions_without_blocks;
+  Hexahedral_method method = Hexahedral_method::blocks;    ///< that made the mesh
+  std::vector<Place_without_blocks> places_without_blocks; ///< where blocks were asked for, and none were made
 
   std::size_t number_of_junctions = 0; ///< that were tried
   std::size_t number_of_blocks = 0;
-  std::size_t irregular_edges = 0; ///< of the blocks, inside, round which there are not four
-  std::vector<double> twist;       ///< of each branch's blocks from end to end, in radians
+  std::size_t points_per_circumference = 0; ///< of the blocks: N, rounded to a multiple of eight
+  std::size_t irregular_edges = 0;          ///< of the blocks, inside, round which there are not four
+  std::vector<double> twist;                ///< of each branch's blocks from end to end, in radians
 
   Move_boundary_to_surface_report boundary; ///< how vertices that subdivision has added came to the surface
 };

@@ -27,6 +27,7 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -355,19 +356,37 @@ private:
   /* Hexahedra in blocks; none where these cannot be had and another method is to be taken. */
   std::optional<Mixed_mesh> by_blocks() {
     Hexahedral_report& report = report_.hexahedral;
-    std::optional<Mixed_mesh> mesh = internal::mesh_by_blocks(frame_, size(), options_, report);
-    for (Junction_without_blocks& j : report.junctions_without_blocks)
+    const Centerline_sizing_field& field = size();
+    stage("blocks");
+    std::optional<Mixed_mesh> mesh =
+        internal::Mesh_by_blocks(*model_, frame_, field, options_).make(report, report_.boundary_layer, radius());
+    report_.boundary_layer.worst_place = frame_.from_frame(report_.boundary_layer.worst_place);
+    for (Place_without_blocks& j : report.places_without_blocks)
       j.place = frame_.from_frame(j.place);
-    if (mesh)
+    if (mesh) {
+      stage("check");
+      internal::check_differences(*mesh, *model_, frame_.surface().surface);
+      give_volume_to(*mesh);
       return mesh;
-    const std::string why = "There are no blocks of hexahedra along the vessels: " + report.why_no_blocks;
+    }
+    const std::string why = "There are no blocks of hexahedra along the vessels: " + why_no_blocks(report);
     if (options_.hexahedral_fallback == Hexahedral_fallback::none)
-      throw Meshing_error(why + "; the method or the fallback subdivision makes hexahedra of any shape.");
+      throw Meshing_error(why + " The method or the fallback subdivision makes hexahedra of any shape.");
     if (options_.hexahedral_fallback == Hexahedral_fallback::mixed)
-      throw Meshing_error(why + ", so that there is nothing between which the fallback mixed could fill junctions; the "
-                                "fallback subdivision makes hexahedra of any shape.");
-    report_.fallbacks.push_back(why + ". All hexahedra are made by subdivision.");
+      throw Meshing_error(why + " The fallback mixed cannot fill such a place yet; the fallback subdivision makes "
+                                "hexahedra of any shape.");
+    report_.fallbacks.push_back(why + " All hexahedra are made by subdivision.");
     return mesh;
+  }
+  static std::string why_no_blocks(const Hexahedral_report& report) {
+    const Place_without_blocks& first = report.places_without_blocks.front();
+    std::ostringstream s;
+    s.precision(6);
+    s << "near (" << first.place.x() << ", " << first.place.y() << ", " << first.place.z() << "), " << first.reason;
+    if (report.places_without_blocks.size() > 1)
+      s << "; " << report.places_without_blocks.size() - 1 << " other places are like it";
+    s << ".";
+    return s.str();
   }
 
   /* Tetrahedra and prisms of a coarser mesh, subdivided: four hexahedra of each tetrahedron are as many as there are

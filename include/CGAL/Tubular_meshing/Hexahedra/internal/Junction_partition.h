@@ -35,6 +35,12 @@ struct Junction_partition {
   std::vector<Vector_3d> corners; // k + 2
   std::vector<Side> sides;        // 2 k
   std::vector<Region> regions;    // k
+
+  // The number of regions that meet at a corner.
+  std::size_t degree(std::size_t corner) const {
+    return std::size_t(
+        std::count_if(sides.begin(), sides.end(), [&](const Side& s) { return s.from == corner || s.to == corner; }));
+  }
 };
 
 /* Divides the sphere so that each of k >= 2 directions has a region round it.

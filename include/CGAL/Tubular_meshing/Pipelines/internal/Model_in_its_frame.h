@@ -91,6 +91,11 @@ public:
 
   void bring_back(Move_boundary_to_surface_report& report) const { report.largest_shift *= frame_.scale(); }
 
+  Point_3 to_frame(const Point_3& p) const {
+    const auto q = frame_.to_frame(to_double_point(p));
+    return Point_3(q.x(), q.y(), q.z());
+  }
+
   Point_3 from_frame(const Point_3& p) const {
     const auto q = frame_.from_canonical(to_double_point(p));
     return Point_3(q.x(), q.y(), q.z());
@@ -125,11 +130,6 @@ private:
     for (auto v : surface.vertices())
       points.push_back(to_double_point(surface.point(v)));
     return points;
-  }
-
-  Point_3 to_frame(const Point_3& p) const {
-    const auto q = frame_.to_frame(to_double_point(p));
-    return Point_3(q.x(), q.y(), q.z());
   }
 
   // Of a vector v in space, the metric m measures the same vector in the frame: xx, xy, xz, yy, yz, zz.

@@ -4,24 +4,113 @@
 #ifndef CGAL_TUBULAR_MESHING_PIPELINES_INTERNAL_MESH_BY_BLOCKS_H
 #define CGAL_TUBULAR_MESHING_PIPELINES_INTERNAL_MESH_BY_BLOCKS_H
 
+#include <CGAL/Tubular_meshing/Centerlines/build_centerline_graph.h>
+#include <CGAL/Tubular_meshing/Centerlines/compute_centerlines.h>
 #include <CGAL/Tubular_meshing/Fields/Centerline_sizing_field.h>
+#include <CGAL/Tubular_meshing/Hexahedra/hexahedral_blocks.h>
+#include <CGAL/Tubular_meshing/Hexahedra/insert_wall_layers.h>
+#include <CGAL/Tubular_meshing/Layers/boundary_layer_heights.h>
 #include <CGAL/Tubular_meshing/Pipelines/Hexahedral_report.h>
 #include <CGAL/Tubular_meshing/Pipelines/Mesher_options.h>
 #include <CGAL/Tubular_meshing/Pipelines/internal/Model_in_its_frame.h>
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
+#include <CGAL/Tubular_meshing/base/exceptions.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace CGAL::Tubular_meshing::internal {
 
-/* The mesh of a model in blocks along its vessels, in the model's frame; none where they cannot be had, and
- * `report.why_no_blocks` says why. */
-inline std::optional<Mixed_mesh> mesh_by_blocks(const Model_in_its_frame& /*model*/,
-                                                const Centerline_sizing_field& /*size*/,
-                                                const Mesher_options& /*options*/, Hexahedral_report& report) {
-  report.why_no_blocks = "this version of the program does not make them yet";
-  return std::nullopt;
-}
+/* Makes hexahedra in blocks along the vessels of a model, in the model's frame. Vessels that have no centerline, such as
+ * sacs, get one first. */
+class Mesh_by_blocks {
+public:
+  Mesh_by_blocks(const Tubular_model& model, const Model_in_its_frame& frame, const Centerline_sizing_field& size,
+                 const Mesher_options& options)
+      : model_(model)
+      , frame_(frame)
+      , size_(size)
+      , options_(options)
+      , graph_(frame.centerlines()) {
+    blocks_options_.points_per_circumference = options.size.points_per_circumference;
+    blocks_options_.number_of_threads = options.size.number_of_threads;
+    if (options.has_boundary_layer())
+      blocks_options_.layer_thickness = (std::min)(Boundary_layer_heights(options.boundary_layer).total(), 0.8);
+  }
+
+  // None where blocks cannot be had: the report says why.
+  std::optional<Mixed_mesh> make(Hexahedral_report& report, Layer_report& layers, Length_function radius) {
+    Hexahedral_blocks blocks = made();
+    for (int generation = 0; generation < most_generations && add_lines(blocks); ++generation)
+      blocks = made();
+    report.number_of_junctions = blocks.junctions;
+    if (!blocks.refused.empty()) {
+      for (const Refused_blocks& r : blocks.refused)
+        report.places_without_blocks.push_back({r.place, r.reason});
+      return std::nullopt;
+    }
+    report.method = Hexahedral_method::blocks;
+    report.number_of_blocks = blocks.blocks;
+    report.irregular_edges = blocks.irregular_edges;
+    report.points_per_circumference = blocks.points_per_circumference;
+    report.twist = blocks.twist;
+    if (options_.has_boundary_layer())
+      layers = internal::insert_wall_layers(blocks.mesh, radius, options_.boundary_layer);
+    blocks.mesh.region_names = {{labels::lumen, "lumen"}};
+    return std::move(blocks.mesh);
+  }
+
+private:
+  static constexpr int most_generations = 3; // vessels without a centerline may leave others
+
+  Hexahedral_blocks made() const {
+    const Labelled_surface& s = frame_.surface();
+    const double rounded = double(blocks_points(options_.size.points_per_circumference));
+    const double factor = options_.size.points_per_circumference / rounded;
+    const auto size = [&](const Point_3& p) { return factor * size_(p); };
+    return internal::make_hexahedral_blocks(s.surface, s.patch, graph_, size, blocks_options_);
+  }
+
+  // Adds lines to the tips that were missed. False if there are none, or no line leads there.
+  bool add_lines(const Hexahedral_blocks& blocks) {
+    const std::size_t before = tips_.size();
+    for (const Refused_blocks& r : blocks.refused)
+      if (r.missed != Surface::null_vertex())
+        tips_.push_back(r.missed);
+    if (tips_.size() == before)
+      return false;
+    const Labelled_surface& s = frame_.surface();
+    std::vector<std::pair<Point_3, int>> ends;
+    for (const Opening& o : model_.openings)
+      ends.emplace_back(frame_.to_frame(o.center), o.patch);
+    if (ends.size() < 2)
+      return false;
+    const Build_centerline_graph_options merging;
+    Centerline_computation computation(s.surface, s.patch, ends, true, true);
+    Centerline_graph graph;
+    computation.make_graph(graph, merging);
+    bool is_longer = false;
+    for (Vertex tip : tips_)
+      is_longer = computation.add_end(tip) || is_longer;
+    if (is_longer) {
+      computation.make_graph(graph, merging);
+      graph_ = std::move(graph);
+    }
+    return is_longer;
+  }
+
+  const Tubular_model& model_;
+  const Model_in_its_frame& frame_;
+  const Centerline_sizing_field& size_;
+  const Mesher_options& options_;
+  Centerline_graph graph_;
+  Hexahedral_blocks_options blocks_options_;
+  std::vector<Vertex> tips_;
+};
 
 } // namespace CGAL::Tubular_meshing::internal
 
