@@ -96,7 +96,8 @@ private:
     if (!result.refused.empty())
       return result;
     optimize(result);
-    check_cover(result);
+    if (result.refused.empty())
+      check_cover(result.mesh, 2, result);
     return result;
   }
 
@@ -172,9 +173,9 @@ private:
     return result;
   }
 
-  Network_blocks built(const std::vector<std::optional<Junction_shape>>& shapes) const {
+  Block_builder builder(const std::vector<std::optional<Junction_shape>>& shapes) const {
     const double core = (std::min)(0.72, 0.9 - options_.layer_thickness);
-    return Block_builder(network_, shapes, wall_, rings_, rims_, size_, core).build();
+    return Block_builder(network_, shapes, wall_, rings_, rims_, size_, core);
   }
 
   /* Gives each junction the start by which its hexahedra are best before optimization. */
@@ -202,7 +203,11 @@ private:
                  "the directions of the vessels that meet cannot be divided into regions");
           return;
         }
-      Network_blocks blocks = built(shapes);
+      const std::set<std::size_t> tried_nodes(open.begin(), open.end());
+      const Network_blocks blocks = builder(shapes).build([&](std::size_t v) {
+        const auto& nodes = network_.vessels[v].nodes;
+        return tried_nodes.count(nodes[0]) > 0 || tried_nodes.count(nodes[1]) > 0;
+      });
       const std::vector<double> shortfall = shortfalls(blocks, fair);
       std::vector<std::size_t> still_open;
       for (std::size_t i : open) {
@@ -220,7 +225,10 @@ private:
   }
 
   void optimize(Hexahedral_blocks& result) {
-    Network_blocks blocks = built(shapes_);
+    Network_blocks blocks = builder(shapes_).build();
+    check_cover(blocks.mesh, 3, result); // before work that would be for nothing
+    if (!result.refused.empty())
+      return;
     result.twist = blocks.twist;
     Optimize_hexahedra_options optimization;
     optimization.number_of_threads = options_.number_of_threads;
@@ -260,10 +268,9 @@ private:
     return result;
   }
 
-  /* Refuses a mesh that misses a part of the surface. */
-  void check_cover(Hexahedral_blocks& result) const {
+  /* Refuses a mesh that misses parts of the surface: by more than `most` mesh sizes. */
+  void check_cover(const Mixed_mesh& mesh, double most, Hexahedral_blocks& result) const {
     std::vector<std::array<Point_3, 3>> triangles;
-    const Mixed_mesh& mesh = result.mesh;
     for (std::size_t i = 0; i < mesh.quads.size(); ++i) {
       const auto& q = mesh.quads.vertices[i];
       triangles.push_back({mesh.points[q[0]], mesh.points[q[1]], mesh.points[q[2]]});
@@ -277,7 +284,6 @@ private:
         missed[i] = distance(p) / size_(p);
       }
     });
-    constexpr double most = 2;
     for (;;) {
       const std::size_t worst = std::size_t(std::max_element(missed.begin(), missed.end()) - missed.begin());
       if (missed[worst] <= most)

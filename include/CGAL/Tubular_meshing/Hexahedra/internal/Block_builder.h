@@ -57,12 +57,19 @@ public:
       , core_(core) {}
 
   Network_blocks build() {
+    return build([](std::size_t) { return true; });
+  }
+
+  // Only the vessels that are wanted.
+  template <class Wanted> Network_blocks build(const Wanted& wanted) {
     junctions_.resize(network_.nodes.size());
-    for (std::size_t n = 0; n < network_.nodes.size(); ++n)
-      if (shapes_[n])
-        add_junction(n);
     for (std::size_t v = 0; v < network_.vessels.size(); ++v)
-      add_vessel(v);
+      if (wanted(v)) {
+        for (std::size_t n : network_.vessels[v].nodes)
+          if (shapes_[n] && junctions_[n].empty())
+            add_junction(n);
+        add_vessel(v);
+      }
     return std::move(blocks_);
   }
 
