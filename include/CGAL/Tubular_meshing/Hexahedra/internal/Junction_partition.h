@@ -51,7 +51,8 @@ struct Junction_partition {
  * share. For three directions, all edges count twice: the orange of two poles and three crotches. Of all the
  * multiplicities the ones are taken that give the regions most even angles.
  *
- * See Viville, Kraemer, Bechmann, Hybrid/graph to hexahedra, 2021, who flip and merge for the same end. Exponential in
+ * See P. Viville, P. Kraemer, D. Bechmann, Hexahedral mesh generation for tubular shapes using skeletons and connection
+ * surfaces, 2021, who flip and merge edges for the same end. Exponential in
  * the number of edges: for up to eight directions or so. */
 class Junction_partitioner {
 public:
