@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_PIPELINES_INTERNAL_MESH_BY_BLOCKS_H
 #define CGAL_TUBULAR_MESHING_PIPELINES_INTERNAL_MESH_BY_BLOCKS_H
 
+#include <CGAL/Tubular_meshing/Centerlines/Centerline_field.h>
 #include <CGAL/Tubular_meshing/Centerlines/build_centerline_graph.h>
 #include <CGAL/Tubular_meshing/Centerlines/compute_centerlines.h>
 #include <CGAL/Tubular_meshing/Fields/Centerline_sizing_field.h>
@@ -58,8 +59,12 @@ public:
     report.irregular_edges = blocks.irregular_edges;
     report.points_per_circumference = blocks.points_per_circumference;
     report.twist = blocks.twist;
-    if (options_.has_boundary_layer())
-      layers = internal::insert_wall_layers(blocks.mesh, radius, options_.boundary_layer);
+    if (options_.has_boundary_layer()) {
+      // all parts have centerlines here: where balls are larger than the vessel, as on coarse surfaces, these count
+      const Centerline_field lines(graph_);
+      const auto least = [&](const Point_3& p) { return (std::min)(radius(p), lines.radius(p)); };
+      layers = internal::insert_wall_layers(blocks.mesh, least, options_.boundary_layer);
+    }
     blocks.mesh.region_names = {{labels::lumen, "lumen"}};
     return std::move(blocks.mesh);
   }
