@@ -17,7 +17,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <map>
 #include <numeric>
 #include <optional>
 #include <set>
@@ -26,28 +25,6 @@
 #include <vector>
 
 namespace CGAL::Tubular_meshing::internal {
-
-/* The rims between the wall and the caps. */
-inline Opening_rims opening_rims(const Surface& surface, Face_patch_map patch) {
-  std::map<int, std::map<Vertex, Vertex>> next;
-  for (Halfedge h : surface.halfedges()) {
-    const int label = patch[surface.face(h)];
-    if (label != labels::wall && patch[surface.face(surface.opposite(h))] == labels::wall)
-      next[label][surface.source(h)] = surface.target(h);
-  }
-  Opening_rims rims;
-  for (const auto& [label, edges] : next) {
-    std::vector<Vector_3d> points;
-    const Vertex start = edges.begin()->first;
-    Vertex v = start;
-    do {
-      points.push_back(Vector_3d(surface.point(v)));
-      v = edges.at(v);
-    } while (v != start);
-    rims.emplace(label, Opening_rim(std::move(points)));
-  }
-  return rims;
-}
 
 /* Tries to make blocks, and finds where they do not fit. */
 class Hexahedral_blocks_maker {
@@ -62,7 +39,7 @@ public:
       , wall_(surface, patch)
       , rims_(opening_rims(surface, patch))
       , rings_(wall_, rims_, blocks_points(options.points_per_circumference))
-      , network_(graph, centers(rims_), nearness, {}) {}
+      , network_(graph, rims_, nearness, {}) {}
 
   /* Where hexahedra do not untangle, the junction is made one with the nearest, if there is one as near. */
   Hexahedral_blocks make() {
@@ -71,7 +48,7 @@ public:
       Hexahedral_blocks result = made();
       if (tangled_.empty() || round == most_rounds || !join(joined))
         return result;
-      network_ = Vessel_network(graph_, centers(rims_), nearness, joined);
+      network_ = Vessel_network(graph_, rims_, nearness, joined);
     }
   }
 
@@ -126,13 +103,6 @@ private:
     return joined.size() > before;
   }
 
-  static std::map<int, Vector_3d> centers(const Opening_rims& rims) {
-    std::map<int, Vector_3d> result;
-    for (const auto& [label, rim] : rims)
-      result.emplace(label, rim.center);
-    return result;
-  }
-
   void refuse(Hexahedral_blocks& result, const Vector_3d& place, const std::string& reason) const {
     result.refused.push_back({as<Point_3>(place), reason, Surface::null_vertex()});
   }
@@ -143,8 +113,7 @@ private:
     for (const auto& n : network_.nodes)
       if (n.ends.size() > most_vessels)
         refuse(result, n.point,
-               "There " + std::to_string(n.ends.size()) + " vessels meet: more than " + std::to_string(most_vessels) +
-                   ".");
+               std::to_string(n.ends.size()) + " vessels meet, more than " + std::to_string(most_vessels));
     for (const auto& v : network_.vessels)
       if (v.path.points.size() < 2)
         refuse(result, network_.nodes[v.nodes[0]].point, "a vessel has no length");

@@ -358,15 +358,23 @@ private:
     Hexahedral_report& report = report_.hexahedral;
     const Centerline_sizing_field& field = size();
     stage("blocks");
-    std::optional<Mixed_mesh> mesh =
-        internal::Mesh_by_blocks(*model_, frame_, field, options_).make(report, report_.boundary_layer, radius());
-    report_.boundary_layer.worst_place = frame_.from_frame(report_.boundary_layer.worst_place);
-    for (Place_without_blocks& j : report.places_without_blocks)
-      j.place = frame_.from_frame(j.place);
+    internal::Mesh_by_blocks blocks(*model_, frame_, field, options_);
+    std::optional<Mixed_mesh> mesh = blocks.make(report);
+    for (Place_without_blocks& p : report.places_without_blocks)
+      p.place = frame_.from_frame(p.place);
     if (mesh) {
       stage("check");
       internal::check_differences(*mesh, *model_, frame_.surface().surface);
-      give_volume_to(*mesh);
+      if (moves_wall_) {
+        give_volume_to(*mesh);
+        stage("optimization");
+        blocks.optimize_inside(*mesh);
+      }
+      if (options_.has_boundary_layer()) {
+        stage("boundary layer");
+        report_.boundary_layer = blocks.insert_layers(*mesh, radius());
+        report_.boundary_layer.worst_place = frame_.from_frame(report_.boundary_layer.worst_place);
+      }
       return mesh;
     }
     const std::string why = "There are no blocks of hexahedra along the vessels: " + why_no_blocks(report);

@@ -5,6 +5,7 @@
 #define CGAL_TUBULAR_MESHING_HEXAHEDRA_INTERNAL_VESSEL_NETWORK_H
 
 #include <CGAL/Tubular_meshing/Centerlines/Centerline_graph.h>
+#include <CGAL/Tubular_meshing/Hexahedra/internal/Opening_rim.h>
 #include <CGAL/Tubular_meshing/Hexahedra/internal/Vessel_path.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
@@ -12,7 +13,6 @@
 #include <array>
 #include <cstddef>
 #include <limits>
-#include <map>
 #include <numeric>
 #include <set>
 #include <utility>
@@ -46,9 +46,9 @@ public:
   std::vector<Node> nodes;
   std::vector<int> openings_without_vessel;
 
-  /* `openings`: the centers of the caps by their labels. `nearness`: in radii, how near junctions are that become one;
+  /* `nearness`: in radii, how near junctions are that become one;
    * those at the ends of the branches in `joined` do in any case. */
-  Vessel_network(const Centerline_graph& graph, const std::map<int, Vector_3d>& openings, double nearness,
+  Vessel_network(const Centerline_graph& graph, const Opening_rims& openings, double nearness,
                  const std::set<std::size_t>& joined) {
     std::vector<std::size_t> merged(graph.nodes().size());
     std::iota(merged.begin(), merged.end(), std::size_t(0));
@@ -94,8 +94,8 @@ public:
         nodes[v.nodes[1]].ends.push_back({vessels.size(), true});
         vessels.push_back(std::move(v));
       }
-    for (const auto& [label, center] : openings)
-      if (Node* n = end_near(center))
+    for (const auto& [label, rim] : openings)
+      if (Node* n = end_near(rim))
         n->opening = label;
       else
         openings_without_vessel.push_back(label);
@@ -111,16 +111,14 @@ public:
   }
 
 private:
-  // The end that lies in an opening: not farther from its center than the vessel is wide.
-  Node* end_near(const Vector_3d& center) {
+  // The end that lies in an opening: not farther from its center than the opening is wide.
+  Node* end_near(const Opening_rim& rim) {
     Node* nearest = nullptr;
     double least = (std::numeric_limits<double>::infinity)();
     for (Node& n : nodes)
       if (n.is_blind()) {
-        const Vessel_path& path = vessels[n.ends.front().vessel].path;
-        const double r = n.ends.front().last ? path.radii.back() : path.radii.front();
-        const double d = norm(n.point - center);
-        if (d < least && d < 2 * r) {
+        const double d = norm(n.point - rim.center);
+        if (d < least && d < rim.radius) {
           least = d;
           nearest = &n;
         }

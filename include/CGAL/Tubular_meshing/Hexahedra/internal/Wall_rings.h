@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_HEXAHEDRA_INTERNAL_WALL_RINGS_H
 #define CGAL_TUBULAR_MESHING_HEXAHEDRA_INTERNAL_WALL_RINGS_H
 
+#include <CGAL/Tubular_meshing/Hexahedra/internal/Opening_rim.h>
 #include <CGAL/Tubular_meshing/Hexahedra/internal/Vessel_path.h>
 #include <CGAL/Tubular_meshing/Hexahedra/internal/Wall_of_lumen.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
@@ -13,7 +14,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <map>
 #include <vector>
 
 namespace CGAL::Tubular_meshing::internal {
@@ -52,31 +52,6 @@ struct Wall_ring {
     return most;
   }
 };
-
-/* The boundary between the wall and the cap of an opening, a closed polyline, and the centroid of its cap. */
-struct Opening_rim {
-  std::vector<Vector_3d> points;
-  Vector_3d center, normal; // unit; the points turn counterclockwise about it
-
-  explicit Opening_rim(std::vector<Vector_3d> rim)
-      : points(std::move(rim)) {
-    for (std::size_t i = 1; i + 1 < points.size(); ++i)
-      normal += twice_area(i);
-    normal = normalized(normal);
-    double area = 0;
-    for (std::size_t i = 1; i + 1 < points.size(); ++i) {
-      const double a = dot(normal, twice_area(i));
-      center += (a / 3) * (points[0] + points[i] + points[i + 1]);
-      area += a;
-    }
-    center = (1 / area) * center;
-  }
-
-private:
-  Vector_3d twice_area(std::size_t i) const { return cross(points[i] - points[0], points[i + 1] - points[0]); }
-};
-
-typedef std::map<int, Opening_rim> Opening_rims; // by the label of the cap
 
 /* Makes rings of a number of points. */
 class Wall_rings {

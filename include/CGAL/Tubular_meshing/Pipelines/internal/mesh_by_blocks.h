@@ -10,6 +10,7 @@
 #include <CGAL/Tubular_meshing/Fields/Centerline_sizing_field.h>
 #include <CGAL/Tubular_meshing/Hexahedra/hexahedral_blocks.h>
 #include <CGAL/Tubular_meshing/Hexahedra/insert_wall_layers.h>
+#include <CGAL/Tubular_meshing/Hexahedra/optimize_hexahedra.h>
 #include <CGAL/Tubular_meshing/Layers/boundary_layer_heights.h>
 #include <CGAL/Tubular_meshing/Pipelines/Hexahedral_report.h>
 #include <CGAL/Tubular_meshing/Pipelines/Mesher_options.h>
@@ -19,6 +20,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
@@ -44,7 +46,7 @@ public:
   }
 
   // None where blocks cannot be had: the report says why.
-  std::optional<Mixed_mesh> make(Hexahedral_report& report, Layer_report& layers, Length_function radius) {
+  std::optional<Mixed_mesh> make(Hexahedral_report& report) {
     Hexahedral_blocks blocks = made();
     for (int generation = 0; generation < most_generations && add_lines(blocks); ++generation)
       blocks = made();
@@ -59,14 +61,28 @@ public:
     report.irregular_edges = blocks.irregular_edges;
     report.points_per_circumference = blocks.points_per_circumference;
     report.twist = blocks.twist;
-    if (options_.has_boundary_layer()) {
-      // all parts have centerlines here: where balls are larger than the vessel, as on coarse surfaces, these count
-      const Centerline_field lines(graph_);
-      const auto least = [&](const Point_3& p) { return (std::min)(radius(p), lines.radius(p)); };
-      layers = internal::insert_wall_layers(blocks.mesh, least, options_.boundary_layer);
-    }
     blocks.mesh.region_names = {{labels::lumen, "lumen"}};
     return std::move(blocks.mesh);
+  }
+
+  /* Improves what is inside of a boundary that has been moved, and stays. */
+  void optimize_inside(Mixed_mesh& mesh) const {
+    std::vector<bool> fixed(mesh.points.size());
+    for (const auto& q : mesh.quads.vertices)
+      for (std::uint32_t v : q)
+        fixed[v] = true;
+    Optimize_hexahedra_options optimization;
+    optimization.fixed_vertices = &fixed;
+    optimization.number_of_threads = options_.size.number_of_threads;
+    internal::optimize_hexahedra(mesh, frame_.surface().surface, frame_.surface().patch, optimization);
+  }
+
+  // Cuts the hexahedra along the wall.
+  Layer_report insert_layers(Mixed_mesh& mesh, Length_function radius) const {
+    // all parts have centerlines here: where balls are larger than the vessel, as on coarse surfaces, these count
+    const Centerline_field lines(graph_);
+    const auto least = [&](const Point_3& p) { return (std::min)(radius(p), lines.radius(p)); };
+    return internal::insert_wall_layers(mesh, least, options_.boundary_layer);
   }
 
 private:
