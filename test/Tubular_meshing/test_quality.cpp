@@ -11,8 +11,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <vector>
 
@@ -186,6 +188,146 @@ TEST(Quality_report, Measures_what_is_there) {
   EXPECT_EQ(r.gamma_T.count(), 6u);
   EXPECT_EQ(r.eta_q.count(), 6u);
   EXPECT_NEAR(r.zeta_H.min(), 1, eps);
+}
+
+// --- finite volumes ---
+
+/* n[0] x n[1] x n[2] unit cubes, their vertices moved. */
+template <class Move> Mesh moved_cubes(const std::array<int, 3>& n, const Move& move) {
+  Mesh m;
+  for (int k = 0; k <= n[2]; ++k)
+    for (int j = 0; j <= n[1]; ++j)
+      for (int i = 0; i <= n[0]; ++i)
+        m.points.push_back(move(double(i), double(j), double(k)));
+  const auto at = [&](int i, int j, int k) { return std::uint32_t((k * (n[1] + 1) + j) * (n[0] + 1) + i); };
+  for (int k = 0; k < n[2]; ++k)
+    for (int j = 0; j < n[1]; ++j)
+      for (int i = 0; i < n[0]; ++i)
+        m.hexahedra.push_back({at(i, j, k), at(i + 1, j, k), at(i + 1, j + 1, k), at(i, j + 1, k), at(i, j, k + 1),
+                               at(i + 1, j, k + 1), at(i + 1, j + 1, k + 1), at(i, j + 1, k + 1)},
+                              1 + i % 2);
+  return m;
+}
+
+TEST(Quality_report, Scaled_jacobian_of_hexahedra) {
+  const Mesh brick = moved_cubes({1, 1, 1}, [](double x, double y, double z) { return Point(x, 2 * y, 5 * z); });
+  EXPECT_NEAR(tubular::quality_report(brick).scaled_jacobian.min(), 1, eps);
+  const Mesh sheared = moved_cubes({2, 1, 1}, [](double x, double y, double z) { return Point(x + z, y, z); });
+  EXPECT_EQ(tubular::quality_report(sheared).scaled_jacobian.count(), 2u);
+  EXPECT_NEAR(tubular::quality_report(sheared).scaled_jacobian.max(), std::sqrt(0.5), eps);
+  // one corner pushed in along the diagonal until it is flat, and beyond
+  for (double t : {2. / 3, 0.9}) {
+    const Mesh m = moved_cubes({1, 1, 1}, [&](double x, double y, double z) {
+      return x + y + z == 0 ? Point(t / 2, t / 2, t / 2) : Point(x, y, z);
+    });
+    const double flatness = tubular::quality_report(m).scaled_jacobian.min();
+    EXPECT_NEAR(flatness, (1 - 1.5 * t) / std::pow((1 - t / 2) * (1 - t / 2) + t * t / 2, 1.5), eps);
+    EXPECT_EQ(flatness, tubular::hexahedron_jacobian<Point>({m.points[0], m.points[1], m.points[3], m.points[2],
+                                                             m.points[4], m.points[5], m.points[7], m.points[6]}));
+  }
+}
+
+TEST(Quality_report, Finite_volumes_of_bricks) {
+  const Mesh m = moved_cubes({2, 1, 1}, [](double x, double y, double z) { return Point(x, 2 * y, 3 * z); });
+  const auto r = tubular::quality_report(m);
+  EXPECT_EQ(r.aspect.count(), 2u);
+  EXPECT_EQ(r.non_orthogonality.count(), 1u);
+  EXPECT_EQ(r.skewness.count(), 11u);
+  EXPECT_NEAR(r.aspect.min(), 3, eps); // the areas are 12, 6 and 4 along the axes
+  EXPECT_NEAR(r.aspect.max(), 3, eps);
+  EXPECT_NEAR(r.non_orthogonality.max(), 0, 1e-5); // of the arc cosine
+  EXPECT_NEAR(r.skewness.max(), 0, eps);
+}
+
+TEST(Quality_report, Finite_volumes_of_sheared_cubes) {
+  const Mesh m = moved_cubes({2, 1, 1}, [](double x, double y, double z) { return Point(x + z, y, z); });
+  const auto r = tubular::quality_report(m);
+  EXPECT_NEAR(r.aspect.min(), 2, eps); // the areas are 2, 2 and 4
+  EXPECT_NEAR(r.non_orthogonality.max(), 45, 1e-9);
+  // between the cells 0; at the ends 1/2; at the sides 0; below and above the centers are 1/2 off, as the faces' edges
+  EXPECT_NEAR(r.skewness.max(), 1, eps);
+  EXPECT_NEAR(r.skewness.mean(), (2 * 0.5 + 4 * 1) / 11, eps);
+}
+
+TEST(Quality_report, Finite_volumes_where_lines_of_cells_turn) {
+  const double t = 0.4;
+  const Mesh m =
+      moved_cubes({2, 1, 1}, [&](double x, double y, double z) { return Point(x, y + t * std::max(0., x - 1), z); });
+  const auto r = tubular::quality_report(m);
+  EXPECT_NEAR(r.non_orthogonality.max(), std::atan(t / 2) * 180 / std::acos(-1.), 1e-9);
+  // between the cells t/2, at the far end t, on two sides of the second cell t / (1 + t²)
+  EXPECT_NEAR(r.skewness.max(), t, eps);
+  EXPECT_NEAR(r.skewness.mean(), (t / 2 + t + 2 * t / (1 + t * t)) / 11, eps);
+  // far away the distance of the centers is what the face's extent is compared with: 0.2 √(L² + (t L)²)
+  const double l = 20;
+  const Mesh thin = moved_cubes(
+      {2, 1, 1}, [&](double x, double y, double z) { return Point(l * x, y + l * t * std::max(0., x - 1), z); });
+  const double d = l * std::sqrt(1 + t * t / 4);
+  EXPECT_GT(0.2 * d, 0.5);
+  EXPECT_NEAR(tubular::quality_report(thin, 1).skewness.max(), 0, eps);
+  const auto skewness = tubular::quality_report(thin).skewness;
+  const double between = (l * t / 4) / (0.2 * d), end = (l * t / 2) / (0.4 * l / 2);
+  const double side = t / (l * (1 + t * t));
+  EXPECT_NEAR(skewness.mean(), (between + end + 2 * side) / 11, eps);
+}
+
+TEST(Quality_report, Finite_volumes_of_two_prisms) {
+  Mesh m; // a brick of 2 x 1 x 1, cut along the diagonal of its base
+  for (double z : {0., 1.})
+    for (const auto& p : {Point(0, 0, z), Point(2, 0, z), Point(2, 1, z), Point(0, 1, z)})
+      m.points.push_back(p);
+  m.prisms.push_back({0, 1, 2, 4, 5, 6}, 1);
+  m.prisms.push_back({0, 2, 3, 4, 6, 7}, 1);
+  const auto r = tubular::quality_report(m);
+  EXPECT_EQ(r.skewness.count(), 9u);
+  // the centers are (4, 1)/3 and (2, 2)/3, the normal is (-1, 2)/√5
+  EXPECT_NEAR(r.non_orthogonality.max(), std::acos(0.8) * 180 / std::acos(-1.), 1e-9);
+  // on the four upright sides the centers are a third of half the edge off
+  EXPECT_NEAR(r.skewness.max(), 1. / 3, eps);
+  EXPECT_NEAR(r.skewness.mean(), 4. / 3 / 9, eps);
+  EXPECT_NEAR(r.aspect.max(), 2, eps); // the areas are 2, 4 and 2
+}
+
+TEST(Quality_report, Finite_volumes_of_tetrahedra_and_pyramids) {
+  Mesh m; // a regular octahedron of two pyramids, and a regular tetrahedron on a side of it
+  m.points = {Point(1, 0, 0), Point(0, 1, 0),  Point(-1, 0, 0), Point(0, -1, 0),
+              Point(0, 0, 1), Point(0, 0, -1), Point(1, 1, 1)};
+  m.pyramids.push_back({0, 1, 2, 3, 4}, 1);
+  m.pyramids.push_back({3, 2, 1, 0, 5}, 1);
+  m.tetrahedra.push_back({0, 1, 4, 6}, 1);
+  const auto valid = tubular::validity_report(m);
+  EXPECT_EQ(valid.inverted_cells, 0u);
+  const auto r = tubular::quality_report(m);
+  EXPECT_EQ(r.aspect.count(), 3u);
+  EXPECT_EQ(r.non_orthogonality.count(), 2u);
+  EXPECT_EQ(r.skewness.count(), 2u + 4 + 3 + 3);
+  // a pyramid's center is a quarter of its height up, at (0, 0, 1/4); the tetrahedron's is (1, 1, 1)/2
+  EXPECT_NEAR(r.non_orthogonality.min(), 0, 1e-5);
+  EXPECT_NEAR(r.non_orthogonality.max(),
+              std::acos((0.5 + 0.5 + 0.25) / std::sqrt(3 * (0.25 + 0.25 + 0.0625))) * 180 / std::acos(-1.), 1e-9);
+  EXPECT_NEAR(r.aspect.min(), 2, eps); // of a pyramid, whose areas are 2, 2 and 4
+  // of the tetrahedron, whose areas are 2 along each axis, and whose volume is 1/3
+  EXPECT_NEAR(r.aspect.max(), 1 / std::pow(1. / 3, 2. / 3), eps);
+}
+
+TEST(Quality_report, Finite_volumes_of_a_region_end_at_its_interfaces) {
+  const Mesh m = moved_cubes({3, 1, 1}, [](double x, double y, double z) { return Point(x + z, y, z); });
+  const auto ends = tubular::quality_report(m, 1), middle = tubular::quality_report(m, 2);
+  EXPECT_EQ(ends.aspect.count(), 2u);
+  EXPECT_EQ(ends.non_orthogonality.count(), 0u);
+  EXPECT_EQ(ends.skewness.count(), 12u);
+  EXPECT_EQ(middle.skewness.count(), 6u);
+  EXPECT_EQ(tubular::quality_report(m).skewness.count(), 16u);
+  EXPECT_EQ(tubular::quality_report(m).non_orthogonality.count(), 2u);
+  EXPECT_EQ(tubular::quality_report(Mesh()).skewness.count(), 0u);
+}
+
+TEST(Quality_report, Finite_volumes_without_extent_are_infinitely_bad) {
+  const Mesh flat = moved_cubes({1, 1, 1}, [](double x, double y, double) { return Point(x, y, 0); });
+  EXPECT_TRUE(std::isinf(tubular::quality_report(flat).aspect.max()));
+  const Mesh point = moved_cubes({2, 1, 1}, [](double, double, double) { return Point(1, 2, 3); });
+  EXPECT_TRUE(std::isinf(tubular::quality_report(point).aspect.max()));
+  EXPECT_FALSE(std::isnan(tubular::quality_report(point).skewness.mean()));
 }
 
 TEST(Quality_report, Efficiency_of_a_unit_mesh) {

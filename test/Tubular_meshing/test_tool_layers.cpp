@@ -56,6 +56,10 @@ TEST_F(Tool, Makes_a_mixed_mesh_with_a_wall) {
   EXPECT_EQ(r["wall"]["vertices"].get<std::size_t>() > 0, true);
   EXPECT_GE(r["quality"]["eta_q"]["min"].get<double>(), 0.3);
   EXPECT_GE(r["quality"]["zeta_H"]["min"].get<double>(), 0.3);
+  EXPECT_EQ(r["quality"]["scaled_jacobian"]["count"], mesh.hexahedra.size());
+  EXPECT_GT(r["quality"]["scaled_jacobian"]["min"].get<double>(), 0);
+  EXPECT_EQ(r["quality"]["aspect"]["count"], mesh.number_of_cells());
+  EXPECT_NE(outcome.out.find("skewness"), std::string::npos);
   EXPECT_NE(outcome.out.find("hexahedra"), std::string::npos);
 }
 

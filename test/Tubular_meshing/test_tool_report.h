@@ -28,6 +28,14 @@ inline void expect_statistics(const Json& told, const tubular::Measure_statistic
   EXPECT_EQ(told["histogram"], Json(measured.histogram()));
 }
 
+// Of a measure that is large where it is bad.
+inline void expect_excess(const Json& told, const tubular::Measure_statistics& measured) {
+  EXPECT_EQ(told["count"], measured.count());
+  EXPECT_NEAR(told["max"].get<double>(), measured.max(), 1e-6 * measured.max());
+  EXPECT_NEAR(told["p99"].get<double>(), measured.percentile(99), 1e-6 * measured.max());
+  EXPECT_NEAR(told["mean"].get<double>(), measured.mean(), 1e-6 * measured.max());
+}
+
 inline double diagonal_of(const Mesh& mesh) {
   CGAL::Bbox_3 b;
   for (const Point& p : mesh.points)
@@ -72,6 +80,10 @@ inline void expect_report_of(const Json& report, const Mesh& mesh) {
   const tubular::Quality_report quality = tubular::quality_report(mesh);
   expect_statistics(report["quality"]["gamma_tau"], quality.gamma_tau);
   expect_statistics(report["quality"]["gamma_T"], quality.gamma_T);
+  EXPECT_FALSE(report["quality"].contains("scaled_jacobian")); // there are no hexahedra
+  expect_excess(report["quality"]["aspect"], quality.aspect);
+  expect_excess(report["quality"]["non_orthogonality"], quality.non_orthogonality);
+  expect_excess(report["quality"]["skewness"], quality.skewness);
   EXPECT_EQ(report["openings"].size() + 1, mesh.patch_names.size()); // and the wall
   EXPECT_EQ(report["openings"][0]["name"], "inlet");
   for (const Json& opening : report["openings"])

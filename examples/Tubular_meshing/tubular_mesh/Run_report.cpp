@@ -18,6 +18,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <map>
 #include <string>
@@ -31,6 +32,18 @@ namespace {
 Json statistics(const tubular::Measure_statistics& s) {
   return {{"count", s.count()},    {"min", s.min()},        {"mean", s.mean()},        {"max", s.max()},
           {"p1", s.percentile(1)}, {"p5", s.percentile(5)}, {"p50", s.percentile(50)}, {"histogram", s.histogram()}};
+}
+
+// Of a measure that is large where it is bad, and has no bound; a cell that is flat has none at all.
+Json statistics_of_excess(const tubular::Measure_statistics& s) {
+  const auto number = [](double x) { return std::isfinite(x) ? Json(x) : Json(); };
+  return {{"count", s.count()},
+          {"min", number(s.min())},
+          {"mean", number(s.mean())},
+          {"max", number(s.max())},
+          {"p50", number(s.percentile(50))},
+          {"p95", number(s.percentile(95))},
+          {"p99", number(s.percentile(99))}};
 }
 
 template <class Point> Json vector_of(const Point& p) {
@@ -120,6 +133,12 @@ Json qualities(const tubular::Quality_report& quality) {
   };
   add("eta_q", quality.eta_q);
   add("zeta_H", quality.zeta_H);
+  add("scaled_jacobian", quality.scaled_jacobian);
+  if (quality.aspect.count() > 0) {
+    q["aspect"] = statistics_of_excess(quality.aspect);
+    q["non_orthogonality"] = statistics_of_excess(quality.non_orthogonality);
+    q["skewness"] = statistics_of_excess(quality.skewness);
+  }
   return q;
 }
 
@@ -351,10 +370,28 @@ void print_branches(const Json& branches) {
 // The measures of quality in the order of the table, with what they are called there.
 const std::vector<std::pair<const char*, const char*>>& measures() {
   static const std::vector<std::pair<const char*, const char*>> list = {{"gamma_tau", "tetrahedra, gamma_tau"},
+                                                                        {"scaled_jacobian", "hexahedra, Jacobian"},
                                                                         {"zeta_H", "hexahedra, zeta_H"},
                                                                         {"gamma_T", "triangles, gamma_T"},
                                                                         {"eta_q", "quads, eta_q"}};
   return list;
+}
+
+// Those of finite volumes.
+void print_excesses(const Json& q) {
+  const std::pair<const char*, const char*> list[] = {
+      {"aspect", "cells, aspect"}, {"non_orthogonality", "faces, non-orthogonal"}, {"skewness", "faces, skewness"}};
+  if (!q.contains("aspect"))
+    return;
+  const auto text = [](const Json& x) {
+    char buffer[32];
+    std::snprintf(buffer, sizeof buffer, "%8.3f", x.is_null() ? HUGE_VAL : x.get<double>());
+    return std::string(buffer);
+  };
+  std::printf("\n%-22s %8s %8s %8s\n", "finite volumes", "max", "99 %", "mean");
+  for (const auto& m : list)
+    std::printf("%-22s %s %s %s\n", m.second, text(q[m.first]["max"]).c_str(), text(q[m.first]["p99"]).c_str(),
+                text(q[m.first]["mean"]).c_str());
 }
 
 void print_counts(const Json& r) {
@@ -455,6 +492,7 @@ void print_summary(const Json& r, bool verbose) {
     std::printf("%-22s %8.3f %8.3f %8.3f\n", m.second, s["min"].get<double>(), s["p1"].get<double>(),
                 s["mean"].get<double>());
   }
+  print_excesses(r["quality"]);
   if (r["quality"].contains("Q_tau"))
     print_metric_quality(r["quality"]);
   if (r["quality"].contains("in_the_metric"))

@@ -46,29 +46,37 @@ private:
 
 /*! \ingroup PkgTubularMeshingQuality
  *
- * The quality of a mesh by the paper's measures. A measure of elements that the mesh does not have is empty.
+ * The quality of a mesh by the paper's measures, and by those of cells as finite volumes, which are OpenFOAM's: what its
+ * `checkMesh` prints. The latter are taken of cells of all kinds. A measure of elements that the mesh does not have is
+ * empty.
  */
 struct Quality_report {
   Measure_statistics gamma_T;          ///< (12), of the triangles
   Measure_statistics gamma_tau;        ///< (13), of the tetrahedra
   Measure_statistics eta_q;            ///< (14), of the quadrilaterals
   Measure_statistics zeta_H;           ///< (15), of the hexahedra
+  Measure_statistics scaled_jacobian;  ///< of the hexahedra, see CGAL::Tubular_meshing::hexahedron_jacobian()
   Measure_statistics prism_jacobian;   ///< of the prisms, see CGAL::Tubular_meshing::prism_jacobian()
   Measure_statistics pyramid_jacobian; ///< of the pyramids, see CGAL::Tubular_meshing::pyramid_jacobian()
   Measure_statistics Q_tau;            ///< (16), of the tetrahedra, where the mesh carries a `metric`
   double efficiency = 0;               ///< (17), over the edges of the tetrahedra, where the mesh carries a `metric`
+  Measure_statistics aspect;           ///< of the cells: 1 is a cube along the axes, infinite a flat cell
+  /// of the faces between cells, in degrees: the angle between a face's normal and the line between the cells' centers
+  Measure_statistics non_orthogonality;
+  /// of the faces: how far from the face's center that line meets the face, in parts of the face's extent
+  Measure_statistics skewness;
 };
 
 /*! \ingroup PkgTubularMeshingQuality
  *
- * measures all elements of a mesh, (12)-(15), and (16)-(17) if it carries a point array `metric` of six components.
- * O(n log n).
+ * measures all elements of a mesh, (12)-(15) and as finite volumes, and (16)-(17) if it carries a point array `metric` of
+ * six components. O(n log n).
  */
 Quality_report quality_report(const Mixed_mesh& mesh);
 
 /*! \ingroup PkgTubularMeshingQuality
  *
- * the same for the cells of one region; facets are left out.
+ * the same for the cells of one region, as if they were all; facets are left out.
  */
 Quality_report quality_report(const Mixed_mesh& mesh, int region);
 

@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_QUALITY_QUALITY_REPORT_IMPL_H
 #define CGAL_TUBULAR_MESHING_QUALITY_QUALITY_REPORT_IMPL_H
 
+#include <CGAL/Tubular_meshing/Quality/internal/Finite_volumes.h>
 #include <CGAL/Tubular_meshing/Quality/quality_report.h>
 #include <CGAL/Tubular_meshing/Quality/shape_measures.h>
 
@@ -65,11 +66,16 @@ public:
       return internal::tetrahedron_gamma(p[0], p[1], p[2], p[3]);
     });
     r.zeta_H = over(mesh_.hexahedra, [](const std::array<Vector_3d, 8>& p) { return internal::hexahedron_zeta(p); });
+    r.scaled_jacobian = over(mesh_.hexahedra, [](const std::array<Vector_3d, 8>& p) { return scaled_jacobian(p); });
     r.prism_jacobian = over(mesh_.prisms, [](const std::array<Vector_3d, 6>& p) { return scaled_jacobian(p); });
     r.pyramid_jacobian = over(mesh_.pyramids, [](const std::array<Vector_3d, 5>& p) { return scaled_jacobian(p); });
     for (const Point_array& a : mesh_.point_arrays)
       if (a.is_metric())
         add_metric_measures(a, r);
+    Finite_volumes volumes(mesh_, region_);
+    r.aspect = Measure_statistics(std::move(volumes.aspect()));
+    r.non_orthogonality = Measure_statistics(std::move(volumes.non_orthogonality()));
+    r.skewness = Measure_statistics(std::move(volumes.skewness()));
     return r;
   }
 

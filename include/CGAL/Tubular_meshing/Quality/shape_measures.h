@@ -64,6 +64,13 @@ template <class Point> double hexahedron_zeta(const std::array<Point, 8>& p) {
   return internal::hexahedron_zeta({V(p[0]), V(p[1]), V(p[2]), V(p[3]), V(p[4]), V(p[5]), V(p[6]), V(p[7])});
 }
 
+/*! The scaled Jacobian of a hexahedron: the smallest Jacobian at its eight corners, each divided by the lengths of the
+ * three edges there; 1 is a brick, 0 has a flat corner, negative is inverted. */
+template <class Point> double hexahedron_jacobian(const std::array<Point, 8>& p) {
+  typedef internal::Vector_3d V;
+  return internal::scaled_jacobian<8>({V(p[0]), V(p[1]), V(p[2]), V(p[3]), V(p[4]), V(p[5]), V(p[6]), V(p[7])});
+}
+
 /*! The smallest Jacobian at the corners of a pyramid's base, each divided by the lengths of the three edges there:
  * \f$ \sqrt{1/2} \f$ on a square where the sides are equilateral, 0 flat, negative inverted. */
 template <class Point> double pyramid_jacobian(const std::array<Point, 5>& p) {
