@@ -6,6 +6,7 @@
 
 #include <CGAL/Tubular_meshing/Fields/Centerline_metric_field.h>
 #include <CGAL/Tubular_meshing/Fields/Centerline_sizing_field.h>
+#include <CGAL/Tubular_meshing/Hexahedra/optimize_hexahedra.h>
 #include <CGAL/Tubular_meshing/Layers/extrude_boundary_layer.h>
 #include <CGAL/Tubular_meshing/Layers/extrude_wall.h>
 #include <CGAL/Tubular_meshing/Patches/cut_by_centerlines.h>
@@ -58,6 +59,7 @@ struct Mesher_options {
   Fill_keeping_boundary_options filling;
   Fill_with_pyramids_and_tetrahedra_options pyramids;
   Optimize_tetrahedra_options optimization;
+  Optimize_hexahedra_options hexahedra;
   Anisotropic_tetrahedral_remeshing_options remeshing;
   Extrude_boundary_layer_options boundary_layer;
   std::optional<Extrude_wall_options> wall; ///< of a mixed or hexahedral mesh; none: there is no wall
@@ -83,6 +85,7 @@ struct Mesher_options {
       , filling(np)
       , pyramids(np)
       , optimization(np)
+      , hexahedra(np)
       , remeshing(np)
       , boundary_layer(np) {
     using internal::choose;
