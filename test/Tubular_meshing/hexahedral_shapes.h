@@ -79,7 +79,8 @@ inline Mesh box_grid(const std::array<int, 3>& n, const std::array<double, 3>& l
   add_boundary(mesh, [&](const std::array<Point, 4>& p) {
     for (int axis = 0; axis < 3; ++axis)
       for (int end = 0; end < 2; ++end)
-        if (std::all_of(p.begin(), p.end(), [&](const Point& q) { return q[axis] == end * lengths[std::size_t(axis)]; }))
+        if (std::all_of(p.begin(), p.end(),
+                        [&](const Point& q) { return q[axis] == end * lengths[std::size_t(axis)]; }))
           return 1 + 2 * axis + end;
     return 0;
   });
@@ -117,7 +118,8 @@ inline tubular::Labelled_surface cylinder_surface(int sides, int rings, double l
   tubular::Labelled_surface result;
   auto& surface = result.surface;
   const auto add = [&](tubular::Surface::Vertex_index a, tubular::Surface::Vertex_index b,
-                       tubular::Surface::Vertex_index c, int label) { result.patch[surface.add_face(a, b, c)] = label; };
+                       tubular::Surface::Vertex_index c,
+                       int label) { result.patch[surface.add_face(a, b, c)] = label; };
   std::vector<tubular::Surface::Vertex_index> v;
   for (int k = 0; k <= rings; ++k)
     for (int i = 0; i < sides; ++i) {
@@ -220,8 +222,8 @@ inline Mesh split_tetrahedra(const Mesh& from) {
     for (const auto& k : corners) {
       const std::uint32_t o = t[std::size_t(k[0])], a = t[std::size_t(k[1])], b = t[std::size_t(k[2])],
                           c = t[std::size_t(k[3])];
-      mesh.hexahedra.push_back({o, middle({o, a}), middle({o, a, b}), middle({o, b}), middle({o, c}),
-                                middle({o, a, c}), middle({o, a, b, c}), middle({o, b, c})},
+      mesh.hexahedra.push_back({o, middle({o, a}), middle({o, a, b}), middle({o, b}), middle({o, c}), middle({o, a, c}),
+                                middle({o, a, b, c}), middle({o, b, c})},
                                from.tetrahedra.label[i]);
     }
   }

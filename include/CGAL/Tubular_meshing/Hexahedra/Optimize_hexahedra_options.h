@@ -22,7 +22,7 @@ typedef std::array<double, 3> Hexahedron_edge_lengths;
 struct Optimize_hexahedra_options {
   double quality_wanted = 0.5;
   int number_of_rings = 2;
-  int number_of_sweeps = 12;
+  int number_of_sweeps = 8;
   int untangling_sweeps = 200;
   double tempering = 0.35;
   const std::vector<bool>* fixed_vertices = nullptr;

@@ -30,8 +30,8 @@ Optimize_hexahedra_report optimize_hexahedra(Mixed_mesh& mesh, const Surface& su
  *     \chi_\varepsilon(D) = \frac{D + \sqrt{\varepsilon^2 + D^2}}{2}, \f]
  * which is 1 at a corner with right angles and edges in the proportions of their targets, and has no bound as the corner
  * becomes flat. \f$ \varepsilon \f$ is positive as long as there are inverted corners, and is lowered with the worst of
- * them, \cgalCite{garanzha2021}. After that it is 0, and nothing is inverted any more, and p goes from 1 to 2 and 4, so
- * that the worst corners count more and more. The sum is a convex function of the position of each single vertex:
+ * them, \cgalCite{garanzha2021}. After that it is 0, and nothing is inverted any more, and p goes from 1 to 2, 4
+ * and 8, so that the worst corners count more and more. The sum is a convex function of the position of each single vertex:
  * vertices take turns in Newton steps.
  *
  * Vertices of facets slide on `surface`: those of one patch's facets on the patch, those between two patches on the rim
@@ -66,7 +66,7 @@ Optimize_hexahedra_report optimize_hexahedra(Mixed_mesh& mesh, const Surface& su
  *   \cgalParamNBegin{number_of_sweeps}
  *     \cgalParamDescription{the most sweeps for each p; there are fewer where vertices come to rest}
  *     \cgalParamType{`int`}
- *     \cgalParamDefault{12}
+ *     \cgalParamDefault{8}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{untangling_sweeps}
  *     \cgalParamDescription{the most sweeps while there are inverted hexahedra}
@@ -105,9 +105,14 @@ Optimize_hexahedra_report optimize_hexahedra(Mixed_mesh& mesh, const Surface& su
  * \exception Parameter_error if an option is out of its range, or if `fixed_vertices` or `target_lengths` have not one
  * value for each vertex, or hexahedron
  */
+#ifdef DOXYGEN_RUNNING
 template <class FaceGraph, class FacePatchMap, class NamedParameters = CGAL::parameters::Default_named_parameters>
+#else
+template <class FaceGraph, class FacePatchMap, class NamedParameters = CGAL::parameters::Default_named_parameters,
+          std::enable_if_t<!std::is_base_of<Labelled_surface, FaceGraph>::value, int> = 0>
+#endif
 Optimize_hexahedra_report optimize_hexahedra(Mixed_mesh& mesh, const FaceGraph& surface, FacePatchMap patch,
-                                             const NamedParameters& np) {
+                                             const NamedParameters& np = CGAL::parameters::default_values()) {
   const internal::Core_labelled_surface<FaceGraph, FacePatchMap, NamedParameters> core(surface, patch, np);
   return internal::optimize_hexahedra(mesh, core.surface(), core.patch(), Optimize_hexahedra_options(np));
 }

@@ -72,7 +72,10 @@ struct Mesher_options {
   bool preserve_volume = true;               ///< whether the wall is moved so that the mesh has the surface's volume
   std::function<void(const char*)> observer; ///< receives the name of each stage as it begins
 
-  Mesher_options() = default;
+  // Of hexahedra by subdivision about all are moved: more sweeps take long, and win a hundredth of the worst quality.
+  static constexpr int sweeps_of_hexahedra = 4;
+
+  Mesher_options() { hexahedra.number_of_sweeps = sweeps_of_hexahedra; }
   template <class NamedParameters>
   explicit Mesher_options(const NamedParameters& np)
       : size(np)
@@ -90,6 +93,7 @@ struct Mesher_options {
       , boundary_layer(np) {
     using internal::choose;
     volume_mesher = choose(np, internal_np::volume_mesher, volume_mesher);
+    hexahedra.number_of_sweeps = choose(np, internal_np::number_of_sweeps, sweeps_of_hexahedra);
     // Mesh_3 meshes the surface itself: patches before it would be work for nothing
     surface_mesher = choose(np, internal_np::surface_mesher,
                             volume_mesher == Volume_mesher::mesh_3 ? Surface_mesher::mesh_3 : surface_mesher);

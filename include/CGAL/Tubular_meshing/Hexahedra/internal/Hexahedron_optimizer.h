@@ -47,10 +47,12 @@ public:
     if (before.below_wanted > 0) {
       prepare();
       untangle();
-      for (int power : {1, 2, 4})
+      for (int power : {1, 2, 4, 8})
         improve(power);
+      if (before.inverted == 0 && options_.target_lengths == nullptr)
+        send_back(before.least);
       after = measure_all();
-      if (after.inverted > before.inverted || (after.inverted == before.inverted && after.least < before.least))
+      if (is_worse(after, before))
         after = before;
       else
         for (std::size_t v = 0; v < points_.size(); ++v)
@@ -74,6 +76,27 @@ private:
     double least = 0, mean = 0;
     std::size_t inverted = 0, below_wanted = 0;
   };
+  // Where the caller has lengths in mind these may be worth some quality.
+  bool is_worse(const Summary& after, const Summary& before) const {
+    return after.inverted > before.inverted ||
+           (after.inverted == before.inverted && after.least < before.least && options_.target_lengths == nullptr);
+  }
+  /* Vertices of hexahedra that have become worse than the worst one was go back to where they came from, and then those
+   * of hexahedra that this makes worse: so one place that gets no better does not take from all others what they have
+   * won. Ends, as no hexahedron is worse whose vertices are all back. */
+  void send_back(double least) {
+    for (bool is_done = false; !is_done;) {
+      is_done = true;
+      measure_all();
+      for (std::size_t h = 0; h < number_of_hexahedra(); ++h)
+        if (double(quality_[h]) < least)
+          for (Index v : mesh_.hexahedra.vertices[h]) {
+            const Vector_3d from(mesh_.points[v]);
+            is_done = is_done && squared_norm(points_[v] - from) == 0;
+            points_[v] = from;
+          }
+    }
+  }
   struct Worst {
     double determinant, energy;
   };
@@ -114,6 +137,33 @@ private:
       x = 1 / x;
     inverse_lengths_[h] = l;
   }
+  /* Cubes are the targets of tangled hexahedra, whose edges tell nothing of their proportions; in each tangle of one
+   * size, that of its largest: ε begins high then, so that what has collapsed opens again. */
+  void make_cubes(const std::vector<Index>& tangled) {
+    std::vector<bool> is_to_do(number_of_hexahedra(), false);
+    for (Index h : tangled)
+      is_to_do[h] = true;
+    std::vector<Index> tangle;
+    for (Index first : tangled) {
+      if (!is_to_do[first])
+        continue;
+      tangle.assign(1, first);
+      is_to_do[first] = false;
+      double size = 0;
+      for (std::size_t k = 0; k < tangle.size(); ++k) {
+        const Axis_lengths l = mean_edge_lengths(corners(tangle[k]));
+        size = (std::max)(size, (l[0] + l[1] + l[2]) / 3);
+        for (Index v : mesh_.hexahedra.vertices[tangle[k]])
+          for (const auto& e : stars_(v))
+            if (is_to_do[e.hexahedron()]) {
+              is_to_do[e.hexahedron()] = false;
+              tangle.push_back(Index(e.hexahedron()));
+            }
+      }
+      for (Index h : tangle)
+        inverse_lengths_[h].fill(size > 0 ? 1 / size : 1);
+    }
+  }
   Axis_lengths tempered_lengths(const Hexahedron_points& p) const {
     constexpr double thinnest = 1e-3; // of the longest: a hexahedron may be flat when it comes
     Axis_lengths l = mean_edge_lengths(p);
@@ -124,7 +174,7 @@ private:
       x = (std::max)(x, thinnest * longest);
     const double g = std::cbrt(l[0] * l[1] * l[2]);
     for (double& x : l)
-      x = std::pow(g, options_.tempering) * std::pow(x, 1 - options_.tempering);
+      x = g * std::pow(x / g, 1 - options_.tempering);
     return l;
   }
 
@@ -339,8 +389,7 @@ private:
     if (tangled.empty())
       return;
     if (options_.target_lengths == nullptr)
-      for (Index h : tangled) // its edges tell nothing of its proportions
-        inverse_lengths_[h] = {1, 1, 1};
+      make_cubes(tangled);
     constexpr int attempts = 3;
     constexpr double worst_quality = 0.02;
     bool done = false;
@@ -407,8 +456,8 @@ private:
       sweep(penalty);
   }
 
-  static constexpr double barrier = 1e-9; // what D must be for a corner to count as not inverted
-  static constexpr double rest = 1e-2;    // a vertex has come to rest whose step is this part of its shortest edge
+  static constexpr double barrier = 1e-12; // what D must be for a corner to count as not inverted
+  static constexpr double rest = 1e-2;     // a vertex has come to rest whose step is this part of its shortest edge
 
   Mixed_mesh& mesh_;
   const Surface& surface_;

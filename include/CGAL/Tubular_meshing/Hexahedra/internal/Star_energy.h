@@ -28,7 +28,7 @@ constexpr double hexahedron_corner_sign[8] = {1, -1, 1, -1, -1, 1, -1, 1};
  * the columns of J W⁻¹: with s the sum of their squares and D their determinant it counts ((s/3)^{3/2} / χ(D))^power,
  * where χ(D) = (D + √(ε² + D²)) / 2 is D without ε, and positive for any D with it. A corner of a brick counts 1. */
 struct Corner_penalty {
-  int power = 1;      // 1, 2 or 4
+  int power = 1;      // 1, 2, 4 or 8
   double epsilon = 0; // 0: corners with D <= 0 count without bound
 
   double operator()(double s, double determinant) const {
@@ -49,7 +49,11 @@ struct Corner_penalty {
   }
   // of the square of the measure: no root is taken but for power 1
   double raised(double squared) const {
-    return power == 1 ? std::sqrt(squared) : power == 2 ? squared : squared * squared;
+    if (power == 1)
+      return std::sqrt(squared);
+    for (int p = 2; p < power; p *= 2)
+      squared *= squared;
+    return squared;
   }
 };
 
