@@ -13,6 +13,7 @@
 #include <CGAL/Tubular_meshing/Quality/lumen_measures.h>
 #include <CGAL/Tubular_meshing/Quality/validity_report.h>
 #include <CGAL/Tubular_meshing/Volume/move_boundary_to_surface.h>
+#include <CGAL/Tubular_meshing/base/cell_topology.h>
 #include <CGAL/Tubular_meshing/base/labels.h>
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
@@ -20,6 +21,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -175,6 +177,48 @@ TEST(Hexahedral_mesh_by_subdivision, Is_of_lumens_with_loops) {
   expect_hexahedra_alone(mesh);
   EXPECT_EQ(tubular::validity_report(mesh).boundary_euler, 2 - 2 * 2);
   EXPECT_LT(std::abs(relative_volume(mesh, model)), 0.003);
+}
+
+// From each corner of a facet of the wall, the edge of the hexahedron on it that leads away from the facet.
+std::vector<std::array<Point_3, 2>> edges_into_first_layer(const Mixed_mesh& mesh) {
+  typedef tubular::internal::Cell_topology<8> Topology;
+  std::set<std::set<std::uint32_t>> wall;
+  for (std::size_t i = 0; i < mesh.quads.size(); ++i)
+    if (mesh.quads.label[i] == labels::wall)
+      wall.emplace(mesh.quads.vertices[i].begin(), mesh.quads.vertices[i].end());
+  std::vector<std::array<Point_3, 2>> result;
+  for (const auto& h : mesh.hexahedra.vertices)
+    for (const auto& f : Topology::quads()) {
+      std::set<std::uint32_t> face;
+      for (int k : f)
+        face.insert(h[std::size_t(k)]);
+      if (wall.count(face) == 0)
+        continue;
+      for (const auto& c : Topology::corners())
+        for (int k = 1; k < 4; ++k)
+          if (face.count(h[std::size_t(c[0])]) != 0 && face.count(h[std::size_t(c[k])]) == 0)
+            result.push_back({{mesh.points[h[std::size_t(c[0])]], mesh.points[h[std::size_t(c[k])]]}});
+    }
+  return result;
+}
+
+TEST(Hexahedral_mesh_by_subdivision, Has_a_first_layer_of_the_height_asked_for) {
+  NEEDS_FILLING();
+  Mesher_options options = by_subdivision(24);
+  options.boundary_layer = tubular::Extrude_boundary_layer_options(
+      parameters::boundary_layer_prisms(4).boundary_layer_thickness(0.3).first_height(0.0485).growth(1.3));
+  const Mixed_mesh mesh = Mesher(model_of(tubular::straight_tube(8, 1)), options).hexahedral();
+  const auto edges = edges_into_first_layer(mesh);
+  std::size_t of_height = 0, upright = 0;
+  for (const auto& e : edges) {
+    const tubular::Vector_3 edge = e[1] - e[0], inward(-e[0].x(), -e[0].y(), 0); // the tube is along z
+    const double length = std::sqrt(edge.squared_length());
+    of_height += std::abs(length - 0.0485) < 0.15 * 0.0485;
+    upright += edge * inward > std::cos(10 * CGAL_PI / 180) * length * std::sqrt(inward.squared_length());
+  }
+  ASSERT_GT(edges.size(), 1000u);
+  EXPECT_GE(double(of_height), 0.98 * double(edges.size()));
+  EXPECT_GE(double(upright), 0.95 * double(edges.size()));
 }
 
 // The coarser mesh is not so coarse that it loses the vessel.

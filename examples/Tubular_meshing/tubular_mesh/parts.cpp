@@ -113,6 +113,18 @@ void add(tubular::Preserve_volume_report& all, const tubular::Preserve_volume_re
   all.held_back += part.held_back;
 }
 
+// Means are of cells, whose number is not known here: of vessels, they are the least.
+void add(tubular::Optimize_hexahedra_report& all, const tubular::Optimize_hexahedra_report& part) {
+  for (double tubular::Optimize_hexahedra_report::*least :
+       {&tubular::Optimize_hexahedra_report::min_scaled_jacobian_before,
+        &tubular::Optimize_hexahedra_report::min_scaled_jacobian,
+        &tubular::Optimize_hexahedra_report::mean_scaled_jacobian_before,
+        &tubular::Optimize_hexahedra_report::mean_scaled_jacobian})
+    all.*least = (std::min)(all.*least, part.*least);
+  all.inverted_before += part.inverted_before;
+  all.inverted += part.inverted;
+}
+
 void add(tubular::Hexahedral_report& all, const tubular::Hexahedral_report& part) {
   if (part.method == tubular::Hexahedral_method::subdivision)
     all.method = part.method; // of all that are joined, not only blocks
@@ -126,6 +138,7 @@ void add(tubular::Hexahedral_report& all, const tubular::Hexahedral_report& part
   all.boundary.largest_shift = (std::max)(all.boundary.largest_shift, part.boundary.largest_shift);
   all.boundary.not_found += part.boundary.not_found;
   all.boundary.held_back += part.boundary.held_back;
+  add(all.optimization, part.optimization);
 }
 
 template <class T> void append(std::vector<T>& all, const std::vector<T>& part) {

@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_PIPELINES_HEXAHEDRAL_REPORT_H
 #define CGAL_TUBULAR_MESHING_PIPELINES_HEXAHEDRAL_REPORT_H
 
+#include <CGAL/Tubular_meshing/Hexahedra/Optimize_hexahedra_options.h>
 #include <CGAL/Tubular_meshing/Volume/move_boundary_to_surface.h>
 #include <CGAL/Tubular_meshing/base/Kernel.h>
 
@@ -54,6 +55,7 @@ struct Hexahedral_report {
   std::vector<double> twist;                ///< of each branch's blocks from end to end, in radians
 
   Move_boundary_to_surface_report boundary; ///< how vertices that subdivision has added came to the surface
+  Optimize_hexahedra_report optimization;   ///< before and after; the volume is preserved after that
 };
 
 } // namespace CGAL::Tubular_meshing

@@ -112,7 +112,7 @@ struct Mesher_report {
  * \cgalNamedParamsEnd
  *
  * and all named parameters of its stages: Centerline_sizing_field, Centerline_metric_field, cut_by_centerlines(),
- * remesh_patches(), quadrangulate_patches(), fill_keeping_boundary(), fill_with_mesh_3(), optimize_tetrahedra(),
+ * remesh_patches(), quadrangulate_patches(), fill_keeping_boundary(), fill_with_mesh_3(), optimize_tetrahedra(), optimize_hexahedra(),
  * anisotropic_tetrahedral_remeshing(), extrude_boundary_layer(), extrude_wall(). From a surface, also those of
  * make_tubular_model().
  *
@@ -185,8 +185,8 @@ public:
    * mesh, subdivided. In the second way they come to any shape that isotropic() meshes: the coarser mesh has 1.6 times
    * the mesh size, so that there are about as many hexahedra as there are tetrahedra in an isotropic mesh of the same N;
    * each boundary layer of prisms is one of hexahedra, and so is each of the vessel's wall, if one is wanted. New
-   * vertices are brought to the surface, and then, unless `preserve_volume` is false, all of the wall's are moved so
-   * that the mesh has the surface's volume.
+   * vertices are brought to the surface, and the hexahedra are improved, see optimize_hexahedra(); then, unless
+   * `preserve_volume` is false, the wall is moved so that the mesh has the surface's volume.
    *
    * Where blocks are asked for and cannot be had, `hexahedral_fallback` says what is done, and
    * Mesher_report::hexahedral what was, and why. kept_surface() is empty after a mesh by subdivision.

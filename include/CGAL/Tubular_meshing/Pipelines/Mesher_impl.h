@@ -10,6 +10,7 @@
 #include <CGAL/Tubular_meshing/Fields/Centerline_sizing_field.h>
 #include <CGAL/Tubular_meshing/Fields/Local_radius.h>
 #include <CGAL/Tubular_meshing/Fields/Refined_metric_field.h>
+#include <CGAL/Tubular_meshing/Hexahedra/optimize_hexahedra.h>
 #include <CGAL/Tubular_meshing/Hexahedra/subdivide_into_hexahedra.h>
 #include <CGAL/Tubular_meshing/Layers/append_mesh.h>
 #include <CGAL/Tubular_meshing/Volume/move_boundary_to_surface.h>
@@ -414,11 +415,20 @@ private:
     report_.hexahedral.boundary =
         internal::move_boundary_to_surface(mesh, s.surface, s.patch, limited_radius(), moving);
     frame_.bring_back(report_.hexahedral.boundary);
-    stage("check");
-    internal::check_differences(mesh, *model_, s.surface);
+    optimize(mesh);
     moves_wall_ = options_.preserve_volume;
-    give_volume_to(mesh);
+    move_wall_of(mesh);
     return mesh;
+  }
+
+  void optimize(Mixed_mesh& hexahedra) {
+    stage("optimization of hexahedra");
+    Optimize_hexahedra_options optimization = options_.hexahedra;
+    if (options_.has_boundary_layer()) // layers keep their proportions
+      optimization.tempering = 0;
+    optimization.number_of_threads = options_.size.number_of_threads;
+    const Labelled_surface& s = frame_.surface();
+    report_.hexahedral.optimization = internal::optimize_hexahedra(hexahedra, s.surface, s.patch, optimization);
   }
 
   void add_wall(Mixed_mesh& mesh) {
@@ -475,13 +485,20 @@ private:
       internal::measure_quads(mesh);
   }
 
-  // To a valid mesh that has brought its boundary to the surface; it is still valid then.
-  void give_volume_to(Mixed_mesh& mesh) {
+  // To a mesh that has brought its boundary to the surface.
+  void move_wall_of(Mixed_mesh& mesh) {
     if (!moves_wall_)
       return;
     stage("volume");
     const Labelled_surface& s = frame_.surface();
     note_volume(internal::preserve_volume(mesh, s.surface, s.patch, limited_radius(), volume_options()));
+  }
+
+  // The same to a valid one; it is still valid then.
+  void give_volume_to(Mixed_mesh& mesh) {
+    if (!moves_wall_)
+      return;
+    move_wall_of(mesh);
     stage("check");
     internal::check_differences(mesh, *model_, frame_.surface().surface);
   }

@@ -49,6 +49,8 @@ public:
       untangle();
       for (int power : {1, 2, 4, 8})
         improve(power);
+      if (before.inverted == 0 && options_.target_lengths == nullptr)
+        send_back(before.least);
       after = measure_all();
       if (is_worse(after, before))
         after = before;
@@ -78,6 +80,22 @@ private:
   bool is_worse(const Summary& after, const Summary& before) const {
     return after.inverted > before.inverted ||
            (after.inverted == before.inverted && after.least < before.least && options_.target_lengths == nullptr);
+  }
+  /* Vertices of hexahedra that have become worse than the worst one was go back to where they came from, and then those
+   * of hexahedra that this makes worse: so one place that gets no better does not take from all others what they have
+   * won. Ends, as no hexahedron is worse whose vertices are all back. */
+  void send_back(double least) {
+    for (bool is_done = false; !is_done;) {
+      is_done = true;
+      measure_all();
+      for (std::size_t h = 0; h < number_of_hexahedra(); ++h)
+        if (double(quality_[h]) < least)
+          for (Index v : mesh_.hexahedra.vertices[h]) {
+            const Vector_3d from(mesh_.points[v]);
+            is_done = is_done && squared_norm(points_[v] - from) == 0;
+            points_[v] = from;
+          }
+    }
   }
   struct Worst {
     double determinant, energy;

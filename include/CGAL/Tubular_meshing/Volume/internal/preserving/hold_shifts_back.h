@@ -8,6 +8,7 @@
 #include <CGAL/Tubular_meshing/Volume/internal/preserving/Shift_holder.h>
 #include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
+#include <CGAL/Tubular_meshing/base/Vector_3d.h>
 #include <CGAL/Tubular_meshing/base/cell_topology.h>
 #include <CGAL/Tubular_meshing/base/element_measures.h>
 
@@ -72,6 +73,18 @@ inline void move_without_crossings(Surface& mesh, Shift_holder& shifts) {
     mesh.point(v) = shifts.point(std::size_t(v));
 }
 
+/* A hexahedron keeps a fair scaled Jacobian at a corner, or most of what it had. */
+inline bool spoils_corner(const Shift_holder& shifts, const std::array<std::uint32_t, 4>& t) {
+  const double fair = 0.25, kept = 0.9;
+  const auto scaled = [](const Vector_3d& p, const Vector_3d& a, const Vector_3d& b, const Vector_3d& c) {
+    const Vector_3d u = a - p, v = b - p, w = c - p;
+    const double lengths = norm(u) * norm(v) * norm(w);
+    return lengths > 0 ? dot(cross(u, v), w) / lengths : 0;
+  };
+  const double now = scaled(shifts[t[0]], shifts[t[1]], shifts[t[2]], shifts[t[3]]);
+  return now < fair && now < kept * scaled(shifts.from(t[0]), shifts.from(t[1]), shifts.from(t[2]), shifts.from(t[3]));
+}
+
 template <std::size_t N>
 void add_points_of_crushed_cells(const Element_block<N>& cells, const Shift_holder& shifts, double least,
                                  std::vector<std::size_t>& points) {
@@ -81,18 +94,19 @@ void add_points_of_crushed_cells(const Element_block<N>& cells, const Shift_hold
       for (std::size_t k = 0; k < 4; ++k)
         t[k] = c[std::size_t(corner[k])];
       const double before = signed_volume(shifts.from(t[0]), shifts.from(t[1]), shifts.from(t[2]), shifts.from(t[3]));
-      if (!(signed_volume(shifts[t[0]], shifts[t[1]], shifts[t[2]], shifts[t[3]]) > least * before)) {
+      if (!(signed_volume(shifts[t[0]], shifts[t[1]], shifts[t[2]], shifts[t[3]]) > least * before) ||
+          (N == 8 && spoils_corner(shifts, t))) {
         points.insert(points.end(), c.begin(), c.end());
         break;
       }
     }
 }
 
-/* Cells keep a fair part of their volume at each of their corners: those at fault hold their points back, and then those
+/* Cells keep a fair part of their volume at each of their corners, and hexahedra their shape: those at fault hold their points back, and then those
  * around. If that comes to no end nothing moves at all. */
 inline void keep_cells(const Mixed_mesh& mesh, Shift_holder& shifts) {
   const double least = 0.3; // of the volume
-  for (int round = 0; round < 12; ++round) {
+  for (int round = 0; round < 20; ++round) {
     std::vector<std::size_t> at_fault;
     add_points_of_crushed_cells(mesh.tetrahedra, shifts, least, at_fault);
     add_points_of_crushed_cells(mesh.pyramids, shifts, least, at_fault);
