@@ -14,6 +14,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <map>
+#include <random>
+#include <utility>
 #include <vector>
 
 namespace round_ends {
@@ -114,6 +117,28 @@ inline std::vector<std::vector<Mesh::Face_index>> dome_openings(Mesh& mesh, doub
       domes.back().push_back(mesh.add_face(below[i], below[(i + 1) % m], top));
   }
   return domes;
+}
+
+/* The same surface with its vertices and faces in another order. */
+inline Mesh in_other_order(const Mesh& mesh, unsigned number) {
+  std::mt19937 random(number);
+  const auto shuffle = [&](auto& items) {
+    for (std::size_t i = items.size(); i > 1; --i)
+      std::swap(items[i - 1], items[random() % i]);
+  };
+  std::vector<Mesh::Vertex_index> vertices(mesh.vertices().begin(), mesh.vertices().end());
+  std::vector<Mesh::Face_index> faces(mesh.faces().begin(), mesh.faces().end());
+  shuffle(vertices);
+  shuffle(faces);
+  Mesh result;
+  std::map<Mesh::Vertex_index, Mesh::Vertex_index> copy;
+  for (auto v : vertices)
+    copy[v] = result.add_vertex(mesh.point(v));
+  for (auto f : faces) {
+    const auto h = mesh.halfedge(f);
+    result.add_face(copy[mesh.source(h)], copy[mesh.target(h)], copy[mesh.target(mesh.next(h))]);
+  }
+  return result;
 }
 
 /* Turned about two axes, scaled and moved. */

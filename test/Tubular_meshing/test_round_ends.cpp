@@ -241,6 +241,30 @@ TEST(Round_ends, A_vessel_that_leaves_a_sac_is_one) {
 
 // --- stubs and bumps ---
 
+TEST(Round_ends, A_thin_stub_opposite_to_a_wide_sac_is_a_vessel_in_any_order_of_the_vertices) {
+  unsigned number = 0;
+  for (double sac : {1.6, 2.4, 3.2})
+    for (double r : {0.25, 0.32, 0.45})
+      for (double angle : {90., 65.})
+        for (double stub : {1., 1.6}) {
+          SCOPED_TRACE("sac " + std::to_string(sac) + ", radius " + std::to_string(r) + ", angle " +
+                       std::to_string(angle) + ", stub " + std::to_string(stub));
+          const double a = angle * CGAL_PI / 180;
+          Skeleton s = tube_with_node();
+          add_sac(s, 1, Vector(-1, 0, 0.1), sac + (number % 2 == 0 ? 0.7 : 1.4), sac, 0.6, int(number % 4));
+          add_tube(s, 1, s.nodes[1] + (1 / std::sin(a) + stub * r) * Vector(std::sin(a), 0, std::cos(a)), r, r);
+          const Mesh vessel = round_tree(s, 18);
+          for (unsigned order = 0; order < 2; ++order) {
+            Mesh mesh = in_other_order(vessel, 2 * number + order);
+            move(mesh, 1, 0.3 * number);
+            const Reports reports = tubular::cut_round_ends(mesh);
+            EXPECT_EQ(number_with(reports, ""), 3u);
+            EXPECT_EQ(tubular::find_openings(mesh).size(), 3u);
+          }
+          ++number;
+        }
+}
+
 TEST(Round_ends, A_stub_shorter_than_its_width_is_a_vessel_and_a_half_ball_is_none) {
   for (double n : {14., 24.})
     for (double r : {0.3, 0.5, 0.7})

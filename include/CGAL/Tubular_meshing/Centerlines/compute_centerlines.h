@@ -40,7 +40,8 @@ namespace internal {
 /* The computation of compute_centerlines(), to which further ends can be added at little cost. */
 class Centerline_computation {
 public:
-  /* `ends` are points, each with the label of the faces around it. Further ends can be added if `everywhere`. */
+  /* `ends` are points, each with the label of the faces around it, two at least. Further ends can be added if
+   * `everywhere`; then one will do. */
   Centerline_computation(const Surface& surface, const Face_patch_map& patch,
                          const std::vector<std::pair<Point_3, int>>& ends, bool loops, bool everywhere);
   ~Centerline_computation();
@@ -48,7 +49,10 @@ public:
   /* Adds a line to a vertex of the wall; false if none leads there. */
   bool add_end(Surface::Vertex_index v);
 
-  /* Merges the lines into branches. */
+  /* Of all lines, the length of that which is longest against the largest ball along it, in radii of that. */
+  double longest_line() const;
+
+  /* Merges the lines, of which there has to be one, into branches. */
   void make_graph(Centerline_graph& graph, const Build_centerline_graph_options& options) const;
   template <class NamedParameters> void make_graph(Centerline_graph& graph, const NamedParameters& np) const {
     make_graph(graph, Build_centerline_graph_options(np));

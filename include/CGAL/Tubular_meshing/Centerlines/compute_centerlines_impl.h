@@ -16,6 +16,7 @@
 
 #include <CGAL/boost/graph/helpers.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <string>
@@ -67,15 +68,17 @@ inline std::size_t number_of_loops(const Centerline_graph& graph) {
 }
 
 struct Centerline_computation::Impl {
-  Impl(const Surface& surface, const Face_patch_map& patch, const std::vector<std::pair<Point_3, int>>& ends)
-      : frame(points_of(surface, ends.size()))
+  Impl(const Surface& surface, const Face_patch_map& patch, const std::vector<std::pair<Point_3, int>>& ends,
+       std::size_t needed)
+      : frame(points_of(surface, ends.size(), needed))
       , root(ends.front().first)
       , tracer(Sampled_surface(surface, patch, frame), canonical(ends))
       , wall(tracer.wall_triangles()) {}
 
-  static std::vector<Double_kernel::Point_3> points_of(const Surface& surface, std::size_t number_of_ends) {
+  static std::vector<Double_kernel::Point_3> points_of(const Surface& surface, std::size_t number_of_ends,
+                                                       std::size_t needed) {
     check_closed_surface(surface);
-    if (number_of_ends < 2)
+    if (number_of_ends < needed)
       throw Input_error("Centerlines lead from an inlet to outlets, but the surface has only " +
                         std::to_string(number_of_ends) + " opening; name further ends, by points.");
     std::vector<Double_kernel::Point_3> points;
@@ -132,7 +135,7 @@ Centerline_computation::Centerline_computation(const Surface& surface, const Fac
   if (ends.empty()) // before one is taken for the root
     throw Input_error("Centerlines lead from an inlet to outlets, but the surface has no opening; name its ends, by "
                       "points.");
-  impl_ = std::make_unique<Impl>(surface, patch, ends);
+  impl_ = std::make_unique<Impl>(surface, patch, ends, everywhere ? 1 : 2);
   std::vector<std::vector<Double_kernel::Point_3>> on_surface;
   if (loops)
     on_surface = impl_->loops_on(surface);
@@ -144,6 +147,18 @@ CGAL_TUBULAR_MESHING_INLINE Centerline_computation::~Centerline_computation() = 
 
 CGAL_TUBULAR_MESHING_INLINE bool Centerline_computation::add_end(Surface::Vertex_index v) {
   return impl_->tracer.add_end(std::size_t(v));
+}
+
+CGAL_TUBULAR_MESHING_INLINE double Centerline_computation::longest_line() const {
+  double longest = 0;
+  for (const Sampled_line& line : impl_->tracer.lines()) {
+    double widest = 0;
+    for (const Line_point& p : line)
+      widest = (std::max)(widest, p.radius);
+    if (widest > 0)
+      longest = (std::max)(longest, length(line) / widest);
+  }
+  return longest;
 }
 
 CGAL_TUBULAR_MESHING_INLINE void

@@ -33,8 +33,8 @@ std::vector<Round_end_report> open_round_ends(Surface& surface, const std::vecto
  * - The ends are the leaves of the computed centerlines (compute_centerlines()) that lead to tips: places from which the
  *   way along the wall is longest. Each leaf is the centre of the largest ball in the lumen that touches the tip.
  * - A bump is no end: its last ball gets out of the balls of the vessel that it sits on by less than 1.2 of its radii
- *   (a half ball on a wall by 1; by less than 3.6, where it is thinner than 0.15 of that vessel). What gets out further,
- *   and thus goes on at its radius, is a vessel, be it a stub shorter than it is wide.
+ *   (a half ball on a wall by 1; by less than 3 out of balls against which it is thinner than 0.15). What gets out
+ *   further, and thus goes on at its radius, is a vessel, be it a stub shorter than it is wide.
  * - A sac is no end. It is what is more than 1.15 times wider than its neck, or its necks together, and is at most two
  *   radii long between the places where it begins to narrow; the longer it is, the narrower its neck has to be. What sits
  *   on a sac is a lobe of it, unless it goes on at its own radius for one and a half radii: then it is a vessel that
@@ -43,6 +43,10 @@ std::vector<Round_end_report> open_round_ends(Surface& surface, const std::vecto
  *   The plane lies there, or further out as far as the wall keeps 98.5 % of its distance from the axis.
  * - Where that plane does not cut the vessel in one loop, one nearer to the tip is taken, as of a stub that is short or
  *   widens like a funnel; else one further in, by at most two radii.
+ * - No cut takes away more than 40 % of the area of the surface (30 % at a point), nor all of them together more than
+ *   75 %: the plane is moved out; where that does not help, the end is one that cannot be cut.
+ * - Where no vessel ends at a point that `ends_to_cut` names, but the wall is within half a radius of it, a cap of the
+ *   largest ball that touches the wall there is cut off, its rim half as wide as the ball: so a ball is opened.
  * - Single vertices that stick out of the surface or into it, further than their neighbours are apart, do not count.
  * - Openings that the surface has already, open, capped flat or behind a crease, stay as they are.
  *
@@ -55,7 +59,7 @@ std::vector<Round_end_report> open_round_ends(Surface& surface, const std::vecto
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{ends_to_cut}
  *     \cgalParamDescription{points, on the wall or in the lumen: the end of a vessel nearest to each is cut open,
- *       whatever its shape. One that lies at an opening asks for nothing}
+ *       whatever its shape; where none is near, the wall. One that lies at an opening asks for nothing}
  *     \cgalParamType{`std::vector<Point_3>`}
  *     \cgalParamDefault{none}
  *   \cgalParamNEnd
@@ -78,7 +82,8 @@ std::vector<Round_end_report> open_round_ends(Surface& surface, const std::vecto
  *
  * \return the ends that were found: those that are cut, and those that are not, with the reason
  *
- * \throws Input_error as find_openings() and compute_centerlines() do; and if an end that a point names cannot be cut
+ * \throws Input_error as find_openings() and compute_centerlines() do; and if an end that a point names cannot be cut,
+ *   or is neither a vessel's nor near the wall
  *
  * Complexity: that of compute_centerlines(), O(n log n).
  */

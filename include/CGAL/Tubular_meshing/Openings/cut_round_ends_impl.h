@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -54,7 +55,10 @@ CGAL_TUBULAR_MESHING_INLINE std::vector<Round_end_report> cut_round_ends(Surface
       continue;
     }
     Round_end_report cut;
-    if (cutter.cut(end.shape, end.tip, cut))
+    if (cutter.cut(end.shape, end.tip, end.is_named, cut))
+      reports.push_back(cut);
+    else if (const auto at_wall = end.is_named ? ends.cap_at(end.named_by) : std::nullopt;
+             at_wall && cutter.cut(at_wall->shape, at_wall->tip, true, cut))
       reports.push_back(cut);
     else if (end.is_named)
       throw Input_error("The vessel's end at " + coordinates(end.shape.center()) +

@@ -5,6 +5,7 @@
 #define CGAL_TUBULAR_MESHING_RIMS_CREASE_ENDS_H
 
 #include <CGAL/Tubular_meshing/Rims/Opening_site.h>
+#include <CGAL/Tubular_meshing/Rims/cap_facet.h>
 #include <CGAL/Tubular_meshing/Rims/disk_rim.h>
 #include <CGAL/Tubular_meshing/Rims/wall_at_cap.h>
 #include <CGAL/Tubular_meshing/base/Kernel.h>
@@ -24,7 +25,7 @@ namespace CGAL::Tubular_meshing::internal {
  * A crease is where the surface turns outward by more than an angle. It closes in a loop that is round, nearly plane,
  * and has five corners at least; the wall goes back from it all around, and rather upright than level; and the disk has
  * at most four times the area that the loop bounds, as has a dome of nearly its own diameter's height. The base of a
- * sac is no such crease, as the surface turns inward there. A crease that is blunt, or a disk that is faceted, may show
+ * sac is no such crease, as the surface turns inward there; nor is the outline of a facet, see is_facet(). A crease that is blunt, or a disk that is faceted, may show
  * at one angle and not at another: several are tried.
  */
 class Crease_end_finder {
@@ -109,10 +110,12 @@ private:
     region.shape = measure_rim(rim);
     const Rim_shape& s = region.shape;
     const Bulge bulge = measure_bulge(region.cap, s, mesh_, region.rim);
-    return s.radius > 0 && !bulge.is_wide() && !bulge.is_long() && s.sag <= max_sag * s.radius &&
-           4 * CGAL_PI * s.area >= min_roundness * s.perimeter * s.perimeter &&
-           number_of_corners(rim, s.center, 0.08 * s.radius) >= 5 &&
-           wall_at_cap(region, normals_, inwards_, mesh_).stands(max_wall_cosine);
+    if (!(s.radius > 0 && !bulge.is_wide() && !bulge.is_long() && s.sag <= max_sag * s.radius &&
+          4 * CGAL_PI * s.area >= min_roundness * s.perimeter * s.perimeter &&
+          number_of_corners(rim, s.center, 0.08 * s.radius) >= 5))
+      return false;
+    const Wall_at_cap wall = wall_at_cap(region, normals_, inwards_, mesh_);
+    return wall.stands(max_wall_cosine) && !is_facet(region, wall);
   }
 
   static constexpr double max_sag = 0.2, min_roundness = 0.55, max_wall_cosine = 0.5;

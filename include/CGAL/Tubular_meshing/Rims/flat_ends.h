@@ -6,6 +6,7 @@
 
 #include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Rims/Opening_site.h>
+#include <CGAL/Tubular_meshing/Rims/cap_facet.h>
 #include <CGAL/Tubular_meshing/Rims/disk_rim.h>
 #include <CGAL/Tubular_meshing/Rims/wall_at_cap.h>
 
@@ -24,17 +25,18 @@ struct Flat_end_criteria {
   double min_roundness;   ///< 4 pi area / perimeter^2, 1 for a disk, 0.66 for an ellipse of 3:1
   std::size_t corners;    ///< at least so many, deviations of 8 % of the radius ignored
   double max_wall_cosine; ///< of the mean angle between the region's normal and the faces around it
+  bool allows_facets;     ///< whether it may be a facet of a surface of few triangles
 };
 
 /* Enough to tell an end from all else by geometry alone: the rectangular sides of coarse tubes have four corners, flat
- * patches of a wall are surrounded by faces of nearly their own direction. */
+ * patches of a wall are surrounded by faces of nearly their own direction; and facets of decimated domes are hardly flat. */
 inline Flat_end_criteria certain_flat_end() {
-  return {25, 0.55, 5, 0.5};
+  return {25, 0.55, 5, 0.5, false};
 }
 
 /* Enough where a centerline ends there; at several angles, for caps that are noisy, or whose rim is blunt. */
 inline std::vector<Flat_end_criteria> possible_flat_ends() {
-  return {{25, 0.35, 3, 0.75}, {40, 0.35, 3, 0.75}, {15, 0.35, 3, 0.75}};
+  return {{25, 0.35, 3, 0.75, true}, {40, 0.35, 3, 0.75, true}, {15, 0.35, 3, 0.75, true}};
 }
 
 constexpr double max_flat_end_sag = 0.05; // of the radius
@@ -156,9 +158,11 @@ private:
     const std::vector<Point_3> rim = rim_points(region.rim, mesh_);
     region.shape = measure_rim(rim);
     const Rim_shape& s = region.shape;
-    return s.radius > 0 && 4 * CGAL_PI * s.area >= criteria_.min_roundness * s.perimeter * s.perimeter &&
-           is_flat(region) && number_of_corners(rim, s.center, 0.08 * s.radius) >= criteria_.corners &&
-           wall_at_cap(region, normals_, inwards_, mesh_).stands(max_wall_cosine(region));
+    if (!(s.radius > 0 && 4 * CGAL_PI * s.area >= criteria_.min_roundness * s.perimeter * s.perimeter &&
+          is_flat(region) && number_of_corners(rim, s.center, 0.08 * s.radius) >= criteria_.corners))
+      return false;
+    const Wall_at_cap wall = wall_at_cap(region, normals_, inwards_, mesh_);
+    return wall.stands(max_wall_cosine(region)) && (criteria_.allows_facets || !is_facet(region, wall));
   }
 
   bool is_flat(const Opening_site& region) const {

@@ -54,9 +54,6 @@ public:
   }
 
 private:
-  // A vessel gets out of the one that it leaves by more than a half ball does; one that is thin against it by more.
-  static constexpr double min_height = 1.2, thin = 0.15, min_height_if_thin = 3;
-
   // In radii, between the places from which it narrows: those of a ball are half a radius apart.
   static constexpr double longest_sac = 2;
   // The same of what sits on a sac: if it is longer, it is a vessel that leaves the sac.
@@ -71,14 +68,9 @@ private:
 
   void measure(std::size_t leaf) {
     const Lumen_tree::Line line = tree_.line_from(leaf);
-    const std::vector<Lumen_tree::Ball> others = tree_.balls_around(line);
     const Round_end shape(line);
-    double widest = 0;
-    for (const auto& ball : others)
-      widest = (std::max)(widest, ball.radius);
-    const double least = shape.radius() < thin * widest ? min_height_if_thin : min_height;
     const double height =
-        line.ends_at_junction ? shape.height_over(others) / shape.radius() / least : shape.length() / shape.radius();
+        line.ends_at_junction ? shape.height_over(tree_.balls_around(line)) : shape.length() / shape.radius();
     measured_.erase(leaf);
     measured_.emplace(leaf, Measured{shape, height});
     if (height < 1)

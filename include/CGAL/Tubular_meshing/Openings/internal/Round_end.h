@@ -30,6 +30,7 @@ public:
 
   /* The centre of the largest ball that touches the tip. */
   const Point_3& center() const { return points_.front(); }
+  double tip_radius() const { return radii_.front(); }
   /* The place at which the dome begins, and the radius there. */
   const Point_3& base() const { return points_[base_]; }
   double radius() const { return radii_[base_]; }
@@ -59,12 +60,12 @@ public:
     return way_.back() - way_[base_];
   }
 
-  /* How far the last ball gets out of those of larger vessels: those of its own line, and the given ones. Infinite where
-   * there are none. */
+  /* How far the last ball gets out of those of larger vessels, its own line's and the given ones: in radii, as a share of
+   * how far a vessel gets out of such a ball at least. Infinite where there are none. */
   double height_over(const std::vector<Lumen_tree::Ball>& others) const {
     double height = (std::numeric_limits<double>::infinity)();
     const auto compare = [&](const Point_3& p, double r) {
-      height = (std::min)(height, point_distance(points_[0], p) + radii_[0] - r);
+      height = (std::min)(height, (point_distance(points_[0], p) + radii_[0] - r) / (least_height_over(r) * radius()));
     };
     for (std::size_t i = base_; i < points_.size(); ++i)
       if (radii_[i] > wider * radius())
@@ -77,6 +78,12 @@ public:
   static constexpr double narrower = 1.15, wider = 1.25;
 
 private:
+  // A vessel gets out of the one that it leaves by more than a half ball does; one that is thin against it by more. What
+  // counts is the vessel that it leaves: on the far side of that there may be a sac.
+  static constexpr double min_height = 1.2, thin = 0.15, min_height_if_thin = 3;
+
+  double least_height_over(double r) const { return radius() < thin * r ? min_height_if_thin : min_height; }
+
   // The first point at least so far from the leaf, or the last one.
   std::size_t at(double way) const {
     const auto i = std::lower_bound(way_.begin(), way_.end(), way);

@@ -12,6 +12,7 @@
 #include <CGAL/Tubular_meshing/Openings/internal/Round_end.h>
 #include <CGAL/Tubular_meshing/Openings/internal/Lumen_tree.h>
 #include <CGAL/Tubular_meshing/Openings/internal/Tip_finder.h>
+#include <CGAL/Tubular_meshing/Openings/internal/ball_at_wall.h>
 #include <CGAL/Tubular_meshing/Openings/internal/flatten_spikes.h>
 #include <CGAL/Tubular_meshing/Openings/openings.h>
 #include <CGAL/Tubular_meshing/Rims/Opening_site.h>
@@ -27,6 +28,7 @@
 #include <cstddef>
 #include <limits>
 #include <map>
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -44,6 +46,7 @@ public:
     bool is_sac;
     bool is_named; ///< a point says that it is to be cut
     bool is_kept;  ///< a point says that it is to stay
+    Point_3 named_by;
   };
 
   explicit Vessel_ends(const Surface& surface)
@@ -73,7 +76,21 @@ public:
 
   const std::vector<End>& ends() const { return ends_; }
 
+  /* A cap of the wall at a point of it, to be cut off where no vessel ends, or where its end cannot be cut. */
+  std::optional<End> cap_at(const Point_3& p) const {
+    const Vertex at = nearest_vertex(p), tip = originals_[std::size_t(at)];
+    const Lumen_tree::Line line = line_into_ball(closed_.surface, at);
+    if (tip == Surface::null_vertex() || line.points.empty() ||
+        point_distance(p, closed_.surface.point(at)) > line.radii.front() + longest_edge(at))
+      return std::nullopt;
+    return End{tip, Round_end(line), false, true, false, p};
+  }
+
 private:
+  // Between the balls in the tips, in radii: what is shorter is a ball, and has no ends; and a body that has ends, but
+  // where what is beside these is another place.
+  static constexpr double shortest_vessel = 0.3, longest_compact = 3;
+
   void close(const std::vector<Point_3>& blind_ends) {
     Find_openings_options but_for_blind_ends;
     but_for_blind_ends.blind_ends = blind_ends;
@@ -129,22 +146,44 @@ private:
     });
   }
 
+  // From an opening; else from a tip. Where a dent or a needle parts that from the lumen, another one will do.
   void trace_lines() {
     std::vector<std::pair<Point_3, int>> ends;
-    std::vector<Vertex> further(tips_);
     for (const Opening& o : openings_)
       ends.emplace_back(o.center, o.patch);
-    const std::size_t needed = openings_.empty() ? 2 : 1;
-    for (std::size_t i = 0; ends.size() < 2 && i < needed && i < tips_.size(); ++i) {
-      ends.emplace_back(closed_.surface.point(tips_[i]), int(labels::wall));
-      further.erase(further.begin());
+    if (!ends.empty()) {
+      trace_lines(ends, tips_);
+      return;
     }
-    if (ends.size() < 2)
-      return; // one opening, or one tip: there is no line
+    const std::size_t most_tries = 3;
+    for (std::size_t i = 0; i < tips_.size() && i < most_tries; ++i) {
+      std::vector<Vertex> further(tips_);
+      further.erase(further.begin() + std::ptrdiff_t(i));
+      if (trace_lines({{closed_.surface.point(tips_[i]), int(labels::wall)}}, further))
+        return;
+    }
+  }
+
+  // False if there are no lines.
+  bool trace_lines(const std::vector<std::pair<Point_3, int>>& ends, const std::vector<Vertex>& further) {
     Centerline_computation computation(closed_.surface, closed_.patch, ends, false, true);
     for (Vertex v : further)
-      computation.add_end(v);
-    computation.make_graph(graph_, Build_centerline_graph_options());
+      add_end(computation, v);
+    const double longest = computation.longest_line();
+    is_compact_ = openings_.empty() && longest < longest_compact;
+    if (longest > (openings_.empty() ? shortest_vessel : 0))
+      computation.make_graph(graph_, Build_centerline_graph_options());
+    return longest > 0;
+  }
+
+  // Where a dent or a needle beside the tip parts the ball at it from those of the vessel, that at a neighbour will do.
+  void add_end(Centerline_computation& computation, Vertex tip) const {
+    const auto& mesh = closed_.surface;
+    if (computation.add_end(tip))
+      return;
+    for (Vertex v : CGAL::vertices_around_target(mesh.halfedge(tip), mesh))
+      if (computation.add_end(v))
+        return;
   }
 
   bool is_leaf_at_opening(std::size_t node) const { return is_at_opening(graph_.points()[graph_.nodes()[node].point]); }
@@ -161,7 +200,7 @@ private:
     for (const Blind_leaves::Leaf& leaf : Blind_leaves(graph_, at_openings).leaves()) {
       const auto tip = tips.find(leaf.node);
       ends_.push_back(End{tip == tips.end() ? Surface::null_vertex() : originals_[std::size_t(tip->second)], leaf.shape,
-                          leaf.kind == Blind_end_kind::sac, false, false});
+                          leaf.kind == Blind_end_kind::sac, false, false, Point_3()});
     }
   }
 
@@ -201,23 +240,60 @@ private:
     return best;
   }
 
-  // A tip near the point, else the wall at the point itself.
+  // A tip near the point, else the wall at the point itself. An end has one point; another one near it says nothing new.
   void name_end(const Point_3& p, Vertex at) {
     End* nearest = nullptr;
     for (End& end : ends_)
-      if (is_at(p, end) && (nearest == nullptr || distance(p, end) < distance(p, *nearest)))
+      if (is_at(p, end) && is_before(p, end.shape, end.is_sac || is_compact_) &&
+          (nearest == nullptr || distance(p, end) < distance(p, *nearest)))
         nearest = &end;
+    if (nearest != nullptr && nearest->is_named) {
+      if (point_distance(p, nearest->named_by) <= nearest->shape.radius())
+        return;
+      nearest = nullptr;
+    }
     if (nearest == nullptr) {
-      const std::size_t leaf = leaf_at(closed_.surface.point(at));
-      if (leaf != Opening::no_branch && originals_[std::size_t(at)] != Surface::null_vertex())
-        ends_.push_back(
-            End{originals_[std::size_t(at)], Round_end(Lumen_tree(graph_).line_from(leaf)), false, false, false});
-      else
-        throw Input_error("No vessel ends at " + coordinates(p) +
-                          ", where an opening is to be: give a point at its end.");
+      ends_.push_back(end_at_wall(p, at));
       nearest = &ends_.back();
     }
     nearest->is_named = true;
+    nearest->named_by = p;
+  }
+
+  // Not at the side of the vessel further back than it keeps its radius, nor beside it; nor, of a sac or of what keeps no
+  // radius, behind its tip: on a ball, or on what has edges and corners, that is another place.
+  static bool is_before(const Point_3& p, const Round_end& end, bool is_wide) {
+    const double r = end.radius(), level = (std::min)(end.level_length(), 2 * r);
+    const bool is_level = level > 0.5 * r && !is_wide;
+    const Vector_3 d = p - (is_level ? end.base() : end.center()), normal = end.direction();
+    const double height = d * normal;
+    return height >= (is_level ? -level : -0.5 * end.tip_radius()) &&
+           (d - height * normal).squared_length() <= 1.6 * r * r;
+  }
+
+  // Of the vessel whose tip the vertex is; else a cap of the ball there, if the point is at the wall.
+  End end_at_wall(const Point_3& p, Vertex at) const {
+    const Vertex tip = originals_[std::size_t(at)];
+    const std::size_t leaf = leaf_at(closed_.surface.point(at));
+    if (tip != Surface::null_vertex() && leaf != Opening::no_branch) {
+      const Round_end shape(Lumen_tree(graph_).line_from(leaf));
+      if (is_before(p, shape, true) && std::none_of(ends_.begin(), ends_.end(), [&](const End& end) {
+            return end.is_named && point_distance(end.shape.center(), shape.center()) < shape.radius();
+          }))
+        return End{tip, shape, false, false, false, p};
+    }
+    const std::optional<End> cap = cap_at(p);
+    if (!cap)
+      throw Input_error("No vessel ends at " + coordinates(p) +
+                        ", where an opening is to be, nor is there wall: give a point at its end.");
+    return *cap;
+  }
+
+  double longest_edge(Vertex v) const {
+    double longest = 0;
+    for (Vertex w : CGAL::vertices_around_target(closed_.surface.halfedge(v), closed_.surface))
+      longest = (std::max)(longest, point_distance(closed_.surface.point(v), closed_.surface.point(w)));
+    return longest;
   }
 
   double distance(const Point_3& p, const End& end) const {
@@ -251,6 +327,7 @@ private:
   std::vector<Vertex> originals_; ///< by vertex of the closed surface: that of the surface that was given, or null
   std::vector<Vertex> tips_;      ///< of the closed surface
   Centerline_graph graph_;
+  bool is_compact_ = false;
   std::vector<Leaf> leaves_;
   std::vector<End> ends_;
 };

@@ -35,7 +35,9 @@ public:
 
   Sewn_seams sew() {
     for (double reach : {1e-3, 0.03, 0.2}) {
-      while (find_free_edges() && split_edges(reach))
+      // Seams need few rounds; triangles that lie across each other without order would be split without end.
+      const int most_rounds = 8;
+      for (int round = 0; find_free_edges() && round < most_rounds && split_edges(reach); ++round)
         ;
       if (free_.empty())
         break;
@@ -86,15 +88,18 @@ private:
           CGAL::Bbox_3(p[0], p[1], p[2], p[0], p[1], p[2]) + CGAL::Bbox_3(q[0], q[1], q[2], q[0], q[1], q[2]), i);
     }
     std::vector<std::pair<std::size_t, std::size_t>> pairs;
-    CGAL::box_intersection_d(points.begin(), points.end(), edges.begin(), edges.end(),
-                             [&](const Box& p, const Box& e) { pairs.emplace_back(p.info(), e.info()); });
+    const auto tolerance = [&](std::size_t v, std::size_t i) {
+      return reach * (std::min)(length_.at(v), free_[i].length);
+    };
+    CGAL::box_intersection_d(points.begin(), points.end(), edges.begin(), edges.end(), [&](const Box& p, const Box& e) {
+      const Index_triangle& t = soup_.triangles[free_[e.info()].side / 3];
+      if (std::find(t.begin(), t.end(), p.info()) == t.end() &&
+          project(p.info(), free_[e.info()]).second <= tolerance(p.info(), e.info())) // boxes of long edges hold many
+        pairs.emplace_back(p.info(), e.info());
+    });
     std::sort(pairs.begin(), pairs.end()); // the boxes come in no certain order
-    for (const auto& pair : pairs) {
-      const Free_edge& e = free_[pair.second];
-      const Index_triangle& t = soup_.triangles[e.side / 3];
-      if (std::find(t.begin(), t.end(), pair.first) == t.end())
-        found(pair.first, pair.second, reach * (std::min)(length_.at(pair.first), e.length));
-    }
+    for (const auto& pair : pairs)
+      found(pair.first, pair.second, tolerance(pair.first, pair.second));
   }
 
   // The parameter of the point of edge e that is nearest to point v, in [0, 1], and its distance.
