@@ -275,12 +275,10 @@ void print_hexahedral(const Json& h) {
                 h["irregular_edges"].get<long>());
   else
     std::printf("hexahedra by subdivision of tetrahedra and prisms\n");
-  if (!has_blocks) {
-    const Json& o = h["optimization"];
-    std::printf("optimized, scaled Jacobian: %.3f at least, %.3f on average; before, %.3f and %.3f\n",
-                o["min_scaled_jacobian"].get<double>(), o["mean_scaled_jacobian"].get<double>(),
-                o["min_scaled_jacobian_before"].get<double>(), o["mean_scaled_jacobian_before"].get<double>());
-  }
+  const Json& o = h["optimization"];
+  std::printf("optimized, scaled Jacobian: %.3f at least, %.3f on average; before, %.3f and %.3f\n",
+              o["min_scaled_jacobian"].get<double>(), o["mean_scaled_jacobian"].get<double>(),
+              o["min_scaled_jacobian_before"].get<double>(), o["mean_scaled_jacobian_before"].get<double>());
   for (const auto& p : h["places_without_blocks"])
     std::printf("note: no blocks near (%g, %g, %g): %s\n", p["place"][0].get<double>(), p["place"][1].get<double>(),
                 p["place"][2].get<double>(), p["reason"].get<std::string>().c_str());

@@ -61,6 +61,7 @@ public:
     report.irregular_edges = blocks.irregular_edges;
     report.points_per_circumference = blocks.points_per_circumference;
     report.twist = blocks.twist;
+    report.optimization = blocks.optimization;
     blocks.mesh.region_names = {{labels::lumen, "lumen"}};
     return std::move(blocks.mesh);
   }
