@@ -29,15 +29,15 @@ inline void declare_mesher_options(CLI::App& app, Options& o) {
 inline void declare_hexahedral_options(CLI::App& app, Options& o) {
   const char* const group = "Meshes of type hexahedral";
   app.add_option("--hex-method", o.hex_method,
-                 "blocks along the vessels; or subdivision of tetrahedra and prisms, for any shape")
+                 "blocks along the vessels, with -n rounded to a multiple of 8; or subdivision of tetrahedra and "
+                 "prisms, for any shape")
       ->capture_default_str()
       ->check(CLI::IsMember({"blocks", "subdivision"}).description(""))
       ->group(group);
   app.add_option("--hex-fallback", o.hex_fallback,
-                 "where a junction cannot have blocks: subdivision of the whole mesh; mixed cells in that junction; or "
-                 "none, no mesh")
+                 "where there are no blocks to be had: subdivision, of the whole mesh; or none, no mesh")
       ->capture_default_str()
-      ->check(CLI::IsMember({"subdivision", "mixed", "none"}).description(""))
+      ->check(CLI::IsMember({"subdivision", "none"}).description(""))
       ->group(group);
 }
 

@@ -25,7 +25,6 @@ enum class Hexahedral_method {
  * What is done where blocks cannot be had. */
 enum class Hexahedral_fallback {
   subdivision, ///< the whole mesh is made by subdivision
-  mixed,       ///< junctions without blocks are filled by pyramids and tetrahedra
   none         ///< there is no mesh
 };
 

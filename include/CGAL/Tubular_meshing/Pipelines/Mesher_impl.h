@@ -381,9 +381,6 @@ private:
     const std::string why = "There are no blocks of hexahedra along the vessels: " + why_no_blocks(report);
     if (options_.hexahedral_fallback == Hexahedral_fallback::none)
       throw Meshing_error(why + " The method or the fallback subdivision makes hexahedra of any shape.");
-    if (options_.hexahedral_fallback == Hexahedral_fallback::mixed)
-      throw Meshing_error(why + " The fallback mixed cannot fill such a place yet; the fallback subdivision makes "
-                                "hexahedra of any shape.");
     report_.fallbacks.push_back(why + " All hexahedra are made by subdivision.");
     return mesh;
   }
