@@ -69,7 +69,7 @@ private:
    * should be: see J. Ma, S. W. Bae, S. Choi, 3D medial axis point approximation using nearest neighbors and the normal
    * field, 2012. */
   void shrink_into_lumen(const Shape_radius_options& options) {
-    constexpr double through = 0.5, inside = 0.85; // distance of the wall from the center, in radii of the ball
+    constexpr double through = 0.5, inside = 0.6; // distance of the wall from the center, in radii of the ball
     const double sign = options.turned_inward ? 1 : -1;
     std::vector<internal::Vector_3d> inward(faces_.points.size());
     for (const Triangle& t : faces_.triangles) {
