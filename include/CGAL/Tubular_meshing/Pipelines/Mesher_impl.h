@@ -363,27 +363,41 @@ private:
     std::optional<Mixed_mesh> mesh = blocks.make(report);
     for (Place_without_blocks& p : report.places_without_blocks)
       p.place = frame_.from_frame(p.place);
-    if (mesh) {
-      stage("check");
-      internal::check_differences(*mesh, *model_, frame_.surface().surface);
-      if (moves_wall_) {
-        give_volume_to(*mesh);
-        stage("optimization");
-        blocks.optimize_inside(*mesh);
+    std::string why;
+    if (!mesh)
+      why = "There are no blocks of hexahedra along the vessels: " + why_no_blocks(report);
+    else {
+      try {
+        finish(blocks, *mesh);
+        return mesh;
+      } catch (const Meshing_error& e) {
+        why = std::string("Hexahedra in blocks are not valid: ") + e.what();
       }
-      if (options_.has_boundary_layer()) {
-        stage("boundary layer");
-        report_.boundary_layer = blocks.insert_layers(*mesh, radius());
-        report_.boundary_layer.worst_place = frame_.from_frame(report_.boundary_layer.worst_place);
-      }
-      return mesh;
     }
-    const std::string why = "There are no blocks of hexahedra along the vessels: " + why_no_blocks(report);
     if (options_.hexahedral_fallback == Hexahedral_fallback::none)
       throw Meshing_error(why + " The method or the fallback subdivision makes hexahedra of any shape.");
     report_.fallbacks.push_back(why + " All hexahedra are made by subdivision.");
-    return mesh;
+    return std::nullopt;
   }
+
+  // Gives blocks the surface's volume, and layers along the wall.
+  void finish(const internal::Mesh_by_blocks& blocks, Mixed_mesh& mesh) {
+    stage("check");
+    internal::check_differences(mesh, *model_, frame_.surface().surface);
+    if (moves_wall_) {
+      give_volume_to(mesh);
+      stage("optimization");
+      blocks.optimize_inside(mesh);
+    }
+    if (!options_.has_boundary_layer())
+      return;
+    stage("boundary layer");
+    report_.boundary_layer = blocks.insert_layers(mesh, radius());
+    report_.boundary_layer.worst_place = frame_.from_frame(report_.boundary_layer.worst_place);
+    stage("check");
+    internal::check_differences(mesh, *model_, frame_.surface().surface);
+  }
+
   static std::string why_no_blocks(const Hexahedral_report& report) {
     const Place_without_blocks& first = report.places_without_blocks.front();
     std::ostringstream s;
