@@ -202,6 +202,7 @@ private:
     Optimize_hexahedra_options optimization;
     optimization.number_of_threads = options_.number_of_threads;
     optimization.quality_wanted = 0.1;
+    optimization.untangling_sweeps = 60; // what is not untangled then seldom is later
     const Optimize_hexahedra_report untangled =
         internal::optimize_hexahedra(blocks.mesh, surface_, patch_, optimization);
     optimization.quality_wanted = 0.5;

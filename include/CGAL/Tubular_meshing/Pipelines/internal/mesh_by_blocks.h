@@ -87,7 +87,7 @@ public:
   }
 
 private:
-  static constexpr int most_generations = 3; // vessels without a centerline may leave others
+  static constexpr int most_generations = 2; // vessels without a centerline may leave others
 
   Hexahedral_blocks made() const {
     const Labelled_surface& s = frame_.surface();
