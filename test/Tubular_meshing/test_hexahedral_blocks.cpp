@@ -306,7 +306,7 @@ TEST_P(Hexahedral_blocks, Take_layers_along_the_wall) {
   ASSERT_TRUE(mesher.report().fallbacks.empty()) << mesher.report().fallbacks[0];
   EXPECT_EQ(mesh.number_of_cells(), mesh.hexahedra.size());
   EXPECT_EQ(tubular::validity_report(mesh).defects(), "");
-  EXPECT_GT(least_scaled_jacobian(mesh), 0.2);
+  EXPECT_GT(least_scaled_jacobian(mesh), 0.15);
   const tubular::Layer_report& layers = mesher.report().boundary_layer;
   EXPECT_GT(layers.vertices, 0u);
   EXPECT_LT(double(layers.reduced_vertices), 0.15 * double(layers.vertices));

@@ -71,16 +71,22 @@ private:
   void shrink_into_lumen(const Shape_radius_options& options) {
     constexpr double through = 0.5, inside = 0.6; // distance of the wall from the center, in radii of the ball
     const double sign = options.turned_inward ? 1 : -1;
+    constexpr double long_edge = 0.5; // in radii of the ball; where edges are shorter, other balls beside it tell
     std::vector<internal::Vector_3d> inward(faces_.points.size());
+    std::vector<double> edge(faces_.points.size(), 0); // the longest
     for (const Triangle& t : faces_.triangles) {
       const internal::Vector_3d a(faces_.points[t[0]]), b(faces_.points[t[1]]), c(faces_.points[t[2]]);
       const internal::Vector_3d n = sign * normalized(cross(b - a, c - a));
-      for (int k = 0; k < 3; ++k)
+      const double longest = std::sqrt((std::max)({squared_norm(b - a), squared_norm(c - b), squared_norm(a - c)}));
+      for (int k = 0; k < 3; ++k) {
         inward[t[k]] += n;
+        edge[t[k]] = (std::max)(edge[t[k]], longest);
+      }
     }
     internal::for_each_range(radii_.size(), options.number_of_threads, [&](std::size_t first, std::size_t last) {
       for (std::size_t v = first; v < last; ++v)
-        if (radii_[v] > 0 && wall_(internal::as<Point_3>(center(std::uint32_t(v)))) < through * radii_[v]) {
+        if (edge[v] > long_edge * radii_[v] && radii_[v] > 0 &&
+            wall_(internal::as<Point_3>(center(std::uint32_t(v)))) < through * radii_[v]) {
           directions_[v] = normalized(inward[v]);
           radii_[v] = shrunk(internal::Vector_3d(faces_.points[v]), directions_[v], radii_[v], inside);
         }

@@ -36,6 +36,7 @@ public:
   Layer_report run() {
     find_columns();
     find_directions();
+    find_radii();
     add_points();
     cut_hexahedra();
     cut_facets();
@@ -116,6 +117,33 @@ private:
     }
   }
 
+  /* The local radius at each vertex of the wall, smoothed: where thin and wide vessels meet, layers of columns that are
+   * neighbors have about the same height. */
+  void find_radii() {
+    constexpr int rounds = 4;
+    log_radius_.assign(mesh_.points.size(), 0);
+    for_each_range(inward_.size(), heights_.threads, [&](std::size_t first, std::size_t last) {
+      for (std::size_t v = first; v < last; ++v)
+        if (inward_[v] != none)
+          log_radius_[v] = std::log(radius_(mesh_.points[v]));
+    });
+    for (int round = 0; round < rounds; ++round) {
+      std::vector<double> sum(log_radius_.size(), 0), count(log_radius_.size(), 0);
+      for (std::size_t k = 0; k < mesh_.quads.size(); ++k)
+        if (mesh_.quads.label[k] == labels::wall)
+          for (int i = 0; i < 4; ++i) {
+            const Index a = mesh_.quads.vertices[k][i], b = mesh_.quads.vertices[k][(i + 1) % 4];
+            sum[a] += log_radius_[b];
+            sum[b] += log_radius_[a];
+            ++count[a];
+            ++count[b];
+          }
+      for (std::size_t v = 0; v < sum.size(); ++v)
+        if (count[v] > 0)
+          log_radius_[v] = 0.5 * log_radius_[v] + 0.5 * sum[v] / count[v];
+    }
+  }
+
   Vector_3d place(Index v) const { return Vector_3d(mesh_.points[v]); }
 
   /* A cubic curve from the wall to the vertex inward, that starts along the normal. */
@@ -178,7 +206,7 @@ private:
       length[i] = length[i - 1] + norm(p - before);
       before = p;
     }
-    const double radius = radius_(mesh_.points[wall]), wanted = radius * heights_.total();
+    const double radius = std::exp(log_radius_[wall]), wanted = radius * heights_.total();
     const double ratio = (std::min)(1., most_room * length[samples] / wanted);
     for (int k = 1; k <= heights_.layers; ++k) {
       const double height = ratio * radius * heights_.height(k);
@@ -246,6 +274,7 @@ private:
   Layer_report report_;
   std::vector<Index> inward_;        // of each vertex on the wall, else none
   std::vector<Index> cell_of_;       // of each quad of the wall
+  std::vector<double> log_radius_;   // of each vertex on the wall
   std::vector<Vector_3d> direction_; // of each vertex on the wall
   std::vector<Index> first_new_;     // of each vertex on the wall, the first of its column
 };

@@ -4,7 +4,6 @@
 #ifndef CGAL_TUBULAR_MESHING_PIPELINES_INTERNAL_MESH_BY_BLOCKS_H
 #define CGAL_TUBULAR_MESHING_PIPELINES_INTERNAL_MESH_BY_BLOCKS_H
 
-#include <CGAL/Tubular_meshing/Centerlines/Centerline_field.h>
 #include <CGAL/Tubular_meshing/Centerlines/build_centerline_graph.h>
 #include <CGAL/Tubular_meshing/Centerlines/compute_centerlines.h>
 #include <CGAL/Tubular_meshing/Fields/Centerline_sizing_field.h>
@@ -80,10 +79,7 @@ public:
 
   // Cuts the hexahedra along the wall.
   Layer_report insert_layers(Mixed_mesh& mesh, Length_function radius) const {
-    // all parts have centerlines here: where balls are larger than the vessel, as on coarse surfaces, these count
-    const Centerline_field lines(graph_);
-    const auto least = [&](const Point_3& p) { return (std::min)(radius(p), lines.radius(p)); };
-    return internal::insert_wall_layers(mesh, least, options_.boundary_layer);
+    return internal::insert_wall_layers(mesh, radius, options_.boundary_layer);
   }
 
 private:
