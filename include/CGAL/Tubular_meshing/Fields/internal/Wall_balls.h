@@ -54,6 +54,8 @@ public:
   const std::vector<double>& radii() const { return radii_; }
   /* Unit vectors into the lumen. */
   const std::vector<Vector_3d>& directions() const { return directions_; }
+  /* Whether a vertex is out of place; its ball is that of others. */
+  bool is_spike(Index v) const { return is_spike_[v] != 0; }
 
 private:
   static constexpr double facing = 0.80901699437494742; // the cosine of 36 degrees
