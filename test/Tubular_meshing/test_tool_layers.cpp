@@ -168,7 +168,7 @@ TEST_F(Tool, Makes_hexahedra_in_blocks) {
   const std::string input = make("y.off", bifurcation().surface);
   const Outcome outcome =
       succeed({input, "-t", "hexahedral", "-n", "16", "--boundary-layer-prisms", "3", "--first-height", "0.05",
-               "--wall", "0.2", "-o", out("mesh.vtu"), "--report", out("r.json")});
+               "--wall", "0.2", "--wall-layers", "1", "-o", out("mesh.vtu"), "--report", out("r.json")});
   const Json r = json_in(out("r.json")), h = r["hexahedral"];
   EXPECT_EQ(h["method"], "blocks");
   EXPECT_EQ(h["blocks"], 36);
