@@ -111,34 +111,6 @@ TEST(Shape_radius, Of_a_flat_vessel_is_half_its_width) {
   EXPECT_LT(shape(Point(4, 0, 4)), 1);
 }
 
-// Exporters that simplify leave rings of few vertices, far from each other.
-TEST(Shape_radius, Of_a_tube_of_long_facets_is_its_own) {
-  for (int sides : {5, 6, 7, 8})
-    for (double length : {10., 40., 200.}) {
-      const auto [least, most] = range(round_tube(length, one, sides, 3));
-      EXPECT_GT(least, 0.75) << sides << " sides, length " << length;
-      EXPECT_LT(most, 1.2) << sides << " sides, length " << length;
-    }
-}
-
-// A bent tube of such rings, which goes over into a wide one.
-TEST(Shape_radius, Of_a_thin_vessel_of_long_facets_is_not_that_of_the_wide_one_behind) {
-  for (int sides : {6, 8}) {
-    Mesh mesh = round_tube(
-        60, [](double z) { return z < 45 ? 1. : 6.; }, sides, 5); // rings at 0, 15, 30, 45, 60
-    for (auto v : mesh.vertices()) {
-      const Point p = mesh.point(v);
-      mesh.point(v) = Point(p.x() + 0.01 * p.z() * p.z(), p.y(), p.z());
-    }
-    const Shape_radius shape{tubular::Wall_distance(mesh)};
-    for (const auto& b : shape.balls())
-      if (b.on_wall.z() < 31) {
-        EXPECT_LT(b.radius, 1.5) << sides << " sides, at " << b.on_wall;
-        EXPECT_TRUE(b.radius == 0 || b.radius > 0.6) << b.radius << ", " << sides << " sides, at " << b.on_wall;
-      }
-  }
-}
-
 TEST(Shape_radius, Does_not_depend_on_unit_and_rotation) {
   const Mesh mesh = round_tube(
       8, [](double z) { return 2 - z / 8; }, 30, 40);

@@ -9,7 +9,6 @@
 #include <CGAL/Tubular_meshing/Fields/internal/Indexed_wall.h>
 #include <CGAL/Tubular_meshing/Fields/internal/Wall_balls.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
-#include <CGAL/Tubular_meshing/base/parallel.h>
 
 #include <algorithm>
 #include <array>
@@ -31,7 +30,6 @@ public:
     const internal::Wall_balls balls(indexed, options.turned_inward ? -1 : 1, options.number_of_threads);
     radii_ = balls.radii();
     directions_ = balls.directions();
-    shrink_into_lumen(balls, options);
   }
 
   Ball at(const Point_3& x) const {
@@ -63,50 +61,6 @@ public:
 
 private:
   typedef std::array<std::uint32_t, 3> Triangle;
-
-  /* Where vertices are far from each other against the width of the vessel, a ball may reach through its wall. Such
-   * balls are made again from the facets beside the vertex, each shrunk until the wall is no nearer to its center than it
-   * should be: see J. Ma, S. W. Bae, S. Choi, 3D medial axis point approximation using nearest neighbors and the normal
-   * field, 2012. */
-  void shrink_into_lumen(const internal::Wall_balls& balls, const Shape_radius_options& options) {
-    constexpr double through = 0.5, inside = 0.6; // distance of the wall from the center, in radii of the ball
-    const double sign = options.turned_inward ? 1 : -1;
-    constexpr double long_edge = 0.5; // in radii of the ball; where edges are shorter, other balls beside it tell
-    std::vector<internal::Vector_3d> inward(faces_.points.size());
-    std::vector<double> edge(faces_.points.size(), 0); // the longest, but not one that leads to a spike alone
-    for (const Triangle& t : faces_.triangles) {
-      const internal::Vector_3d a(faces_.points[t[0]]), b(faces_.points[t[1]]), c(faces_.points[t[2]]);
-      const internal::Vector_3d n = sign * normalized(cross(b - a, c - a));
-      const std::array<double, 3> opposite{{norm(c - b), norm(a - c), norm(b - a)}};
-      for (int k = 0; k < 3; ++k) {
-        inward[t[k]] += n;
-        edge[t[k]] = (std::max)(edge[t[k]], (std::min)(opposite[(k + 1) % 3], opposite[(k + 2) % 3]));
-      }
-    }
-    internal::for_each_range(radii_.size(), options.number_of_threads, [&](std::size_t first, std::size_t last) {
-      for (std::size_t v = first; v < last; ++v)
-        if (!balls.is_spike(std::uint32_t(v)) && edge[v] > long_edge * radii_[v] && radii_[v] > 0 &&
-            wall_(internal::as<Point_3>(center(std::uint32_t(v)))) < through * radii_[v]) {
-          directions_[v] = normalized(inward[v]);
-          radii_[v] = shrunk(internal::Vector_3d(faces_.points[v]), directions_[v], radii_[v], inside);
-        }
-    });
-  }
-
-  double shrunk(const internal::Vector_3d& x, const internal::Vector_3d& n, double radius, double inside) const {
-    constexpr int most_steps = 30;
-    for (int i = 0; i < most_steps; ++i) {
-      const internal::Vector_3d center = x + radius * n;
-      const internal::Vector_3d nearest(wall_.closest_point(internal::as<Point_3>(center)));
-      if (norm(nearest - center) >= inside * radius)
-        break;
-      const internal::Vector_3d d = nearest - x;
-      const double along = dot(d, n);
-      const double touching = along > 0 ? squared_norm(d) / (2 * along) : 0;
-      radius = touching > 0.1 * radius && touching < radius ? touching : radius / 2;
-    }
-    return radius;
-  }
 
   // The triangles with their corners numbered by places, so that they know their neighbours.
   static internal::Indexed_triangles welded(const Wall_distance& wall) {

@@ -54,8 +54,6 @@ public:
   const std::vector<double>& radii() const { return radii_; }
   /* Unit vectors into the lumen. */
   const std::vector<Vector_3d>& directions() const { return directions_; }
-  /* Whether a vertex is out of place; its ball is that of others. */
-  bool is_spike(Index v) const { return is_spike_[v] != 0; }
 
 private:
   static constexpr double facing = 0.80901699437494742; // the cosine of 36 degrees
@@ -152,31 +150,18 @@ private:
   }
 
   /* Of the chosen vertices, and, where facets are large against the lumen, of points on them: they may have no vertex
-   * where it matters. As long as radii are not known, long facets count as large: a thin vessel of a few vertices round
-   * it has them. */
+   * where it matters. */
   void collect_obstacles(bool on_facets) {
     std::vector<Vector_3d> points;
     for (Index v = 0; v < size(); ++v)
       if (chosen_[v] && !is_spike_[v])
         points.push_back(wall_.point(v));
     const std::size_t most = 8 * size() + 1000;
-    for (const auto& t : wall_.triangles())
-      if (!is_spike_[t[0]] && !is_spike_[t[1]] && !is_spike_[t[2]] && points.size() < most)
-        add_inner_points(t, on_facets ? (std::min)({radii_[t[0]], radii_[t[1]], radii_[t[2]]}) : width_if_long(t),
-                         points);
+    if (on_facets)
+      for (const auto& t : wall_.triangles())
+        if (!is_spike_[t[0]] && !is_spike_[t[1]] && !is_spike_[t[2]] && points.size() < most)
+          add_inner_points(t, (std::min)({radii_[t[0]], radii_[t[1]], radii_[t[2]]}), points);
     obstacles_ = Point_boxes(points, std::vector<double>(points.size(), 0.));
-  }
-
-  // The shortest side of a facet that is much longer than wide, else 0.
-  double width_if_long(const std::array<Index, 3>& t) const {
-    constexpr double long_facet = 2.5;
-    double shortest = (std::numeric_limits<double>::infinity)(), longest = 0;
-    for (int k = 0; k < 3; ++k) {
-      const double l = norm(wall_.point(t[k]) - wall_.point(t[(k + 1) % 3]));
-      shortest = (std::min)(shortest, l);
-      longest = (std::max)(longest, l);
-    }
-    return longest > long_facet * shortest ? shortest : 0;
   }
 
   // In rows parallel to the shortest side, half a radius apart, where a side is longer than the radius.
