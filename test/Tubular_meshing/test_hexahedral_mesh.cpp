@@ -3,6 +3,7 @@
 
 // Meshes of hexahedra alone: which method makes them, and what those by subdivision are like.
 
+#include "hub_of_vessels.h"
 #include "looped_surfaces.h"
 #include "surface_measures.h"
 
@@ -267,25 +268,9 @@ TEST(Hexahedral_mesh_by_subdivision, Does_not_depend_on_threads_or_on_meshes_bef
 
 // --- where there are no blocks ---
 
-// Ten vessels at a junction: two more than blocks can have.
-tubular::Tubular_model hub() {
-  tubular::Tubular_skeleton skeleton;
-  skeleton.nodes.push_back(tubular::Point_3(0, 0, 0));
-  for (int i = 0; i < 10; ++i) {
-    const double z = (i + 0.5) / 5 - 1, r = std::sqrt(1 - z * z), a = 2.4 * i;
-    const tubular::Point_3 end(9 * r * std::cos(a), 9 * r * std::sin(a), 9 * z);
-    skeleton.nodes.push_back(end);
-    skeleton.add_branch(
-        0, skeleton.nodes.size() - 1, [&](double t) { return tubular::Point_3(t * end.x(), t * end.y(), t * end.z()); },
-        [](double) { return 1.; });
-  }
-  skeleton.inlet = 1;
-  return model_of(skeleton, 16);
-}
-
 TEST(Hexahedral_mesh_without_blocks, Is_by_subdivision_and_says_why) {
   NEEDS_FILLING();
-  const auto model = hub();
+  const auto model = model_of(hub_of_ten_vessels(), 16);
   Mesher mesher(model, parameters::points_per_circumference(12));
   const Mixed_mesh mesh = mesher.hexahedral();
   expect_hexahedra_alone(mesh);
@@ -299,7 +284,7 @@ TEST(Hexahedral_mesh_without_blocks, Is_by_subdivision_and_says_why) {
 }
 
 TEST(Hexahedral_mesh_without_blocks, Is_none_where_no_other_is_wanted) {
-  const auto model = hub();
+  const auto model = model_of(hub_of_ten_vessels(), 16);
   Mesher mesher(model, parameters::points_per_circumference(12).hexahedral_fallback(Hexahedral_fallback::none));
   try {
     mesher.hexahedral();

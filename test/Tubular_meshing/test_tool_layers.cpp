@@ -3,6 +3,7 @@
 
 // tubular_mesh with cells other than tetrahedra: mixed meshes, walls outside of the lumen, layers inside.
 
+#include "hub_of_vessels.h"
 #include "test_tool_helpers.h"
 
 #include <CGAL/Tubular_meshing/IO/read_surface.h>
@@ -146,21 +147,9 @@ TEST_F(Tool, Makes_a_mesh_of_hexahedra_alone) {
   EXPECT_NE(outcome.out.find("by subdivision"), std::string::npos) << outcome.out;
 }
 
-// Ten vessels at a junction: two more than blocks can have.
 tubular::Surface hub() {
-  tubular::Tubular_skeleton skeleton;
-  skeleton.nodes.push_back(tubular::Point_3(0, 0, 0));
-  for (int i = 0; i < 10; ++i) {
-    const double z = (i + 0.5) / 5 - 1, r = std::sqrt(1 - z * z), a = 2.4 * i;
-    const tubular::Point_3 end(9 * r * std::cos(a), 9 * r * std::sin(a), 9 * z);
-    skeleton.nodes.push_back(end);
-    skeleton.add_branch(
-        0, skeleton.nodes.size() - 1, [&](double t) { return tubular::Point_3(t * end.x(), t * end.y(), t * end.z()); },
-        [](double) { return 1.; });
-  }
-  skeleton.inlet = 1;
   tubular::Surface surface;
-  tubular::generate_tubular_surface(skeleton, surface, tubular::parameters::points_per_circumference(16));
+  tubular::generate_tubular_surface(hub_of_ten_vessels(), surface, tubular::parameters::points_per_circumference(16));
   return surface;
 }
 

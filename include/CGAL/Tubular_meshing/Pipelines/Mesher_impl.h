@@ -372,6 +372,9 @@ private:
         return mesh;
       } catch (const Meshing_error& e) {
         why = std::string("Hexahedra in blocks are not valid: ") + e.what();
+        report = Hexahedral_report(); // what it says is of blocks that are not used
+        report_.boundary_layer = Layer_report();
+        report_.volume = Preserve_volume_report();
       }
     }
     if (options_.hexahedral_fallback == Hexahedral_fallback::none)
