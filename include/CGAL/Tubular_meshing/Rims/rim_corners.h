@@ -6,9 +6,12 @@
 
 #include <CGAL/Tubular_meshing/base/Function_view.h>
 #include <CGAL/Tubular_meshing/base/Kernel.h>
+#include <CGAL/Tubular_meshing/base/Nearest_tree.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
 #include <cstddef>
+#include <map>
+#include <set>
 #include <vector>
 
 namespace CGAL::Tubular_meshing::internal {
@@ -34,6 +37,20 @@ inline std::vector<std::size_t> rim_corners(const std::vector<Point_3>& rim,
     if (is_rim_corner(position(i + n - 1), position(i), position(i + 1)) &&
         (corners.empty() || (far_enough(i, corners.back()) && far_enough(i, corners.front()))))
       corners.push_back(i);
+  return corners;
+}
+
+/* The corners of closed curves given by their segments, in any order. O(n log n). */
+inline std::set<Double_kernel::Point_3> rim_corners(const std::vector<Double_kernel::Segment_3>& rim) {
+  std::map<Double_kernel::Point_3, std::vector<Double_kernel::Point_3>> neighbors;
+  for (const Double_kernel::Segment_3& s : rim) {
+    neighbors[s.source()].push_back(s.target());
+    neighbors[s.target()].push_back(s.source());
+  }
+  std::set<Double_kernel::Point_3> corners;
+  for (const auto& n : neighbors)
+    if (n.second.size() == 2 && is_rim_corner(Vector_3d(n.second[0]), Vector_3d(n.first), Vector_3d(n.second[1])))
+      corners.insert(n.first);
   return corners;
 }
 

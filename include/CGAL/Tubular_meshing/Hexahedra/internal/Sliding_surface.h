@@ -54,7 +54,7 @@ public:
       patches_.emplace_back(std::move(t.second));
     }
     for (auto& s : segments) {
-      collect_corners(s.second);
+      corners_.merge(rim_corners(s.second));
       rim_index_[s.first] = std::int32_t(rims_.size());
       rims_.emplace_back(std::move(s.second));
     }
@@ -131,17 +131,6 @@ private:
       return {p, Vector_3d()};
     const Segment& s = rim.shape(found.index);
     return {Vector_3d(found.point), normalized(Vector_3d(s.target()) - Vector_3d(s.source()))};
-  }
-
-  void collect_corners(const std::vector<Segment>& rim) {
-    std::map<Double_kernel::Point_3, std::vector<Double_kernel::Point_3>> neighbors;
-    for (const Segment& s : rim) {
-      neighbors[s.source()].push_back(s.target());
-      neighbors[s.target()].push_back(s.source());
-    }
-    for (const auto& n : neighbors)
-      if (n.second.size() == 2 && is_rim_corner(Vector_3d(n.second[0]), Vector_3d(n.first), Vector_3d(n.second[1])))
-        corners_.insert(n.first);
   }
 
   std::map<int, std::int32_t> patch_index_;

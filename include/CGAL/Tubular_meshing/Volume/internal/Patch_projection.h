@@ -102,7 +102,7 @@ private:
         patches_[t.first] = Nearest_tree<Triangle>(std::move(t.second));
     }
     for (auto& s : segments) {
-      collect_corners(s.second);
+      corners_.merge(rim_corners(s.second));
       rims_[s.first] = Nearest_tree<Segment>(std::move(s.second));
     }
   }
@@ -122,17 +122,6 @@ private:
     };
     return std::none_of(triangles.begin(), triangles.end(),
                         [&](const Triangle& t) { return is_off(t[0]) || is_off(t[1]) || is_off(t[2]); });
-  }
-
-  void collect_corners(const std::vector<Segment>& rim) {
-    std::map<Double_kernel::Point_3, std::vector<Double_kernel::Point_3>> neighbors;
-    for (const Segment& s : rim) {
-      neighbors[s.source()].push_back(s.target());
-      neighbors[s.target()].push_back(s.source());
-    }
-    for (const auto& n : neighbors)
-      if (n.second.size() == 2 && is_rim_corner(Vector_3d(n.second[0]), Vector_3d(n.first), Vector_3d(n.second[1])))
-        corners_.insert(n.first);
   }
 
   std::map<std::int32_t, Plane> planes_;
