@@ -45,9 +45,20 @@ public:
   Hexahedral_blocks make() {
     std::set<std::size_t> joined;
     for (int round = 0;; ++round) {
-      Hexahedral_blocks result = made();
-      if (tangled_.empty() || round == most_rounds || !join(joined))
+      Hexahedral_blocks result;
+      prepare(result);
+      if (!result.refused.empty())
         return result;
+      Network_blocks blocks = builder(shapes_).build();
+      check_cover(blocks.mesh, result); // before work that would be for nothing
+      if (!result.refused.empty())
+        return result;
+      result.twist = blocks.twist;
+      untangle(blocks, result);
+      if (round == most_rounds || !join(tangled(blocks, 0), joined)) {
+        improve(blocks, result);
+        return result;
+      }
       network_ = Vessel_network(graph_, rims_, nearness, joined);
     }
   }
@@ -60,9 +71,8 @@ private:
 
   static constexpr int most_rounds = 1; // in which junctions are joined
 
-  Hexahedral_blocks made() {
-    Hexahedral_blocks result;
-    tangled_.clear();
+  // Counts the blocks, and gives each junction its shape.
+  void prepare(Hexahedral_blocks& result) {
     result.points_per_circumference = std::size_t(rings_.around());
     result.blocks = 12 * network_.vessels.size();
     for (const auto& n : network_.nodes)
@@ -70,18 +80,12 @@ private:
     check_network(result);
     if (result.refused.empty())
       choose_starts(result);
-    if (!result.refused.empty())
-      return result;
-    optimize(result);
-    if (result.refused.empty())
-      check_cover(result.mesh, 2, result);
-    return result;
   }
 
   /* Adds the vessels on which tangled junctions reach farthest into their neighbors. False if there is none. */
-  bool join(std::set<std::size_t>& joined) const {
+  bool join(const std::vector<std::size_t>& tangled, std::set<std::size_t>& joined) const {
     const std::size_t before = joined.size();
-    for (std::size_t n : tangled_) {
+    for (std::size_t n : tangled) {
       double most = 0.7; // of a vessel's length, what junctions at both of its ends take up
       std::size_t branch = std::size_t(-1);
       for (const auto& e : network_.nodes[n].ends) {
@@ -193,31 +197,42 @@ private:
     }
   }
 
-  void optimize(Hexahedral_blocks& result) {
-    Network_blocks blocks = builder(shapes_).build();
-    check_cover(blocks.mesh, 3, result); // before work that would be for nothing
-    if (!result.refused.empty())
-      return;
-    result.twist = blocks.twist;
-    Optimize_hexahedra_options optimization;
-    optimization.number_of_threads = options_.number_of_threads;
-    optimization.quality_wanted = 0.1;
-    optimization.untangling_sweeps = 60; // what is not untangled then seldom is later
-    const Optimize_hexahedra_report untangled =
-        internal::optimize_hexahedra(blocks.mesh, surface_, patch_, optimization);
-    optimization.quality_wanted = 0.5;
-    result.optimization = internal::optimize_hexahedra(blocks.mesh, surface_, patch_, optimization);
+  Optimize_hexahedra_options optimization(double quality_wanted) const {
+    Optimize_hexahedra_options options;
+    options.number_of_threads = options_.number_of_threads;
+    options.quality_wanted = quality_wanted;
+    options.untangling_sweeps = 60; // what is not untangled then seldom is later
+    return options;
+  }
+
+  void untangle(Network_blocks& blocks, Hexahedral_blocks& result) const {
+    result.optimization = internal::optimize_hexahedra(blocks.mesh, surface_, patch_, optimization(0.1));
+  }
+
+  // Nodes with hexahedra that are not better than a bound.
+  std::vector<std::size_t> tangled(const Network_blocks& blocks, double bound) const {
+    std::vector<std::size_t> result;
+    const std::vector<double> q = qualities(blocks.mesh);
+    for (std::size_t i = 0; i < q.size(); ++i)
+      if (!(q[i] > bound))
+        result.push_back(blocks.node[i]);
+    std::sort(result.begin(), result.end());
+    result.erase(std::unique(result.begin(), result.end()), result.end());
+    return result;
+  }
+
+  void improve(Network_blocks& blocks, Hexahedral_blocks& result) const {
+    const Optimize_hexahedra_report untangled = result.optimization;
+    result.optimization = internal::optimize_hexahedra(blocks.mesh, surface_, patch_, optimization(0.5));
     result.optimization.inverted_before = untangled.inverted_before;
     result.optimization.min_scaled_jacobian_before = untangled.min_scaled_jacobian_before;
     result.optimization.mean_scaled_jacobian_before = untangled.mean_scaled_jacobian_before;
-    const std::vector<double> shortfall = shortfalls(blocks, least);
-    for (std::size_t i = 0; i < shortfall.size(); ++i)
-      if (shortfall[i] > 0) {
-        tangled_.push_back(i);
-        refuse(result, network_.nodes[i].point,
-               network_.nodes[i].is_junction() ? "the hexahedra of a junction do not untangle"
-                                               : "the hexahedra of a vessel's end do not untangle");
-      }
+    for (std::size_t n : tangled(blocks, least))
+      refuse(result, network_.nodes[n].point,
+             network_.nodes[n].is_junction() ? "the hexahedra of a junction do not untangle"
+                                             : "the hexahedra of a vessel's end do not untangle");
+    if (result.refused.empty())
+      check_cover(blocks.mesh, result);
     result.mesh = std::move(blocks.mesh);
     result.irregular_edges = irregular_edges();
   }
@@ -238,8 +253,10 @@ private:
     return result;
   }
 
-  /* Refuses a mesh that misses parts of the surface: by more than `most` mesh sizes. */
-  void check_cover(const Mixed_mesh& mesh, double most, Hexahedral_blocks& result) const {
+  /* Refuses a mesh that misses parts of the surface, by more than a radius of the vessel nearest to them. */
+  void check_cover(const Mixed_mesh& mesh, Hexahedral_blocks& result) const {
+    constexpr double most = 1;
+    const double size_of_radius = 2 * pi / options_.points_per_circumference;
     std::vector<std::array<Point_3, 3>> triangles;
     for (std::size_t i = 0; i < mesh.quads.size(); ++i) {
       const auto& q = mesh.quads.vertices[i];
@@ -247,11 +264,16 @@ private:
       triangles.push_back({mesh.points[q[0]], mesh.points[q[2]], mesh.points[q[3]]});
     }
     const Wall_distance distance(triangles);
-    std::vector<double> missed(surface_.number_of_vertices(), 0); // in mesh sizes
+    std::vector<double> missed(surface_.number_of_vertices(), 0); // in radii
     for_each_range(missed.size(), options_.number_of_threads, [&](std::size_t first, std::size_t last) {
       for (std::size_t i = first; i < last; ++i) {
         const Point_3& p = surface_.point(Vertex(Surface::size_type(i)));
-        missed[i] = distance(p) / size_(p);
+        const Wall_distance::Place q = distance.closest_place(p);
+        const auto t = distance.triangle(q.triangle);
+        const double edge = std::pow(CGAL::cross_product(t[1] - t[0], t[2] - t[0]).squared_length(), 0.25);
+        // of a quad and of the size, as that is small where the wall has a pit or a spike
+        const double radius = (std::max)(edge, size_(q.point)) / size_of_radius;
+        missed[i] = std::sqrt(CGAL::squared_distance(p, q.point)) / radius;
       }
     });
     for (;;) {
@@ -259,12 +281,23 @@ private:
       if (missed[worst] <= most)
         return;
       const Vertex tip = Vertex(Surface::size_type(worst));
-      const Point_3& p = surface_.point(tip);
-      result.refused.push_back({p, "a part of the vessel has no centerline", tip});
-      const double around = 1.5 * missed[worst] * size_(p); // of the same part
-      for (std::size_t i = 0; i < missed.size(); ++i)
-        if (CGAL::squared_distance(surface_.point(Vertex(Surface::size_type(i))), p) <= around * around)
-          missed[i] = 0;
+      result.refused.push_back({surface_.point(tip), "a part of the vessel has no centerline", tip});
+      forget_part(tip, most / 2, missed);
+    }
+  }
+
+  // Sets to 0 what is missed by more than a bound, from a vertex on.
+  void forget_part(Vertex from, double bound, std::vector<double>& missed) const {
+    std::vector<Vertex> part{from};
+    missed[from] = 0;
+    while (!part.empty()) {
+      const Vertex v = part.back();
+      part.pop_back();
+      for (Vertex w : CGAL::vertices_around_target(surface_.halfedge(v), surface_))
+        if (missed[w] > bound) {
+          missed[w] = 0;
+          part.push_back(w);
+        }
     }
   }
 
@@ -278,7 +311,6 @@ private:
   Wall_rings rings_;
   Vessel_network network_;
   std::vector<std::optional<Junction_shape>> shapes_; // of each node that is a junction
-  std::vector<std::size_t> tangled_;                  // nodes whose hexahedra do not untangle
 };
 
 CGAL_TUBULAR_MESHING_INLINE Hexahedral_blocks make_hexahedral_blocks(const Surface& surface, Face_patch_map patch,

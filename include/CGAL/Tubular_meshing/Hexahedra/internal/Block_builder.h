@@ -192,15 +192,22 @@ private:
     return std::size_t(2 * s_ * turns - a + 2 * around_) % std::size_t(around_);
   }
 
-  /* How far inside of a blind end's tip the last section is: half a radius from the center of the ball that touches
-   * the wall beside the tip, too. */
+  /* How far inside of a blind end's tip the last section is: half a radius from the center of the largest ball there, in
+   * a round end the one that touches the wall beside the tip, too. Where the wall opens by less than `slope`, it is that
+   * of a vessel that tapers; a steeper spike at the tip belongs to the end. */
   double dome_depth(const Vessel_path& path) const {
+    constexpr double slope = 0.3;
     const Vector_3d tip = path.points.front(), out = -1 * path.tangent(0, path.radii.front());
-    const double gap = wall_.along(tip, out, 2 * wall_.distance(tip)), most = 0.7 * path.length();
-    double a = 0;
-    while (a < most && wall_.distance(path.point(a)) > 0.95 * (a + gap))
-      a += 0.05 * path.radius(a) + 0.001 * path.length();
-    return (std::max)((std::min)(a, most) - 0.5 * (a + gap), 0.);
+    const double gap = wall_.along(tip, out, 2 * wall_.distance(tip));
+    double depth = 0, best = 0;
+    for (double a = 0; a < 0.7 * path.length(); a += 0.05 * path.radius(a) + 0.001 * path.length()) {
+      const double r = (std::min)(wall_.distance(path.point(a)), a + gap);
+      if (r - slope * a > best) {
+        best = r - slope * a;
+        depth = a - 0.5 * r;
+      }
+    }
+    return (std::max)(depth, 0.);
   }
 
   // From the center of the first section to that of the last.
