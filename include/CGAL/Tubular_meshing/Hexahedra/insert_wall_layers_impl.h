@@ -38,6 +38,8 @@ public:
     find_directions();
     find_radii();
     add_points();
+    give_way();
+    report_heights();
     cut_hexahedra();
     cut_facets();
     return report_;
@@ -161,41 +163,112 @@ private:
     const double length = norm(d);
     // next to a sharp edge of the wall, where the normal leads elsewhere, it turns sooner
     const double cosine = (std::max)(dot(normalized(d), direction_[wall]), 0.);
-    return {p, q, length * cosine * direction_[wall] + (1 - cosine) * d, d};
+    const double bend = bend_[wall] * cosine;
+    return {p, q, length * bend * direction_[wall] + (1 - bend) * d, d};
   }
 
   void add_points() {
-    const int n = heights_.layers;
-    std::vector<Index> walls;
-    first_new_.assign(mesh_.points.size(), none);
+    const std::size_t n = std::size_t(heights_.layers), before = mesh_.points.size();
+    first_new_.assign(before, none);
     for (std::size_t v = 0; v < inward_.size(); ++v)
       if (inward_[v] != none) {
-        first_new_[v] = Index(mesh_.points.size() + walls.size() * n);
-        walls.push_back(Index(v));
+        first_new_[v] = Index(before + walls_.size() * n);
+        walls_.push_back(Index(v));
       }
-    const std::size_t before = mesh_.points.size();
-    mesh_.points.resize(before + walls.size() * n);
-    std::vector<double> ratio(walls.size());
-    for_each_range(walls.size(), heights_.threads, [&](std::size_t first, std::size_t last) {
-      for (std::size_t i = first; i < last; ++i)
-        ratio[i] = place_column(walls[i], before + i * n);
-    });
-    report_.vertices = walls.size();
-    double sum = 0;
-    for (std::size_t i = 0; i < walls.size(); ++i) {
-      sum += ratio[i];
-      report_.reduced_vertices += ratio[i] < 0.99;
-      if (ratio[i] < report_.min_ratio) {
-        report_.min_ratio = ratio[i];
-        report_.worst_place = mesh_.points[walls[i]];
-      }
-    }
-    if (!walls.empty())
-      report_.mean_ratio = sum / double(walls.size());
+    mesh_.points.resize(before + walls_.size() * n);
+    bend_.assign(before, 1);
+    room_.assign(before, most_room);
+    ratio_.assign(before, 1);
+    used_.assign(before, 0);
+    place_columns(walls_);
   }
 
-  // Places the points between a vertex on the wall and the one inward; returns what part of the thickness wanted there is.
-  double place_column(Index wall, std::size_t first) {
+  void place_columns(const std::vector<Index>& walls) {
+    for_each_range(walls.size(), heights_.threads, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i)
+        place_column(walls[i]);
+    });
+  }
+
+  /* Where a hexahedron between two layers is bad, which it was not before it was cut, its columns get straighter and
+   * thinner. */
+  void give_way() {
+    constexpr int rounds = 12;
+    constexpr double least = 0.2, straighter = 0.6, thinner = 0.85;
+    std::vector<std::size_t> quads;
+    for (std::size_t k = 0; k < mesh_.quads.size(); ++k)
+      if (mesh_.quads.label[k] == labels::wall)
+        quads.push_back(k);
+    for (int round = 0; round < rounds && !quads.empty(); ++round) {
+      std::vector<char> is_bad(quads.size(), 0);
+      for_each_range(quads.size(), heights_.threads, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+          const double before = quality(mesh_.hexahedra.vertices[cell_of_[quads[i]]]);
+          is_bad[i] = worst_in_stack(quads[i]) < (std::min)(least, 0.95 * before);
+        }
+      });
+      std::vector<Index> columns;
+      for (std::size_t i = 0; i < quads.size(); ++i)
+        if (is_bad[i])
+          for (Index v : mesh_.quads.vertices[quads[i]])
+            columns.push_back(v);
+      std::sort(columns.begin(), columns.end());
+      columns.erase(std::unique(columns.begin(), columns.end()), columns.end());
+      for (Index v : columns) {
+        bend_[v] *= straighter;
+        room_[v] = thinner * used_[v];
+      }
+      place_columns(columns);
+      quads.erase(std::remove_if(quads.begin(), quads.end(),
+                                 [&](std::size_t k) {
+                                   const Quad& q = mesh_.quads.vertices[k];
+                                   return std::none_of(q.begin(), q.end(), [&](Index v) {
+                                     return std::binary_search(columns.begin(), columns.end(), v);
+                                   });
+                                 }),
+                  quads.end());
+    }
+  }
+
+  // The hexahedron between two levels of the columns round a quad of the wall.
+  std::array<Index, 8> hexahedron(const Quad& q, int level) const {
+    std::array<Index, 8> h;
+    for (int i = 0; i < 4; ++i) {
+      h[i] = at(q[i], level + 1);
+      h[i + 4] = at(q[i], level);
+    }
+    return h;
+  }
+  double quality(const std::array<Index, 8>& h) const {
+    std::array<Vector_3d, 8> p;
+    for (int i = 0; i < 8; ++i)
+      p[i] = place(h[i]);
+    return scaled_jacobian<8>(p);
+  }
+  double worst_in_stack(std::size_t quad) const {
+    double worst = 1;
+    for (int level = 0; level <= heights_.layers; ++level)
+      worst = (std::min)(worst, quality(hexahedron(mesh_.quads.vertices[quad], level)));
+    return worst;
+  }
+
+  void report_heights() {
+    report_.vertices = walls_.size();
+    double sum = 0;
+    for (Index v : walls_) {
+      sum += ratio_[v];
+      report_.reduced_vertices += ratio_[v] < 0.99;
+      if (ratio_[v] < report_.min_ratio) {
+        report_.min_ratio = ratio_[v];
+        report_.worst_place = mesh_.points[v];
+      }
+    }
+    if (!walls_.empty())
+      report_.mean_ratio = sum / double(walls_.size());
+  }
+
+  // Places the points between a vertex on the wall and the one inward.
+  void place_column(Index wall) {
     constexpr int samples = 24;
     const Curve c = curve(wall);
     std::array<double, samples + 1> length;
@@ -207,16 +280,16 @@ private:
       before = p;
     }
     const double radius = std::exp(log_radius_[wall]), wanted = radius * heights_.total();
-    const double ratio = (std::min)(1., most_room * length[samples] / wanted);
+    ratio_[wall] = (std::min)(1., room_[wall] * length[samples] / wanted);
+    used_[wall] = ratio_[wall] * wanted / length[samples];
     for (int k = 1; k <= heights_.layers; ++k) {
-      const double height = ratio * radius * heights_.height(k);
+      const double height = ratio_[wall] * radius * heights_.height(k);
       int i = 0;
       while (i + 1 < samples && length[i + 1] < height)
         ++i;
       const double t = (i + (height - length[i]) / (length[i + 1] - length[i])) / samples;
-      mesh_.points[first + k - 1] = as<Point_3>(c.at(t));
+      mesh_.points[first_new_[wall] + Index(k - 1)] = as<Point_3>(c.at(t));
     }
-    return ratio;
   }
 
   // The vertex of a column at a level: 0 is on the wall, the last one is the vertex inward.
@@ -231,11 +304,7 @@ private:
       const Quad q = mesh_.quads.vertices[k];
       const int label = mesh_.hexahedra.label[cell_of_[k]];
       for (int level = 0; level <= heights_.layers; ++level) {
-        std::array<Index, 8> h;
-        for (int i = 0; i < 4; ++i) {
-          h[i] = at(q[i], level + 1);
-          h[i + 4] = at(q[i], level);
-        }
+        const std::array<Index, 8> h = hexahedron(q, level);
         if (level == heights_.layers)
           mesh_.hexahedra.vertices[cell_of_[k]] = h;
         else
@@ -277,6 +346,10 @@ private:
   std::vector<double> log_radius_;   // of each vertex on the wall
   std::vector<Vector_3d> direction_; // of each vertex on the wall
   std::vector<Index> first_new_;     // of each vertex on the wall, the first of its column
+  std::vector<Index> walls_;         // the vertices on the wall
+  // of each vertex on the wall: how far its column bends to the normal, which part of it layers may take up and do take
+  // up, and which part that is of the thickness wanted
+  std::vector<double> bend_, room_, used_, ratio_;
 };
 
 CGAL_TUBULAR_MESHING_INLINE Layer_report insert_wall_layers(Mixed_mesh& mesh, Length_function radius,
