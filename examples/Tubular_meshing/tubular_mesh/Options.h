@@ -41,7 +41,7 @@ struct Options {
   std::vector<std::string> refined_balls, refined_branches;
   std::string size_array;
   double min_size = 0, max_size = (std::numeric_limits<double>::infinity)(), gradation = 1.3;
-  std::string report, surface_output, centerlines_output;
+  std::string report, surface_output, centerlines_output, blocks_output;
   bool preserve_volume = true;
   int threads = 0;
   bool verbose = false, quiet = false;
@@ -59,7 +59,7 @@ struct Options {
 
   std::vector<std::string> outputs() const {
     std::vector<std::string> files = {output};
-    for (const std::string& f : {report, surface_output, centerlines_output})
+    for (const std::string& f : {report, surface_output, centerlines_output, blocks_output})
       if (!f.empty())
         files.push_back(f);
     return files;

@@ -53,6 +53,8 @@ struct Run {
   CGAL::Tubular_meshing::Tubular_model model;
   CGAL::Tubular_meshing::Remeshed_surface surface; ///< as it was meshed by patches; else empty
   CGAL::Tubular_meshing::Mixed_mesh mesh;
+  CGAL::Tubular_meshing::Block_structure blocks; ///< that the mesh is in, of one vessel
+  CGAL::Tubular_meshing::Mixed_mesh block_mesh;  ///< of all; only if it was asked for
   CGAL::Tubular_meshing::Mesher_report meshing;
   CGAL::Tubular_meshing::Layer_report wall;
 };

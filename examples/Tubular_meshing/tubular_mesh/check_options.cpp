@@ -67,6 +67,9 @@ void check_output(const Options& o) {
   if (!o.surface_output.empty() && !tubular::IO::is_supported_surface_format(o.surface_output))
     throw tubular::Parameter_error("The surface cannot be written to \"" + o.surface_output +
                                    "\": give a .stl, .vtp, .msh, .ply, .off, .obj or .vtk file.");
+  if (!o.blocks_output.empty() && !tubular::IO::is_supported_mesh_format(o.blocks_output))
+    throw tubular::Parameter_error("The blocks cannot be written to \"" + o.blocks_output +
+                                   "\": give a .vtu, .msh, .mesh or .inp file.");
 }
 
 void check_layers(const Options& o) {
@@ -80,6 +83,8 @@ void check_layers(const Options& o) {
                                    "choose --type isotropic.");
   if (!o.is_hexahedral() && (o.hex_method != "blocks" || o.hex_fallback != "subdivision"))
     throw tubular::Parameter_error("--hex-method and --hex-fallback are for --type hexahedral.");
+  if (!o.blocks_output.empty() && (!o.is_hexahedral() || o.hex_method != "blocks"))
+    throw tubular::Parameter_error("--write-blocks is for --type hexahedral, of --hex-method blocks.");
   if (o.boundary_layer_prisms > 0 && (o.makes_surface_only() || o.is_anisotropic()))
     throw tubular::Parameter_error(
         "--boundary-layer-prisms is for the types isotropic, mixed and hexahedral" +

@@ -39,6 +39,11 @@ inline void declare_hexahedral_options(CLI::App& app, Options& o) {
       ->capture_default_str()
       ->check(CLI::IsMember({"subdivision", "none"}).description(""))
       ->group(group);
+  app.add_option(
+         "--write-blocks", o.blocks_output,
+         "write the block structure, one hexahedron a block, of its branch's region: .vtu .msh .mesh .inp; there "
+         "is no fallback then")
+      ->group(group);
 }
 
 inline void declare_wall_options(CLI::App& app, const std::string& name, const char* what, Options::Layers& layers) {
@@ -217,10 +222,12 @@ inline void declare_options(CLI::App& app, Options& o, const std::string& versio
                  "kind of mesh: isotropic or anisotropic (tetrahedra), mixed (hexahedra, pyramids, tetrahedra), "
                  "hexahedral (hexahedra alone) or surface (no cells)")
       ->capture_default_str();
-  app.add_option("--surface-elements", o.surface_elements,
-                 "of a surface: triangles; anisotropic triangles, as of --type anisotropic; or quads")
+  app.add_option(
+         "--surface-elements", o.surface_elements,
+         "of a surface: triangles; anisotropic triangles, as of --type anisotropic; quads; or structured-quads, "
+         "the wall of blocks as of --type hexahedral")
       ->capture_default_str()
-      ->check(CLI::IsMember({"triangles", "anisotropic", "quads"}).description(""));
+      ->check(CLI::IsMember({"triangles", "anisotropic", "quads", "structured-quads"}).description(""));
   app.add_option("-n,--points-per-circumference", o.points_per_circumference,
                  "mesh size h = 2 pi r / N, r the local radius")
       ->capture_default_str()

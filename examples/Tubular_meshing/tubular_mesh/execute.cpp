@@ -56,6 +56,8 @@ void write(const Run& run, Run_report& report, Stage_clock& clock) {
                                tubular::parameters::face_patch_map(run.model.patch)
                                    .patch_names(run.model.patch_names)
                                    .patch_ids(run.model.patch_ids));
+  if (!o.blocks_output.empty())
+    tubular::IO::write_mesh(open(o.blocks_output), run.block_mesh);
   if (!o.centerlines_output.empty())
     tubular::IO::write_centerlines(open(o.centerlines_output), run.model.centerlines);
   clock.finish();

@@ -53,7 +53,7 @@ tubular::Hexahedral_method hexahedral_method(const Options& o) {
 
 tubular::Hexahedral_fallback hexahedral_fallback(const Options& o) {
   typedef tubular::Hexahedral_fallback Fallback;
-  return o.hex_fallback == "subdivision" ? Fallback::subdivision : Fallback::none;
+  return o.hex_fallback == "subdivision" && o.blocks_output.empty() ? Fallback::subdivision : Fallback::none;
 }
 
 // The inlet's name, where it is not given by a point.
@@ -146,9 +146,10 @@ auto mesher_parameters(const Run& run, Stage_clock& clock) {
 }
 
 tubular::Surface_elements surface_elements(const Options& o) {
-  return o.is_anisotropic_surface()      ? tubular::Surface_elements::anisotropic_triangles
-         : o.surface_elements == "quads" ? tubular::Surface_elements::quads
-                                         : tubular::Surface_elements::triangles;
+  return o.is_anisotropic_surface()                 ? tubular::Surface_elements::anisotropic_triangles
+         : o.surface_elements == "quads"            ? tubular::Surface_elements::quads
+         : o.surface_elements == "structured-quads" ? tubular::Surface_elements::structured_quads
+                                                    : tubular::Surface_elements::triangles;
 }
 
 // The surface as a mesh that has no cells, for the report.
@@ -217,6 +218,7 @@ void make_mesh(Run& run, tubular::Mesher& mesher) {
              : run.options.is_hexahedral() ? mesher.hexahedral()
                                            : mesher.isotropic();
   run.surface = mesher.kept_surface();
+  run.blocks = mesher.block_structure();
   run.meshing = mesher.report();
 }
 

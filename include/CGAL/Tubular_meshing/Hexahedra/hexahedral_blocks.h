@@ -5,6 +5,7 @@
 #define CGAL_TUBULAR_MESHING_HEXAHEDRA_HEXAHEDRAL_BLOCKS_H
 
 #include <CGAL/Tubular_meshing/Centerlines/Centerline_graph.h>
+#include <CGAL/Tubular_meshing/Hexahedra/Block_structure.h>
 #include <CGAL/Tubular_meshing/Hexahedra/Optimize_hexahedra_options.h>
 #include <CGAL/Tubular_meshing/base/Function_view.h>
 #include <CGAL/Tubular_meshing/base/Kernel.h>
@@ -52,9 +53,10 @@ struct Hexahedral_blocks {
   Mixed_mesh mesh;
   std::vector<Refused_blocks> refused; ///< none if all went well
 
+  Block_structure structure; ///< its vertices are numbers of points of the mesh
+
   std::size_t points_per_circumference = 0; ///< a multiple of eight
   std::size_t junctions = 0;                ///< of vessels; ends are none
-  std::size_t blocks = 0;                   ///< four squares of the core and eight of the ring, a vessel
   std::size_t irregular_edges = 0;          ///< of the blocks, inside of the lumen, round which there are not four
   std::vector<double> twist;                ///< of each vessel, from end to end, in radians
   Optimize_hexahedra_report optimization;

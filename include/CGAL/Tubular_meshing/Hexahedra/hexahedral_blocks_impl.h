@@ -74,7 +74,6 @@ private:
   // Counts the blocks, and gives each junction its shape.
   void prepare(Hexahedral_blocks& result) {
     result.points_per_circumference = std::size_t(rings_.around());
-    result.blocks = 12 * network_.vessels.size();
     for (const auto& n : network_.nodes)
       result.junctions += n.is_junction();
     check_network(result);
@@ -234,6 +233,7 @@ private:
     if (result.refused.empty())
       check_cover(blocks.mesh, result);
     result.mesh = std::move(blocks.mesh);
+    result.structure = std::move(blocks.structure);
     result.irregular_edges = irregular_edges();
   }
 

@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_PIPELINES_MESHER_H
 #define CGAL_TUBULAR_MESHING_PIPELINES_MESHER_H
 
+#include <CGAL/Tubular_meshing/Hexahedra/Block_structure.h>
 #include <CGAL/Tubular_meshing/Layers/Layer_report.h>
 #include <CGAL/Tubular_meshing/Patches/Remeshed_surface.h>
 #include <CGAL/Tubular_meshing/Pipelines/Hexahedral_report.h>
@@ -197,6 +198,11 @@ public:
   /*! The surface alone (sections 2.4, 2.5): closed, conforming, free of self-intersections, its vertices on the model's
    * surface, or, unless `preserve_volume` is false, next to it, so that it encloses the same volume. */
   Remeshed_surface surface(Surface_elements elements = Surface_elements::triangles);
+
+  /*! Takes over the structure of the blocks that the last mesh is in, see make_block_mesh(); empty if it is in none. Its
+   * branches are those that the blocks run along: where vessels had no centerline, such as sacs, there are more of them
+   * than in the model. */
+  Block_structure block_structure();
 
   /// Takes over the surface mesh that the last volume mesh was made from and kept; empty if there is none.
   Remeshed_surface kept_surface();

@@ -24,6 +24,7 @@
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <memory>
@@ -58,6 +59,7 @@ public:
   const Tubular_model& model() const { return *model_; }
   const Mesher_report& report() const { return report_; }
   Remeshed_surface take_kept_surface() { return std::exchange(kept_, Remeshed_surface()); }
+  Block_structure take_block_structure() { return std::exchange(structure_, Block_structure()); }
 
   double points() const { return options_.size.points_per_circumference; }
   void set_points(double points) {
@@ -90,6 +92,7 @@ public:
   template <class Make> auto made(const Make& make) {
     report_ = Mesher_report();
     kept_ = Remeshed_surface();
+    structure_ = Block_structure();
     moves_wall_ = options_.preserve_volume;
     coarsening_ = 1;
     try {
@@ -165,7 +168,7 @@ public:
       check_memory();
       std::optional<Mixed_mesh> mesh;
       if (options_.hexahedral_method == Hexahedral_method::blocks)
-        mesh = by_blocks();
+        mesh = by_blocks(options_.hexahedral_fallback);
       if (!mesh)
         mesh = by_subdivision();
       name_patches(*mesh);
@@ -178,6 +181,8 @@ public:
 
   Remeshed_surface surface(Surface_elements elements) {
     return made([&] {
+      if (elements == Surface_elements::structured_quads)
+        return structured_quads_in_frame();
       Remeshed_surface result = surface_in_frame(elements);
       give_volume_to(result);
       return result;
@@ -264,6 +269,26 @@ private:
     const Centerline_metric_field metric(frame_.surface().surface, frame_.surface().patch, frame_.centerlines(),
                                          options_.metric);
     return options_.size.size_requests.empty() ? triangles_in_frame(metric) : triangles_in_frame(refined(metric));
+  }
+
+  // The boundary of blocks.
+  Remeshed_surface structured_quads_in_frame() {
+    if (options_.has_boundary_layer())
+      throw Parameter_error("Layers inside the lumen are of a mesh of cells; a surface has none.");
+    const Mixed_mesh mesh = *by_blocks(Hexahedral_fallback::none);
+    Remeshed_surface result;
+    std::vector<Surface::Vertex_index> vertex_of(mesh.points.size(), Surface::null_vertex());
+    for (std::size_t i = 0; i < mesh.quads.size(); ++i) {
+      std::array<Surface::Vertex_index, 4> corners;
+      for (std::size_t k = 0; k < 4; ++k) {
+        Surface::Vertex_index& v = vertex_of[mesh.quads.vertices[i][k]];
+        if (v == Surface::null_vertex())
+          v = result.surface.add_vertex(mesh.points[mesh.quads.vertices[i][k]]);
+        corners[k] = v;
+      }
+      result.patch[result.surface.add_face(corners)] = mesh.quads.label[i];
+    }
+    return result;
   }
 
   Remeshed_surface quads_in_frame() {
@@ -355,7 +380,7 @@ private:
   }
 
   /* Hexahedra in blocks; none where these cannot be had and another method is to be taken. */
-  std::optional<Mixed_mesh> by_blocks() {
+  std::optional<Mixed_mesh> by_blocks(Hexahedral_fallback fallback) {
     Hexahedral_report& report = report_.hexahedral;
     const Centerline_sizing_field& field = size();
     stage("blocks");
@@ -369,6 +394,7 @@ private:
     else {
       try {
         finish(blocks, *mesh);
+        structure_ = blocks.take_structure();
         return mesh;
       } catch (const Meshing_error& e) {
         why = std::string("Hexahedra in blocks are not valid: ") + e.what();
@@ -377,7 +403,7 @@ private:
         report_.volume = Preserve_volume_report();
       }
     }
-    if (options_.hexahedral_fallback == Hexahedral_fallback::none)
+    if (fallback == Hexahedral_fallback::none)
       throw Meshing_error(why + " The method or the fallback subdivision makes hexahedra of any shape.");
     report_.fallbacks.push_back(why + " All hexahedra are made by subdivision.");
     return std::nullopt;
@@ -397,6 +423,7 @@ private:
     stage("boundary layer");
     report_.boundary_layer = blocks.insert_layers(mesh, radius());
     report_.boundary_layer.worst_place = frame_.from_frame(report_.boundary_layer.worst_place);
+    blocks.optimize_layers(mesh);
     stage("check");
     internal::check_differences(mesh, *model_, frame_.surface().surface);
   }
@@ -536,6 +563,7 @@ private:
   std::optional<Centerline_sizing_field> size_;
   std::optional<Patches> by_patches_;
   Remeshed_surface kept_;
+  Block_structure structure_;
   Mesher_report report_;
   std::string stage_;
   bool moves_wall_ = true;
@@ -580,6 +608,10 @@ CGAL_TUBULAR_MESHING_INLINE Remeshed_surface Mesher::surface(Surface_elements el
                        [](const Remeshed_surface& s) { return std::size_t(s.surface.number_of_faces()); }, 2,
                        Element_target::first_points);
 }
+CGAL_TUBULAR_MESHING_INLINE Block_structure Mesher::block_structure() {
+  return impl_->take_block_structure();
+}
+
 CGAL_TUBULAR_MESHING_INLINE Remeshed_surface Mesher::kept_surface() {
   return impl_->take_kept_surface();
 }

@@ -40,7 +40,8 @@ enum class Surface_mesher {
 enum class Surface_elements {
   triangles,             ///< isotropic, of mesh size h = 2 π r / N
   anisotropic_triangles, ///< of unit size in the metric of Centerline_metric_field
-  quads                  ///< of mesh size h; triangles on the caps, unless quads are wanted there too
+  quads,                 ///< of mesh size h; triangles on the caps, unless quads are wanted there too
+  structured_quads       ///< the boundary of hexahedra in blocks, see make_hexahedral_blocks(): quads on the caps, too
 };
 
 /*! \ingroup PkgTubularMeshingPipelines

@@ -162,6 +162,18 @@ public:
     this->visit_best_first(q, descent);
     return descent.best;
   }
+  /* The same, faster where `hint` is a shape that is likely to be as near. */
+  Result nearest_from(std::size_t hint, const Point& q, double squared_bound) const {
+    Descent descent{*this, Result{this->size(), q, squared_bound}};
+    if (hint < this->size()) {
+      const Point p = projection(this->shape(hint), q);
+      const double d = CGAL::squared_distance(p, q);
+      if (d < squared_bound)
+        descent.best = Result{hint, p, d};
+    }
+    this->visit_best_first(q, descent);
+    return descent.best;
+  }
 
 private:
   // The traversal traits: a node is entered if it may hold something nearer than the best so far.

@@ -4,9 +4,11 @@
 #ifndef CGAL_TUBULAR_MESHING_HEXAHEDRA_INTERNAL_BLOCK_BUILDER_H
 #define CGAL_TUBULAR_MESHING_HEXAHEDRA_INTERNAL_BLOCK_BUILDER_H
 
+#include <CGAL/Tubular_meshing/Hexahedra/Block_structure.h>
 #include <CGAL/Tubular_meshing/Hexahedra/internal/Disc_grid.h>
 #include <CGAL/Tubular_meshing/Hexahedra/internal/Junction_shape.h>
 #include <CGAL/Tubular_meshing/Hexahedra/internal/Vessel_network.h>
+#include <CGAL/Tubular_meshing/Hexahedra/internal/Vessel_section.h>
 #include <CGAL/Tubular_meshing/Hexahedra/internal/Wall_of_lumen.h>
 #include <CGAL/Tubular_meshing/Hexahedra/internal/Wall_rings.h>
 #include <CGAL/Tubular_meshing/base/Function_view.h>
@@ -30,9 +32,9 @@ namespace CGAL::Tubular_meshing::internal {
 /* The hexahedra along the vessels of a network, and what each belongs to. */
 struct Network_blocks {
   Mixed_mesh mesh;
-  std::vector<std::uint32_t> node;   // of each hexahedron: the one of its vessel's two that is nearer
-  std::vector<std::uint32_t> vessel; // of each hexahedron
-  std::vector<double> twist;         // of each vessel, in radians, from its one end to the other
+  std::vector<std::uint32_t> node; // of each hexahedron: the one of its vessel's two that is nearer
+  std::vector<double> twist;       // of each vessel, in radians, from its one end to the other
+  Block_structure structure;
 };
 
 /* Builds hexahedra along the vessels of a network, from section to section: a core of squares, and a ring round it up
@@ -76,11 +78,8 @@ public:
 private:
   static constexpr double dome_ahead = 0.3; // by how much the last ring of a blind end leads to its tip
 
-  // The vertices of a section: those of the core, and of the wall round it.
-  struct Section {
-    std::vector<Index> core, wall;
-    std::vector<Index> dome; // of a blind end: on the wall, beyond those of the core
-  };
+  typedef Vessel_section Section;
+
   // One end of a vessel.
   struct End {
     Wall_ring ring;
@@ -315,6 +314,7 @@ private:
     const Wall_ring ring_first = planar(first), ring_last = planar(last);
 
     const std::vector<double> stations = stations_of(path);
+    Section_joiner cells(disc_, blocks_.mesh.hexahedra, blocks_.mesh.quads);
     Section before = ends[0].section;
     for (std::size_t i = 1; i < stations.size(); ++i) {
       const double a = stations[i];
@@ -324,14 +324,24 @@ private:
                      : a > last
                          ? section_of(rings_.between(ring_last, ends[1].ring, (a - last) / (length - last), center))
                          : section_of(planar(a));
-      add_cells(before, next, v, nodes[2 * i <= stations.size() ? 0 : 1]);
+      cells.add_between(before, next, labels::lumen);
+      set_node(nodes[2 * i <= stations.size() ? 0 : 1]);
       before = std::move(next);
     }
+    const Disc_grid coarse(1);
+    Section_joiner blocks(coarse, blocks_.structure.hexahedra, blocks_.structure.quads);
+    const int branch = int(network_.vessels[v].branch);
+    const std::array<Section, 2> corners{{ends[0].section.corners(disc_), ends[1].section.corners(disc_)}};
+    blocks.add_between(corners[0], corners[1], branch);
     for (int e = 0; e < 2; ++e)
-      if (const int opening = network_.nodes[nodes[e]].opening)
-        add_cap(ends[e].section, e == 0, opening);
-      else if (!shapes_[nodes[e]])
-        add_dome(ends[e].section, e == 0, v, nodes[e]);
+      if (const int opening = network_.nodes[nodes[e]].opening) {
+        cells.add_cap(ends[e].section, e == 0, opening);
+        blocks.add_cap(corners[e], e == 0, opening);
+      } else if (!shapes_[nodes[e]]) {
+        cells.add_dome(ends[e].section, e == 0, labels::lumen);
+        set_node(nodes[e]);
+        blocks.add_dome(corners[e], e == 0, branch);
+      }
   }
 
   // Where the sections of a path are: at distances that go with the mesh size; four rows at least.
@@ -363,49 +373,8 @@ private:
     return Index(blocks_.mesh.points.size() - 1);
   }
 
-  void add_hexahedron(const std::array<Index, 8>& h, std::size_t vessel, std::size_t node) {
-    blocks_.mesh.hexahedra.push_back(h, labels::lumen);
-    blocks_.vessel.push_back(std::uint32_t(vessel));
-    blocks_.node.push_back(std::uint32_t(node));
-  }
-
-  void add_cells(const Section& a, const Section& b, std::size_t vessel, std::size_t node) {
-    for (const auto& q : disc_.quads())
-      add_hexahedron({{a.core[q[0]], a.core[q[1]], a.core[q[2]], a.core[q[3]], b.core[q[0]], b.core[q[1]], b.core[q[2]],
-                       b.core[q[3]]}},
-                     vessel, node);
-    for (int i = 0; i < around_; ++i) {
-      const int j = (i + 1) % around_;
-      const std::size_t c = disc_.boundary()[i], d = disc_.boundary()[j];
-      add_hexahedron({{a.core[c], a.wall[i], a.wall[j], a.core[d], b.core[c], b.wall[i], b.wall[j], b.core[d]}}, vessel,
-                     node);
-      blocks_.mesh.quads.push_back({{a.wall[i], a.wall[j], b.wall[j], b.wall[i]}}, labels::wall);
-    }
-  }
-
-  void add_dome(const Section& s, bool first, std::size_t vessel, std::size_t node) {
-    for (const auto& q : disc_.quads()) {
-      std::array<Index, 8> h;
-      for (int i = 0; i < 4; ++i) {
-        h[i] = s.core[q[first ? 3 - i : i]];
-        h[i + 4] = s.dome[q[first ? 3 - i : i]];
-      }
-      add_hexahedron(h, vessel, node);
-      blocks_.mesh.quads.push_back({{h[4], h[5], h[6], h[7]}}, labels::wall);
-    }
-  }
-
-  void add_cap(const Section& s, bool first, int patch) {
-    const auto add_quad = [&](Index p, Index q, Index r, Index t) {
-      first ? blocks_.mesh.quads.push_back({{p, t, r, q}}, patch) : blocks_.mesh.quads.push_back({{p, q, r, t}}, patch);
-    };
-    for (const auto& q : disc_.quads())
-      add_quad(s.core[q[0]], s.core[q[1]], s.core[q[2]], s.core[q[3]]);
-    for (int i = 0; i < around_; ++i) {
-      const int j = (i + 1) % around_;
-      add_quad(s.core[disc_.boundary()[i]], s.wall[i], s.wall[j], s.core[disc_.boundary()[j]]);
-    }
-  }
+  // Of the hexahedra that have none yet.
+  void set_node(std::size_t node) { blocks_.node.resize(blocks_.mesh.hexahedra.size(), std::uint32_t(node)); }
 
   const Vessel_network& network_;
   const std::vector<std::optional<Junction_shape>>& shapes_;

@@ -34,7 +34,6 @@ public:
       , surface_(surface)
       , patch_(patch)
       , options_(options)
-      , stars_(mesh.hexahedra, mesh.points.size())
       , quality_(mesh.hexahedra.size()) {
     points_.reserve(mesh.points.size());
     for (const Point_3& p : mesh.points)
@@ -181,6 +180,7 @@ private:
   // --- what may move ---
 
   void prepare() {
+    stars_ = Hexahedron_stars(mesh_.hexahedra, mesh_.points.size());
     inverse_lengths_.resize(number_of_hexahedra());
     for_each_range(number_of_hexahedra(), options_.number_of_threads, [&](std::size_t first, std::size_t last) {
       for (std::size_t h = first; h < last; ++h)

@@ -39,6 +39,7 @@ public:
     bool empty() const { return first == last; }
   };
 
+  Hexahedron_stars() = default;
   Hexahedron_stars(const Element_block<8>& hexahedra, std::size_t number_of_vertices)
       : begin_(number_of_vertices + 1, 0) {
     for (const auto& h : hexahedra.vertices)

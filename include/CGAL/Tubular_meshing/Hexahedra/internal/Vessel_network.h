@@ -95,8 +95,10 @@ public:
         vessels.push_back(std::move(v));
       }
     for (const auto& [label, rim] : openings)
-      if (Node* n = end_near(rim))
+      if (Node* n = nearest(rim, [](const Node& node) { return node.is_blind(); }))
         n->opening = label;
+      else if (Node* j = nearest(rim, [](const Node& node) { return node.is_junction(); }))
+        add_trunk(std::size_t(j - nodes.data()), label, rim);
       else
         openings_without_vessel.push_back(label);
   }
@@ -111,19 +113,40 @@ public:
   }
 
 private:
-  // The end that lies in an opening: not farther from its center than the opening is wide.
-  Node* end_near(const Opening_rim& rim) {
-    Node* nearest = nullptr;
-    double least = (std::numeric_limits<double>::infinity)();
+  // The nearest of some nodes that lies in an opening: not farther from its center than the opening is wide.
+  template <class Counts> Node* nearest(const Opening_rim& rim, const Counts& counts) {
+    Node* result = nullptr;
+    double least = rim.radius;
     for (Node& n : nodes)
-      if (n.is_blind()) {
-        const double d = norm(n.point - rim.center);
-        if (d < least && d < rim.radius) {
-          least = d;
-          nearest = &n;
-        }
+      if (counts(n) && norm(n.point - rim.center) < least) {
+        least = norm(n.point - rim.center);
+        result = &n;
       }
-    return nearest;
+    return result;
+  }
+
+  /* Where several vessels begin in an opening, as an atrium's veins do in its valve, they are to begin a part of its
+   * radius inside, where a vessel leads to the opening. */
+  void add_trunk(std::size_t junction, int label, const Opening_rim& rim) {
+    double depth = 0.75 * rim.radius;
+    for (const Vessel_end& e : nodes[junction].ends)
+      depth = (std::min)(depth, 0.5 * vessels[e.vessel].path.length());
+    Vector_3d sum;
+    double radius = 0;
+    for (const Vessel_end& e : nodes[junction].ends) {
+      const Vessel_path path = path_from(e).from(depth);
+      sum += path.points.front();
+      radius = (std::max)(radius, path.radii.front());
+      vessels[e.vessel].path = e.last ? path.reversed() : path;
+    }
+    Node& n = nodes[junction];
+    n.point = (1. / double(n.ends.size())) * sum;
+    Vessel trunk{{}, {{junction, nodes.size()}}, vessels[n.ends.front().vessel].branch};
+    trunk.path.push_back(n.point, radius);
+    trunk.path.push_back(rim.center, rim.radius);
+    n.ends.push_back({vessels.size(), false});
+    nodes.push_back({rim.center, {{vessels.size(), true}}, label});
+    vessels.push_back(std::move(trunk));
   }
 
 public:

@@ -64,6 +64,15 @@ struct Vessel_path {
     }
     return std::sqrt(nearest) / radius;
   }
+  // What is left of it beyond a place.
+  Vessel_path from(double a) const {
+    Vessel_path result;
+    result.push_back(point(a), radius(a));
+    for (std::size_t i = 0; i < points.size(); ++i)
+      if (abscissa[i] > a)
+        result.push_back(points[i], radii[i]);
+    return result;
+  }
   Vessel_path reversed() const {
     Vessel_path result;
     for (std::size_t i = points.size(); i-- > 0;)

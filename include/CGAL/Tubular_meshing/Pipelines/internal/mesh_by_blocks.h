@@ -56,25 +56,28 @@ public:
       return std::nullopt;
     }
     report.method = Hexahedral_method::blocks;
-    report.number_of_blocks = blocks.blocks;
+    report.number_of_blocks = blocks.structure.hexahedra.size();
     report.irregular_edges = blocks.irregular_edges;
     report.points_per_circumference = blocks.points_per_circumference;
     report.twist = blocks.twist;
     report.optimization = blocks.optimization;
+    structure_ = std::move(blocks.structure);
     blocks.mesh.region_names = {{labels::lumen, "lumen"}};
     return std::move(blocks.mesh);
   }
 
+  // Of the mesh that was made.
+  Block_structure take_structure() { return std::move(structure_); }
+
   /* Improves what is inside of a boundary that has been moved, and stays. */
-  void optimize_inside(Mixed_mesh& mesh) const {
-    std::vector<bool> fixed(mesh.points.size());
-    for (const auto& q : mesh.quads.vertices)
-      for (std::uint32_t v : q)
-        fixed[v] = true;
+  void optimize_inside(Mixed_mesh& mesh) const { optimize_inside(mesh, Optimize_hexahedra_options()); }
+
+  // The same where layers have made bad hexahedra; they keep their proportions.
+  void optimize_layers(Mixed_mesh& mesh) const {
     Optimize_hexahedra_options optimization;
-    optimization.fixed_vertices = &fixed;
-    optimization.number_of_threads = options_.size.number_of_threads;
-    internal::optimize_hexahedra(mesh, frame_.surface().surface, frame_.surface().patch, optimization);
+    optimization.quality_wanted = 0.15;
+    optimization.tempering = 0;
+    optimize_inside(mesh, optimization);
   }
 
   // Cuts the hexahedra along the wall.
@@ -84,6 +87,16 @@ public:
 
 private:
   static constexpr int most_generations = 2; // vessels without a centerline may leave others
+
+  void optimize_inside(Mixed_mesh& mesh, Optimize_hexahedra_options optimization) const {
+    std::vector<bool> fixed(mesh.points.size());
+    for (const auto& q : mesh.quads.vertices)
+      for (std::uint32_t v : q)
+        fixed[v] = true;
+    optimization.fixed_vertices = &fixed;
+    optimization.number_of_threads = options_.size.number_of_threads;
+    internal::optimize_hexahedra(mesh, frame_.surface().surface, frame_.surface().patch, optimization);
+  }
 
   Hexahedral_blocks made() const {
     const Labelled_surface& s = frame_.surface();
@@ -128,6 +141,7 @@ private:
   Centerline_graph graph_;
   Hexahedral_blocks_options blocks_options_;
   std::vector<Vertex> tips_;
+  Block_structure structure_;
 };
 
 } // namespace CGAL::Tubular_meshing::internal

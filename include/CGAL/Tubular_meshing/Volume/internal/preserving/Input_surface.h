@@ -84,13 +84,19 @@ public:
   }
 
   /* How far the wall is from x along the unit vector n, positive in its direction, up to a bound; 0 where it is not
-   * found there: what is nearest is another part of the wall then. */
-  double distance_to_wall(const Vector_3d& x, const Vector_3d& n, double bound) const {
-    return along(x, n, bound, wall_);
+   * found there: what is nearest is another part of the wall then. `hint`: the triangle of the wall that was nearest to
+   * a place near x; it becomes that of x. */
+  double distance_to_wall(const Vector_3d& x, const Vector_3d& n, double bound, std::size_t& hint) const {
+    const auto found = wall_.nearest_from(hint, Double_kernel::Point_3(x.x, x.y, x.z), bound * bound);
+    if (found.index >= wall_.size())
+      return 0;
+    hint = found.index;
+    return along(x, n, found);
   }
   // The same for the rim of an opening, n in its plane.
   static double distance_to_rim(const Opening& opening, const Vector_3d& x, const Vector_3d& n, double bound) {
-    return along(x, n, bound, opening.rim);
+    const auto found = opening.rim.nearest(Double_kernel::Point_3(x.x, x.y, x.z), bound * bound);
+    return found.index >= opening.rim.size() ? 0 : along(x, n, found);
   }
 
   /* The point of the wall nearest to x, up to a bound, and where the wall faces to the same side as n; none where what
@@ -116,9 +122,8 @@ public:
 private:
   /* The nearest point y is seen from x along the surface's own normal there, so the plane through y across y − x is
    * tangent to the surface: where it is met along n. */
-  template <class Tree> static double along(const Vector_3d& x, const Vector_3d& n, double bound, const Tree& tree) {
-    const auto found = tree.nearest(Double_kernel::Point_3(x.x, x.y, x.z), bound * bound);
-    if (found.index >= tree.size() || !(found.squared_distance > 0))
+  template <class Result> static double along(const Vector_3d& x, const Vector_3d& n, const Result& found) {
+    if (!(found.squared_distance > 0))
       return 0;
     const double step = dot(Vector_3d(found.point) - x, n), distance = std::sqrt(found.squared_distance);
     const double steepest = 0.7; // the cosine of the angle between the normals; beyond, it is not this facet's part

@@ -205,8 +205,17 @@ private:
   Facet_balance balance_of(const Facet& f, const std::vector<Vector_3d>& normal) const {
     // six points, exact to the fourth degree (D. A. Dunavant, 1985)
     static const double a = 0.445948490915965, wa = 0.223381589678011, b = 0.091576213509771, wb = 0.109951743655322;
-    static const double rule[6][4] = {{1 - 2 * a, a, a, wa}, {a, 1 - 2 * a, a, wa}, {a, a, 1 - 2 * a, wa},
-                                      {1 - 2 * b, b, b, wb}, {b, 1 - 2 * b, b, wb}, {b, b, 1 - 2 * b, wb}};
+    static const std::array<double, 4> of_triangle[6] = {{1 - 2 * a, a, a, wa}, {a, 1 - 2 * a, a, wa},
+                                                         {a, a, 1 - 2 * a, wa}, {1 - 2 * b, b, b, wb},
+                                                         {b, 1 - 2 * b, b, wb}, {b, b, 1 - 2 * b, wb}};
+    // three points, exact to the second degree, in each of the four triangles of a quad
+    static const std::array<double, 4> of_quad[3] = {
+        {2. / 3, 1. / 6, 1. / 6, 1. / 3}, {1. / 6, 2. / 3, 1. / 6, 1. / 3}, {1. / 6, 1. / 6, 2. / 3, 1. / 3}};
+    const bool is_quad = f.corner[3] != none;
+    const std::array<double, 4>* rule = is_quad ? of_quad : of_triangle;
+    const std::size_t number = is_quad ? 3 : 6;
+    std::size_t hint = std::size_t(-1); // the triangle of the input that was nearest: of this facet only, so that
+                                        // results do not depend on how facets are shared out to threads
     Facet_balance result;
     const auto add = [&](Index v, double missing, double area, const Vector_3d& n) {
       for (std::size_t k = 0; k < 4; ++k)
@@ -221,8 +230,9 @@ private:
       const double area = norm(doubled) / 2;
       const double bound = std::sqrt((std::max)(squared_norm(p[1] - p[0]), squared_norm(p[2] - p[0]))) / 2;
       std::array<double, 3> missing = {0, 0, 0};
-      for (const auto& q : rule) {
-        const double d = input_.distance_to_wall(q[0] * p[0] + q[1] * p[1] + q[2] * p[2], n, bound);
+      for (std::size_t i = 0; i < number; ++i) {
+        const std::array<double, 4>& q = rule[i];
+        const double d = input_.distance_to_wall(q[0] * p[0] + q[1] * p[1] + q[2] * p[2], n, bound, hint);
         for (std::size_t k = 0; k < 3; ++k)
           missing[k] += q[3] * area * q[k] * d;
       }
