@@ -223,6 +223,27 @@ TEST(Round_ends, A_sac_in_a_fork_is_none) {
   });
 }
 
+// The longest ways along the wall lead to the sac, and from there to the ends on both sides of it.
+TEST(Round_ends, A_short_vessel_along_a_broad_sac_has_its_ends) {
+  int number = 0;
+  for (double ratio : {1.9, 2.4, 3.})
+    for (double gap : {0.75, 1.2})
+      for (double neck : {0.5, 0.8})
+        for (bool has_fork : {false, true}) {
+          SCOPED_TRACE("ratio " + std::to_string(ratio) + ", gap " + std::to_string(gap) + ", neck " +
+                       std::to_string(neck) + (has_fork ? ", with a fork" : ""));
+          Skeleton s = tube_with_node(7);
+          if (has_fork) {
+            add_tube(s, 2, s.nodes[2] + Vector(0, 4, 4), 0.75, 0.75);
+            add_tube(s, 2, s.nodes[2] + Vector(0, -4, 4), 0.7, 0.7);
+          }
+          add_sac(s, 1, Vector(1, 0, 0.3), ratio + gap, ratio, neck, ratio > 2 ? number % 3 : 0);
+          const double scale = std::array<double, 3>{{1, 1e-3, 1e3}}[std::size_t(number % 3)];
+          expect_openings(s, has_fork ? 3 : 2, number % 2 == 0 ? 14 : 22, scale, 0.4 * number);
+          ++number;
+        }
+}
+
 TEST(Round_ends, A_vessel_that_widens_in_its_middle_has_its_two_ends) {
   for (double ratio : {1.2, 1.6, 2.4, 4.})
     for (double n : {14., 24.}) {

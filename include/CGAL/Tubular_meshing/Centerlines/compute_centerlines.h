@@ -49,6 +49,10 @@ public:
   /* Adds a line to a vertex of the wall; false if none leads there. */
   bool add_end(Surface::Vertex_index v);
 
+  /* Lets the lines lead from that of their ends that is nearest to a point to all others. Only where all ends are places
+   * of the wall, and none is an opening, and with `everywhere`. */
+  void start_from(const Point_3& end);
+
   /* Of all lines, the length of that which is longest against the largest ball along it, in radii of that. */
   double longest_line() const;
 

@@ -122,7 +122,7 @@ struct Centerline_computation::Impl {
   }
 
   const Canonical_frame frame;
-  const Point_3 root;
+  Point_3 root;
   std::size_t loops = 0; // of the lumen; 0 also if they are not wanted
   Centerline_tracer tracer;
   const Nearest_tree<Double_kernel::Triangle_3> wall;
@@ -147,6 +147,11 @@ CGAL_TUBULAR_MESHING_INLINE Centerline_computation::~Centerline_computation() = 
 
 CGAL_TUBULAR_MESHING_INLINE bool Centerline_computation::add_end(Surface::Vertex_index v) {
   return impl_->tracer.add_end(std::size_t(v));
+}
+
+CGAL_TUBULAR_MESHING_INLINE void Centerline_computation::start_from(const Point_3& end) {
+  impl_->root = end;
+  impl_->tracer.start_from(impl_->frame.to_canonical(to_double_point(end)));
 }
 
 CGAL_TUBULAR_MESHING_INLINE double Centerline_computation::longest_line() const {

@@ -16,7 +16,9 @@ namespace CGAL::Tubular_meshing {
 /*! \ingroup PkgTubularMeshingRepair
  *
  * Gives the faces of a repaired surface the labels of the triangles that it was made from: a face with the corners of
- * one has that one's label, any other (that the repair has made) has the label of the triangle nearest to its centre.
+ * one has that one's label, any other (that the repair has made) has the label of the triangle nearest to its centre;
+ * but where such faces would be no more than a fragment of a region, as at the ragged rim of a cap that was replaced,
+ * they have the label around them.
  *
  * \param points, triangles the soup that repair_surface() was given
  * \param labels one a triangle

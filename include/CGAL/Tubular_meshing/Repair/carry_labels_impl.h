@@ -5,6 +5,8 @@
 #define CGAL_TUBULAR_MESHING_REPAIR_CARRY_LABELS_IMPL_H
 
 #include <CGAL/Tubular_meshing/Repair/carry_labels.h>
+#include <CGAL/Tubular_meshing/Repair/internal/Label_fragments.h>
+#include <CGAL/Tubular_meshing/Repair/internal/Soup_edges.h>
 #include <CGAL/Tubular_meshing/base/Nearest_tree.h>
 #include <CGAL/Tubular_meshing/base/Triangle_soup.h>
 
@@ -38,6 +40,46 @@ private:
   Numbering<Index_triangle, Hash_of_triangle> triangles_;
 };
 
+// By triangle, the area of the triangles of its label that are connected with it by edges.
+inline std::vector<double> region_areas(const std::vector<Point_3>& points,
+                                        const std::vector<std::array<std::size_t, 3>>& triangles,
+                                        const std::vector<int>& labels) {
+  Triangle_soup soup;
+  for (const Point_3& p : points)
+    soup.points.push_back({p.x(), p.y(), p.z()});
+  soup.triangles = triangles;
+  merge_points(soup.points, soup.triangles);
+  std::vector<std::vector<std::size_t>> beside(triangles.size());
+  Soup_edges(soup).for_each([&](const Soup_edges::Edge& e) {
+    for (const Soup_edges::Side* s = e.first; s + 1 < e.last; ++s) {
+      const std::size_t t = s->side / 3, u = s[1].side / 3;
+      if (labels[t] == labels[u]) {
+        beside[t].push_back(u);
+        beside[u].push_back(t);
+      }
+    }
+  });
+  std::vector<double> result(triangles.size(), -1);
+  for (std::size_t first = 0; first < triangles.size(); ++first) {
+    if (result[first] >= 0)
+      continue;
+    double area = 0;
+    std::vector<std::size_t> region = {first};
+    result[first] = 0;
+    for (std::size_t i = 0; i < region.size(); ++i) {
+      area += triangle_area(soup, soup.triangles[region[i]]);
+      for (std::size_t t : beside[region[i]])
+        if (result[t] < 0) {
+          result[t] = 0;
+          region.push_back(t);
+        }
+    }
+    for (std::size_t t : region)
+      result[t] = area;
+  }
+  return result;
+}
+
 } // namespace internal
 
 CGAL_TUBULAR_MESHING_INLINE void carry_labels(const std::vector<Point_3>& points,
@@ -66,6 +108,8 @@ CGAL_TUBULAR_MESHING_INLINE void carry_labels(const std::vector<Point_3>& points
   }
   if (fresh.empty())
     return;
+  const std::vector<double> area_of = internal::region_areas(points, triangles, labels);
+  std::vector<double> region_area(surface.num_faces(), 0);
   std::vector<Triangle> shapes;
   for (const auto& t : triangles)
     shapes.emplace_back(internal::to_double_point(points[t[0]]), internal::to_double_point(points[t[1]]),
@@ -75,9 +119,12 @@ CGAL_TUBULAR_MESHING_INLINE void carry_labels(const std::vector<Point_3>& points
     std::vector<Point_3> corners;
     for (auto v : CGAL::vertices_around_face(surface.halfedge(f), surface))
       corners.push_back(surface.point(v));
-    label[f] =
-        labels[tree.nearest(internal::to_double_point(CGAL::centroid(corners[0], corners[1], corners[2]))).index];
+    const std::size_t nearest =
+        tree.nearest(internal::to_double_point(CGAL::centroid(corners[0], corners[1], corners[2]))).index;
+    label[f] = labels[nearest];
+    region_area[std::size_t(f)] = area_of[nearest];
   }
+  internal::Label_fragments(surface, label, region_area).relabel();
 }
 
 } // namespace CGAL::Tubular_meshing

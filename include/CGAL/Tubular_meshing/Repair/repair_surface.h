@@ -54,7 +54,8 @@ Repair_report repair_mesh(Surface& mesh, const Repair_surface_options& options);
  *   a tear along the vessel, is refused;
  * - vertices that were thrown out of the wall, making spikes into the lumen or outward, are put back into it. A spike is
  *   sharper than a cone 1.25 times as high as wide, and stands on a wall that turns back what the spike turns: pointed
- *   ends, carinas, stenoses, creases and coarse walls are none;
+ *   ends, carinas, stenoses, creases and coarse walls are none. At the rim of a flat cap, where the wall turns back less,
+ *   it is what keeps the cap from being flat;
  * - triangles that cross, or fold back on their neighbours by more than 154 degrees, are smoothed or replaced by a
  *   patch that continues the wall; at a rim they are removed. If that loses or adds an opening, it is taken back;
  * - vessels that cross each other are united (corefine_and_compute_union()); one inside of another is dropped;

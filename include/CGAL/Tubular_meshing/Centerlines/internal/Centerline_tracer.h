@@ -88,6 +88,22 @@ public:
     return true;
   }
 
+  /* Traces all lines anew, from that of their ends that is nearest to a point. The ends have to be points, and the front
+   * has to have run everywhere. */
+  void start_from(const Diagram::Point& p) {
+    std::size_t source = 0;
+    for (std::size_t i = 1; i < poles_.size(); ++i)
+      if (distance(p, diagram_.points[poles_[i]]) < distance(p, diagram_.points[poles_[source]]))
+        source = i;
+    std::swap(ends_[0], ends_[source]);
+    std::swap(poles_[0], poles_[source]);
+    front_.reset(new Voronoi_front(diagram_, poles_[0], {}));
+    lines_.clear();
+    for (std::size_t i = 1; i < poles_.size(); ++i)
+      if (poles_[i] != poles_[0] && front_->has_reached(poles_[i]))
+        trace_to(i);
+  }
+
   const std::vector<Sampled_line>& lines() const { return lines_; }
 
   /* The triangles of the wall. */

@@ -75,7 +75,8 @@ public:
     }
   }
 
-  /* Balls of the other lines around the node where the line of a leaf ends, within some radii of it. */
+  /* Balls of the other lines around the node where the line of a leaf ends, within some radii of it; further on those that
+   * the ball of the leaf reaches into, as that of a sac does whose neck it lies in. */
   std::vector<Ball> balls_around(const Line& line) const {
     std::vector<Ball> balls;
     if (!line.ends_at_junction)
@@ -97,11 +98,14 @@ public:
       if (open[i][0] == line.last_node && graph_.points()[walk.point()] == before)
         continue; // the line itself
       double length = way[i];
-      for (; !walk.is_done() && length < reach; walk.go_on()) {
+      for (; !walk.is_done() && length < 2 * reach; walk.go_on()) {
         length += walk.step();
-        balls.push_back({graph_.points()[walk.point()], graph_.radii()[walk.point()]});
+        const Ball ball = {graph_.points()[walk.point()], graph_.radii()[walk.point()]};
+        if (length - walk.step() < reach ||
+            point_distance(ball.center, line.points.front()) < ball.radius + line.radii.front())
+          balls.push_back(ball);
       }
-      if (walk.is_done() && length < reach)
+      if (walk.is_done() && length < 2 * reach)
         open_all(walk.target, open[i][1], length);
     }
     balls.push_back({line.points.back(), line.radii.back()});

@@ -173,7 +173,32 @@ private:
     is_compact_ = openings_.empty() && longest < longest_compact;
     if (longest > (openings_.empty() ? shortest_vessel : 0))
       computation.make_graph(graph_, Build_centerline_graph_options());
+    if (openings_.empty() && !graph_.branches().empty())
+      start_in_a_vessel(computation, ends.front().first);
     return longest > 0;
+  }
+
+  // A tip may be that of a sac. Where that is broad and lies along a vessel, the lines from it lead to the ends of this
+  // vessel by different ways, and none along the vessel, which looks like two bulbs before necks then. From an end of a
+  // vessel they do: from that which keeps its radius furthest.
+  void start_in_a_vessel(Centerline_computation& computation, const Point_3& source) {
+    const std::vector<Blind_leaves::Leaf> leaves = Blind_leaves(graph_, {}).leaves();
+    const auto is_at_source = [&](const Round_end& end) {
+      return point_distance(source, end.center()) < 1.5 * end.tip_radius();
+    };
+    const auto length = [](const Round_end& end) { return end.level_length() / end.radius(); };
+    const Round_end* furthest = nullptr;
+    for (const auto& leaf : leaves) {
+      if (!is_at_source(leaf.shape)) {
+        if (furthest == nullptr || length(leaf.shape) > length(*furthest))
+          furthest = &leaf.shape;
+      } else if (leaf.kind == Blind_end_kind::vessel)
+        return;
+    }
+    if (furthest == nullptr)
+      return;
+    computation.start_from(furthest->center());
+    computation.make_graph(graph_, Build_centerline_graph_options());
   }
 
   // Where a dent or a needle beside the tip parts the ball at it from those of the vessel, that at a neighbour will do.

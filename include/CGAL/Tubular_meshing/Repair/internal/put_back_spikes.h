@@ -5,6 +5,7 @@
 #define CGAL_TUBULAR_MESHING_REPAIR_INTERNAL_PUT_BACK_SPIKES_H
 
 #include <CGAL/Tubular_meshing/Repair/internal/fill_wall.h>
+#include <CGAL/Tubular_meshing/Repair/internal/tube_ends.h>
 #include <CGAL/Tubular_meshing/Rims/Opening_site.h>
 #include <CGAL/Tubular_meshing/Rims/Rim_shape.h>
 #include <CGAL/Tubular_meshing/base/Kernel.h>
@@ -45,7 +46,11 @@ struct Moved_spikes {
  * around a spike is freed with it, on trial: what comes to lie more than half an edge off its place was thrown as well.
  *
  * What is sharp, more so than a voxel, but not enough, or among others that were thrown, is judged when these are back:
- * it is a spike if it is more than about half as high as wide, and turned back around. O(n). */
+ * it is a spike if it is more than about half as high as wide, and turned back around.
+ *
+ * Around a vertex thrown from the rim of a flat cap the wall is convex, and turns back less. It is a spike if without it
+ * there is the flat end of a vessel, and the cap goes on beyond the triangles of the vertex; those of a pointed end are
+ * all that there is of it. O(n). */
 class Spike_mover {
   typedef Surface::Vertex_index Vertex;
   typedef Surface::Halfedge_index Halfedge;
@@ -66,6 +71,7 @@ public:
         break;
       free(spikes, before);
     }
+    lay_into_the_wall(noted(find_at_caps(), before));
     bend_all(before);
     Moved_spikes moved;
     moved.count = before.size();
@@ -79,7 +85,7 @@ public:
     return moved;
   }
 
-  bool has_spikes() { return !find().empty() || !find_clusters().empty(); }
+  bool has_spikes() { return !find().empty() || !find_clusters().empty() || !find_at_caps().empty(); }
 
   /* The spikes that stand by themselves. Sets are in the order of their indices. */
   std::vector<Set> find() {
@@ -103,8 +109,60 @@ public:
     return spikes;
   }
 
+  /* Those that are thrown from the rims of flat caps. */
+  std::vector<Set> find_at_caps() {
+    std::vector<Set> sets;
+    for (Set& set : sharp_sets())
+      if (is_pointed(set) && is_in_disk(set))
+        sets.push_back(std::move(set));
+    if (sets.empty())
+      return sets;
+    std::map<Vertex, Point_3> before;
+    lay_into_the_wall(noted(sets, before));
+    const std::vector<Opening_site> ends = flat_ends(mesh_);
+    sets.erase(std::remove_if(sets.begin(), sets.end(),
+                              [&](const Set& set) {
+                                return std::none_of(ends.begin(), ends.end(),
+                                                    [&](const Opening_site& end) { return is_at_rim_of(end, set); });
+                              }),
+               sets.end());
+    for (const auto& v : before)
+      mesh_.point(v.first) = v.second;
+    return sets;
+  }
+
 private:
   static constexpr double degree = CGAL_PI / 180;
+
+  // Whether faces of the set are a part of the cap, which goes on beyond them along a quarter of its rim.
+  bool is_at_rim_of(const Opening_site& end, const Set& set) const {
+    const auto is_in = [&](Vertex v, const Set& sorted) { return std::binary_search(sorted.begin(), sorted.end(), v); };
+    if (std::none_of(end.cap.begin(), end.cap.end(), [&](Surface::Face_index f) {
+          const auto corners = CGAL::vertices_around_face(mesh_.halfedge(f), mesh_);
+          return std::any_of(corners.begin(), corners.end(), [&](Vertex v) { return is_in(v, set); });
+        }))
+      return false;
+    const Set around = with_ring(set);
+    double length = 0, beyond = 0;
+    for (Halfedge h : end.rim) {
+      const double side = point_distance(mesh_.point(mesh_.source(h)), mesh_.point(mesh_.target(h)));
+      length += side;
+      beyond += is_in(mesh_.source(h), around) && is_in(mesh_.target(h), around) ? 0 : side;
+    }
+    return beyond > 0.25 * length;
+  }
+
+  // All vertices of the sets, in order; where they are goes into `before`.
+  Set noted(const std::vector<Set>& sets, std::map<Vertex, Point_3>& before) const {
+    Set all;
+    for (const Set& set : sets)
+      all.insert(all.end(), set.begin(), set.end());
+    std::sort(all.begin(), all.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    for (Vertex v : all)
+      before.emplace(v, mesh_.point(v));
+    return all;
+  }
 
   // The connected sets of vertices whose angles lack more than an eighth of a turn.
   std::vector<Set> sharp_sets() {
@@ -177,8 +235,15 @@ private:
 
   // Whether the wall around turns back what the set turns, and the set and its ring make a disk.
   bool is_turned_back(const Set& set) const {
-    const double lack = sum_of_lacks(set);
     double excess = 0;
+    for (Vertex w : with_ring(set))
+      if (!std::binary_search(set.begin(), set.end(), w))
+        excess -= lack_[std::size_t(w)];
+    return excess > 0.4 * sum_of_lacks(set) && is_in_disk(set);
+  }
+
+  // Whether the set and its ring make a disk.
+  bool is_in_disk(const Set& set) const {
     std::vector<Surface::Face_index> faces;
     std::vector<Surface::Edge_index> edges;
     for (Vertex v : set)
@@ -187,12 +252,8 @@ private:
         edges.push_back(mesh_.edge(h));
         edges.push_back(mesh_.edge(mesh_.next(mesh_.next(h))));
       }
-    const Set all = with_ring(set);
-    for (Vertex w : all)
-      if (!std::binary_search(set.begin(), set.end(), w))
-        excess -= lack_[std::size_t(w)];
-    const long characteristic = long(all.size()) - long(number_of_different(edges)) + long(number_of_different(faces));
-    return characteristic == 1 && excess > 0.4 * lack;
+    const long vertices = long(with_ring(set).size());
+    return vertices - long(number_of_different(edges)) + long(number_of_different(faces)) == 1;
   }
 
   template <class Index> static std::size_t number_of_different(std::vector<Index>& all) {
@@ -219,14 +280,7 @@ private:
 
   // Puts the spikes back, and what proves to be thrown beside them; where all of it was goes into `before`.
   void free(std::vector<Set>& spikes, std::map<Vertex, Point_3>& before) {
-    Set all;
-    for (const Set& set : spikes)
-      all.insert(all.end(), set.begin(), set.end());
-    std::sort(all.begin(), all.end());
-    all.erase(std::unique(all.begin(), all.end()), all.end());
-    for (Vertex v : all)
-      before.emplace(v, mesh_.point(v));
-    lay_into_the_wall(all);
+    lay_into_the_wall(noted(spikes, before));
     for (Set& set : spikes) {
       const std::size_t most = 4 * set.size() + 8; // what goes on growing is no spike any more
       while (set.size() < most) {

@@ -27,21 +27,32 @@ struct Sewn_seams {
 
 /* Sews free edges that nearly coincide: points of two borders become one point where both ends of an edge find a
  * partner, first the nearest ones, then up to a fraction of the local edge length. Where one side has more points than
- * the other, they split its edges. Two borders that merely touch in a point stay apart. O(n log n). */
+ * the other, they split its edges. Two borders that merely touch in a point stay apart. Where points have many edges near
+ * them, these are no seams, but triangles that lie across each other without order: they are left. O(n log n). */
 class Seam_sewer {
 public:
   explicit Seam_sewer(Triangle_soup& soup)
       : soup_(soup) {}
 
   Sewn_seams sew() {
+    bool has_order = true;
     for (double reach : {1e-3, 0.03, 0.2}) {
-      // Seams need few rounds; triangles that lie across each other without order would be split without end.
+      // Seams need few rounds, one for each side of a triangle and some for its parts; triangles that lie across each
+      // other without order would be split without end, and the further the reach the more.
       const int most_rounds = 8;
-      for (int round = 0; find_free_edges() && round < most_rounds && split_edges(reach); ++round)
-        ;
+      std::size_t before = 0;
+      for (int round = 0; find_free_edges() && find_near_pairs(reach) && round < most_rounds; ++round) {
+        const std::size_t splits = has_order ? split_edges() : 0;
+        if (splits == 0)
+          break;
+        has_order = round < 3 || splits <= before / 2 + 10;
+        before = splits;
+      }
       if (free_.empty())
         break;
-      merge_points(reach);
+      merge_points();
+      if (!has_order)
+        break;
     }
     if (sewn_.edges > 0) {
       drop_degenerate_and_duplicate(soup_.triangles);
@@ -55,51 +66,92 @@ private:
     std::size_t a, b, side;
     double length;
   };
+  struct Near_pair {
+    std::size_t point, edge;
+    double tolerance; ///< how near
+
+    bool operator<(const Near_pair& p) const { return point != p.point ? point < p.point : edge < p.edge; }
+  };
   typedef CGAL::Box_intersection_d::Box_with_info_d<double, 3, std::size_t> Box;
 
   bool find_free_edges() {
     free_.clear();
-    length_.clear();
+    length_.assign(soup_.points.size(), 0);
+    number_of_points_ = 0;
     Soup_edges(soup_).for_each([&](const Soup_edges::Edge& e) {
       if (e.count() != 1)
         return;
       const double l = distance_between(soup_.points[e.a], soup_.points[e.b]);
       free_.push_back(Free_edge{e.a, e.b, e.first->side, l});
       for (std::size_t v : {e.a, e.b}) {
-        auto& shortest = length_.emplace(v, l).first->second;
-        shortest = (std::min)(shortest, l);
+        number_of_points_ += length_[v] > 0 ? 0 : 1;
+        length_[v] = length_[v] > 0 ? (std::min)(length_[v], l) : l;
       }
     });
     return !free_.empty();
   }
 
-  // Calls found(v, e) for each pair of a free point and a free edge, no ends of one triangle, that are nearer to each
-  // other than `reach` times the shortest free edge around.
-  template <class Found> void for_each_near_pair(double reach, const Found& found) const {
+  // The pairs of a free point and a free edge, no ends of one triangle, that are nearer to each other than `reach` times
+  // the shortest free edge around. False, and none, if there are too many for seams: at these a point has few.
+  bool find_near_pairs(double reach) {
+    near_.clear();
+    const std::size_t most = 1000 + 25 * number_of_points_;
     std::vector<Box> points, edges;
-    for (const auto& v : length_) {
-      const Coordinates& p = soup_.points[v.first];
-      const double r = reach * v.second;
-      points.emplace_back(CGAL::Bbox_3(p[0] - r, p[1] - r, p[2] - r, p[0] + r, p[1] + r, p[2] + r), v.first);
+    CGAL::Bbox_3 all;
+    for (std::size_t v = 0; v < length_.size(); ++v) {
+      if (!(length_[v] > 0))
+        continue;
+      const Coordinates& p = soup_.points[v];
+      const double r = reach * length_[v];
+      points.emplace_back(CGAL::Bbox_3(p[0] - r, p[1] - r, p[2] - r, p[0] + r, p[1] + r, p[2] + r), v);
+      all += points.back().bbox();
     }
-    for (std::size_t i = 0; i < free_.size(); ++i) {
-      const Coordinates &p = soup_.points[free_[i].a], &q = soup_.points[free_[i].b];
-      edges.emplace_back(
-          CGAL::Bbox_3(p[0], p[1], p[2], p[0], p[1], p[2]) + CGAL::Bbox_3(q[0], q[1], q[2], q[0], q[1], q[2]), i);
+    const double distance = // of points, if they were spread evenly
+        std::sqrt(square(all.x_span()) + square(all.y_span()) + square(all.z_span())) /
+        std::cbrt(double(number_of_points_));
+    for (std::size_t i = 0; i < free_.size(); ++i)
+      add_boxes(i, distance, edges);
+    struct Too_many {};
+    try {
+      CGAL::box_intersection_d(
+          points.begin(), points.end(), edges.begin(), edges.end(), [&](const Box& p, const Box& e) {
+            const Free_edge& edge = free_[e.info()];
+            const Index_triangle& t = soup_.triangles[edge.side / 3];
+            const double tolerance = reach * (std::min)(length_[p.info()], edge.length);
+            if (std::find(t.begin(), t.end(), p.info()) != t.end() || !(project(p.info(), edge).second <= tolerance))
+              return;
+            near_.push_back(Near_pair{p.info(), e.info(), tolerance});
+            if (near_.size() > most)
+              throw Too_many();
+          });
+    } catch (const Too_many&) {
+      near_.clear();
+      return false;
     }
-    std::vector<std::pair<std::size_t, std::size_t>> pairs;
-    const auto tolerance = [&](std::size_t v, std::size_t i) {
-      return reach * (std::min)(length_.at(v), free_[i].length);
-    };
-    CGAL::box_intersection_d(points.begin(), points.end(), edges.begin(), edges.end(), [&](const Box& p, const Box& e) {
-      const Index_triangle& t = soup_.triangles[free_[e.info()].side / 3];
-      if (std::find(t.begin(), t.end(), p.info()) == t.end() &&
-          project(p.info(), free_[e.info()]).second <= tolerance(p.info(), e.info())) // boxes of long edges hold many
-        pairs.emplace_back(p.info(), e.info());
-    });
-    std::sort(pairs.begin(), pairs.end()); // the boxes come in no certain order
-    for (const auto& pair : pairs)
-      found(pair.first, pair.second, tolerance(pair.first, pair.second));
+    std::sort(near_.begin(), near_.end()); // the boxes come in no certain order, and an edge may have several
+    near_.erase(
+        std::unique(near_.begin(), near_.end(),
+                    [](const Near_pair& p, const Near_pair& q) { return p.point == q.point && p.edge == q.edge; }),
+        near_.end());
+    return true;
+  }
+
+  static double square(double x) { return x * x; }
+
+  // The box of an edge, or of its pieces: that of one that is long against the distance of points would hold many.
+  void add_boxes(std::size_t edge, double distance, std::vector<Box>& boxes) const {
+    const Coordinates &p = soup_.points[free_[edge].a], &q = soup_.points[free_[edge].b];
+    const double longest = 64;
+    const int pieces = distance > 0 ? int((std::min)(longest, std::ceil(free_[edge].length / (2 * distance)))) : 1;
+    for (int k = 0; k < pieces; ++k) {
+      CGAL::Bbox_3 box;
+      for (int end : {k, k + 1}) {
+        const double t = double(end) / pieces;
+        const double x = (1 - t) * p[0] + t * q[0], y = (1 - t) * p[1] + t * q[1], z = (1 - t) * p[2] + t * q[2];
+        box += CGAL::Bbox_3(x, y, z, x, y, z);
+      }
+      boxes.emplace_back(box, edge);
+    }
   }
 
   // The parameter of the point of edge e that is nearest to point v, in [0, 1], and its distance.
@@ -112,23 +164,22 @@ private:
   }
 
   // Splits the free edges that a point of another border lies on, if a neighbour of that point is near a border too.
-  bool split_edges(double reach) {
+  // Returns how many.
+  std::size_t split_edges() {
     struct Candidate {
       double distance = 0, t = 0;
       std::size_t edge = 0;
       bool at_end = false;
     };
     std::map<std::size_t, Candidate> near;
-    for_each_near_pair(reach, [&](std::size_t v, std::size_t i, double tolerance) {
+    for (const auto& [v, i, tolerance] : near_) {
       const auto p = project(v, free_[i]);
-      if (!(p.second <= tolerance))
-        return;
       const Candidate c{p.second, p.first, i, (std::min)(p.first, 1 - p.first) * free_[i].length <= tolerance};
       const auto inserted = near.emplace(v, c);
       if (!inserted.second && std::make_pair(!c.at_end, c.distance) <
                                   std::make_pair(!inserted.first->second.at_end, inserted.first->second.distance))
         inserted.first->second = c;
-    });
+    }
     std::map<std::size_t, bool> accompanied;
     for (const Free_edge& e : free_)
       if (near.count(e.a) && near.count(e.b))
@@ -140,13 +191,10 @@ private:
         note_gap(n.second.distance, n.first);
       }
     std::map<std::size_t, std::size_t> split_triangles; // one edge of a triangle at a time
-    bool any = false;
     for (auto& s : splits)
-      if (split_triangles.emplace(free_[s.first].side / 3, s.first).second) {
+      if (split_triangles.emplace(free_[s.first].side / 3, s.first).second)
         split(free_[s.first], s.second);
-        any = true;
-      }
-    return any;
+    return split_triangles.size();
   }
 
   void split(const Free_edge& e, std::vector<std::pair<double, std::size_t>>& points) {
@@ -162,14 +210,13 @@ private:
     sewn_.edges += points.size();
   }
 
-  void merge_points(double reach) {
+  void merge_points() {
     // sets of points that are near each other
     Index_union near(soup_.points.size());
-    for_each_near_pair(reach, [&](std::size_t v, std::size_t i, double tolerance) {
+    for (const auto& [v, i, tolerance] : near_)
       for (std::size_t end : {free_[i].a, free_[i].b})
         if (distance_between(soup_.points[v], soup_.points[end]) <= tolerance)
           near.join(v, end);
-    });
     // of which only those ends are merged that belong to edges between the same two sets
     std::map<std::pair<std::size_t, std::size_t>, std::vector<std::pair<std::size_t, std::size_t>>> bundles;
     for (const Free_edge& e : free_) {
@@ -196,8 +243,9 @@ private:
 
   void move_together(Index_union& merged) {
     std::map<std::size_t, std::vector<std::size_t>> sets;
-    for (const auto& v : length_)
-      sets[merged.find(v.first)].push_back(v.first);
+    for (std::size_t v = 0; v < length_.size(); ++v)
+      if (length_[v] > 0)
+        sets[merged.find(v)].push_back(v);
     for (const auto& s : sets) {
       if (s.second.size() < 2)
         continue;
@@ -224,7 +272,9 @@ private:
 
   Triangle_soup& soup_;
   std::vector<Free_edge> free_;
-  std::map<std::size_t, double> length_; ///< of the shortest free edge at each free point
+  std::vector<double> length_;       ///< by point, of the shortest free edge there; 0: the point is not free
+  std::size_t number_of_points_ = 0; ///< that are free
+  std::vector<Near_pair> near_;
   Sewn_seams sewn_;
 };
 
