@@ -11,11 +11,13 @@
 #include <CGAL/Tubular_meshing/IO/internal/Wall_patches.h>
 #include <CGAL/Tubular_meshing/IO/internal/check_mesh.h>
 #include <CGAL/Tubular_meshing/IO/internal/distinct_names.h>
+#include <CGAL/Tubular_meshing/IO/internal/refuse.h>
 #include <CGAL/Tubular_meshing/IO/write_openfoam.h>
 
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <map>
 #include <string>
 #include <vector>
@@ -36,6 +38,9 @@ public:
       , binary_(binary) {}
 
   void write() {
+    if (binary_ && faces_.number_of_faces() > std::size_t((std::numeric_limits<std::int32_t>::max)()) / 4)
+      refuse(folder_.name(), "its faces have more corners than labels of 32 bits count",
+             "write it as text, in the format openfoam");
     write_points();
     write_faces();
     write_labels(
