@@ -15,20 +15,34 @@ inline bool has_program(const std::string& name) {
   return std::system(("command -v " + name + " > /dev/null 2>&1").c_str()) == 0;
 }
 
+// Ten steps of icoFoam, from inlet to outlet_1.
 inline void make_openfoam_case(const std::filesystem::path& folder) {
-  std::filesystem::create_directories(folder / "system");
-  const auto begin = [&](const std::string& object) {
-    std::ofstream out(folder / "system" / object);
-    out << "FoamFile { version 2.0; format ascii; class dictionary; object " << object << "; }\n";
+  const auto begin = [&](const char* object, const char* kind = "dictionary") {
+    std::filesystem::create_directories((folder / object).parent_path());
+    std::ofstream out(folder / object);
+    out << "FoamFile { version 2.0; format ascii; class " << kind << "; object "
+        << std::filesystem::path(object).filename().string() << "; }\n";
     return out;
   };
-  begin("controlDict")
-      << "application icoFoam; startFrom startTime; startTime 0; stopAt endTime; endTime 1; deltaT 1;\n"
-         "writeControl timeStep; writeInterval 1; writePrecision 16;\n";
-  begin("fvSchemes") << "ddtSchemes { default Euler; } gradSchemes { default Gauss linear; }\n"
-                        "divSchemes { default Gauss linear; } laplacianSchemes { default Gauss linear corrected; }\n"
-                        "interpolationSchemes { default linear; } snGradSchemes { default corrected; }\n";
-  begin("fvSolution") << "solvers {}\n";
+  begin("system/controlDict")
+      << "application icoFoam; startFrom startTime; startTime 0; stopAt endTime; endTime 0.01;\n"
+         "deltaT 0.001; writeControl timeStep; writeInterval 10; writePrecision 16;\n";
+  begin("system/fvSchemes")
+      << "ddtSchemes { default Euler; } gradSchemes { default Gauss linear; }\n"
+         "divSchemes { default Gauss linear; } laplacianSchemes { default Gauss linear corrected; }\n"
+         "interpolationSchemes { default linear; } snGradSchemes { default corrected; }\n";
+  begin("system/fvSolution") << "solvers {\n"
+                                "  p { solver PCG; preconditioner DIC; tolerance 1e-9; relTol 0; } pFinal { $p; }\n"
+                                "  U { solver smoothSolver; smoother symGaussSeidel; tolerance 1e-9; relTol 0; }\n"
+                                "}\nPISO { nCorrectors 2; nNonOrthogonalCorrectors 1; pRefCell 0; pRefValue 0; }\n";
+  begin("constant/transportProperties") << "nu [0 2 -1 0 0 0 0] 0.1;\n";
+  begin("0/U", "volVectorField")
+      << "dimensions [0 1 -1 0 0 0 0]; internalField uniform (0 0 0);\n"
+         "boundaryField { wall { type noSlip; } inlet { type surfaceNormalFixedValue; refValue uniform -1; }\n"
+         "  outlet_1 { type zeroGradient; } }\n";
+  begin("0/p", "volScalarField") << "dimensions [0 2 -2 0 0 0 0]; internalField uniform 0;\n"
+                                    "boundaryField { wall { type zeroGradient; } inlet { type zeroGradient; }\n"
+                                    "  outlet_1 { type fixedValue; value uniform 0; } }\n";
 }
 
 // Runs a program of OpenFOAM in a folder; what it says goes into a file. Debian's needs to be told where its own files

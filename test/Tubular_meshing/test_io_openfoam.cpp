@@ -312,6 +312,23 @@ TEST_F(IO, OpenFOAM_says_that_meshes_are_OK) {
     }
 }
 
+TEST_F(IO, OpenFOAM_computes_a_flow) {
+  if (!has_program("icoFoam"))
+    GTEST_SKIP() << "needs icoFoam of OpenFOAM";
+  for (const char* layers : {"TTTT", "HHXW"})
+    for (bool binary : {false, true}) {
+      const fs::path folder = directory / "case";
+      make_openfoam_case(folder);
+      TM::IO::write_openfoam(folder.string(), Layered_box::make(4, layers, "1111"), binary);
+      EXPECT_TRUE(run_openfoam("icoFoam", folder, path("log"))) << bytes_of(path("log"));
+      const std::string said = bytes_of(path("log"));
+      EXPECT_NE(said.find("\nTime = 0.01\n"), std::string::npos) << said;
+      EXPECT_NE(said.find("\nEnd\n"), std::string::npos) << said;
+      EXPECT_TRUE(fs::exists(folder / "0.01" / "U"));
+      fs::remove_all(folder);
+    }
+}
+
 TEST_F(IO, OpenFOAM_takes_names_as_words) {
   Mesh m = Layered_box::make(1, "HH", "12");
   m.patch_names = {{1, "arterial wall"}, {2, "Einströmung"}, {3, "2nd outlet; {a}"}, {100, "arterial_wall"}};

@@ -34,7 +34,7 @@ void write_fluent(Output_file& file, const Mixed_mesh& mesh);
  *   name that is there twice gets a number, but the region of a patch's name gets -cells behind it.
  * - Coordinates are kept to the last bit. Point arrays are not written, nor are points that no cell has.
  *
- * O(n log d), d the number of faces at a point.
+ * Expected time O(n log n).
  *
  * \exception Output_error if the file cannot be written, or the mesh is one that the format cannot hold
  */

@@ -15,13 +15,11 @@
 #include <CGAL/Tubular_meshing/base/labels.h>
 
 #include <cctype>
-#include <charconv>
 #include <cstddef>
 #include <cstdint>
 #include <map>
 #include <set>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace CGAL::Tubular_meshing::IO {
@@ -66,11 +64,7 @@ private:
   struct Hexadecimal {
     std::size_t value;
   };
-  friend Number_writer& operator<<(Number_writer& out, Hexadecimal h) {
-    char digits[20];
-    const auto end = std::to_chars(digits, digits + sizeof digits, h.value, 16).ptr;
-    return out << std::string_view(digits, std::size_t(end - digits));
-  }
+  friend Number_writer& operator<<(Number_writer& out, Hexadecimal h) { return out.hexadecimal(h.value); }
   static Hexadecimal hex(std::size_t value) { return {value}; }
 
   static std::string spelling(const std::string& name) {
@@ -153,23 +147,32 @@ private:
     }
   };
   Inner_zone zone_of(const Face_mesh::Inner_face& f) const {
+    if (region_names_.size() == 1)
+      return {true, region_names_.begin()->first};
     const int a = faces_.cells().region(f.owner.cell), b = faces_.cells().region(f.neighbour);
     return {a == b, a};
   }
 
   void write_inner_zones() {
     std::map<Inner_zone, std::size_t> sizes;
+    auto last = sizes.end(); // most faces are in the zone of the one before
     faces_.for_each_inner_face_and_facet([&](const Face_mesh::Inner_face& f, std::uint32_t facet) {
-      if (facet == no_cell)
-        ++sizes[zone_of(f)];
+      if (facet != no_cell)
+        return;
+      const Inner_zone zone = zone_of(f);
+      if (last == sizes.end() || zone < last->first || last->first < zone)
+        last = sizes.emplace(zone, 0).first;
+      ++last->second;
     });
     for (const auto& z : sizes) {
       const std::string of = z.first.is_within ? region_names_.at(z.first.region) : "between-regions";
       begin_zone(add_further_zone("interior", "interior-" + of), z.second, 2);
       faces_.for_each_inner_face_and_facet([&](const Face_mesh::Inner_face& f, std::uint32_t facet) {
+        if (facet != no_cell)
+          return;
         const Inner_zone zone = zone_of(f);
-        if (facet == no_cell && !(zone < z.first) && !(z.first < zone))
-          write_face(f.owner, f.neighbour);
+        if (!(zone < z.first) && !(z.first < zone))
+          write_face(faces_.corners(f), f.owner.cell, f.neighbour);
       });
       out_ << "))\n";
     }
@@ -182,14 +185,14 @@ private:
   }
 
   // From inside of the first cell its corners turn counterclockwise.
-  void write_face(const Side& side, std::uint32_t across) {
-    const Face corners = faces_.corners(side);
+  void write_face(const Side& side, std::uint32_t across) { write_face(faces_.corners(side), side.cell, across); }
+  void write_face(const Face& corners, std::uint32_t cell, std::uint32_t across) {
     const std::size_t n = number_of_corners(corners);
-    out_ << n << ' ';
+    out_ << (n == 3 ? "3 " : "4 ");
     for (std::size_t k = n; k-- > 0;)
       out_ << hex(points_.number(corners[k]) + std::size_t(1)) << ' ';
-    out_ << hex(number_[side.cell] + std::size_t(1)) << ' '
-         << hex(across == no_cell ? 0 : number_[across] + std::size_t(1)) << '\n';
+    out_ << hex(number_[cell] + std::size_t(1)) << ' ' << hex(across == no_cell ? 0 : number_[across] + std::size_t(1))
+         << '\n';
   }
 
   // Inlet and outlets are known by their labels; a patch that bounds no lumen is a wall.

@@ -39,7 +39,7 @@ void write_openfoam(Output_folder& folder, const Mixed_mesh& mesh, bool binary =
  * - A sign that OpenFOAM takes in no name, as a blank, becomes an underscore; a name that is there twice gets a number.
  * - Coordinates are kept to the last bit. Points that no cell has, and point arrays, are not written.
  *
- * O(n log d), d the number of faces at a point. It takes less memory than the mesh.
+ * Expected time O(n log n). It takes less memory than the mesh.
  *
  * \param folder the case, or its `constant/polyMesh`
  * \param mesh the mesh

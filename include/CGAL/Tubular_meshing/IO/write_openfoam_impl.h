@@ -19,6 +19,7 @@
 #include <filesystem>
 #include <limits>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -72,7 +73,7 @@ private:
     return out;
   }
 
-  void write_label(Number_writer& out, std::size_t label) const {
+  void write_label(Number_writer& out, std::uint32_t label) const {
     if (binary_)
       out.bytes(std::int32_t(label));
     else
@@ -97,7 +98,7 @@ private:
 
   // Calls f(corners) for all faces, in the order of the file.
   template <class F> void for_each_face(F f) const {
-    faces_.for_each_inner_face([&](const Face_mesh::Inner_face& face) { f(faces_.corners(face.owner)); });
+    faces_.for_each_inner_face([&](const Face_mesh::Inner_face& face) { f(faces_.corners(face)); });
     for_each_outer_face([&](const Side& side) { f(faces_.corners(side)); });
   }
   template <class F> void for_each_outer_face(F f) const {
@@ -116,7 +117,7 @@ private:
       out << faces_.number_of_faces() << "\n(\n";
       for_each_face([&](const Face& f) {
         const std::size_t n = number_of_corners(f);
-        out << n << '(';
+        out << (n == 3 ? "3(" : "4(");
         for (std::size_t k = 0; k < n; ++k)
           out << points_.number(f[k]) << (k + 1 == n ? ")\n" : " ");
       });
@@ -174,11 +175,11 @@ private:
 
   // One region that is the lumen needs no name.
   void write_cell_zones() {
+    if (labels_of(mesh_, 3) == std::set<int>{labels::lumen})
+      return;
     std::map<int, std::size_t> sizes;
     for (std::size_t c = 0; c < faces_.cells().size(); ++c)
       ++sizes[faces_.cells().region(c)];
-    if (sizes.size() == 1 && sizes.begin()->first == labels::lumen)
-      return;
     const Label_names names = distinct_region_names(mesh_, &spelling);
     Number_writer out = begin("cellZones", "regIOobject", false);
     out << sizes.size() << "\n(\n";
@@ -195,6 +196,8 @@ private:
 
   // A face is flipped where its owner lies on the other side than the lower region.
   void write_face_zones() {
+    if (faces_.number_of_inner_facets() == 0)
+      return;
     struct Zone {
       std::vector<std::size_t> faces;
       std::vector<bool> flipped;
@@ -209,8 +212,6 @@ private:
       }
       ++number;
     });
-    if (zones.empty())
-      return;
     const Label_names names = distinct_patch_names(mesh_, &spelling);
     Number_writer out = begin("faceZones", "regIOobject", false);
     out << zones.size() << "\n(\n";

@@ -37,7 +37,8 @@ public:
       , facets_(cells_, folder.name())
       , walls_(cells_, facets_)
       , file_names_(distinct_patch_names(mesh, &file_name))
-      , model_face_(model_faces()) {}
+      , model_face_(model_faces())
+      , local_(mesh.points.size(), no_vertex) {}
 
   void write() {
     const std::set<int> regions = labels_of(mesh_, 3);
@@ -163,14 +164,16 @@ private:
     write_points(out, points);
     out.begin("Cells");
     std::size_t cell = first, corner = 0;
+    Numbered_cells::Corners of_cell = cells_.corners(first);
     out.array_of<std::int32_t>("connectivity", 1, size * corners, [&] {
       if (corner == corners) {
         corner = 0;
         do
           ++cell;
         while (cells_.region(cell) != region);
+        of_cell = cells_.corners(cell);
       }
-      return std::int32_t(points.number(cells_.corners(cell)[corner++]));
+      return std::int32_t(points.number(of_cell[corner++]));
     });
     std::int64_t end = 0;
     out.array_of<std::int64_t>("offsets", 1, size, [&] { return end += std::int64_t(corners); });
@@ -218,7 +221,7 @@ private:
 
   void write_facets(const std::string& file, const Patches& patches, const Used_points& points,
                     const std::vector<std::uint32_t>& number) {
-    std::vector<std::uint32_t> used; // points of the mesh
+    std::vector<std::uint32_t> used; // points of the mesh, as they come
     std::vector<std::int32_t> elements, model_faces;
     std::vector<std::int64_t> corners, ends;
     std::set<int> labels;
@@ -233,14 +236,18 @@ private:
         model_faces.push_back(model_face_.at(p.first));
       }
     }
-    used.assign(corners.begin(), corners.end());
-    std::sort(used.begin(), used.end());
-    used.erase(std::unique(used.begin(), used.end()), used.end());
-    for (std::int64_t& c : corners)
-      c = std::lower_bound(used.begin(), used.end(), std::uint32_t(c)) - used.begin();
+    for (std::int64_t& c : corners) {
+      const auto v = std::uint32_t(c);
+      if (local_[v] == no_vertex) {
+        local_[v] = std::uint32_t(used.size());
+        used.push_back(v);
+      }
+      c = local_[v];
+    }
     std::vector<std::int32_t> nodes;
     std::vector<double> xyz;
     for (std::uint32_t v : used) {
+      local_[v] = no_vertex;
       nodes.push_back(std::int32_t(points.number(v) + 1));
       for (int k = 0; k < 3; ++k)
         xyz.push_back(mesh_.points[v][k]);
@@ -276,6 +283,7 @@ private:
   const Wall_patches walls_;
   const Label_names file_names_;
   const std::map<int, std::int32_t> model_face_;
+  std::vector<std::uint32_t> local_; // of points on the file that is written, where they are there
 };
 
 inline bool belongs_to_svmultiphysics(const std::filesystem::path& file) {

@@ -95,7 +95,8 @@ public:
       ++b;
     return b;
   }
-  std::size_t first_cell(std::size_t kind) const { return first_cell_[kind]; }
+  std::size_t first_cell(std::size_t kind) const { return first_cell_[kind]; } // kind 4: behind the last
+  std::size_t first_face_of_kind(std::size_t kind) const { return first_face_[kind]; }
 
   int region(std::size_t cell) const {
     const std::size_t b = kind(cell), i = cell - first_cell_[b];
@@ -127,24 +128,24 @@ public:
   }
 
   Face_of_cell face_of_cell(std::size_t number) const {
-    std::size_t b = 0;
-    while (number >= first_face_[b + 1])
-      ++b;
-    const std::size_t n = number - first_face_[b];
-    return {first_cell_[b] + n / faces_of_kind[b], n % faces_of_kind[b]};
+    return with_kind_of_face<Face_of_cell>(number, [&](std::size_t kind, std::size_t i, std::size_t face, const auto&) {
+      return Face_of_cell{first_cell_[kind] + i, face};
+    });
   }
 
   // seen from outside the cell
-  Face face(std::size_t cell, std::size_t face) const {
-    const std::size_t b = kind(cell), i = cell - first_cell_[b];
-    return b == 0   ? face_of(mesh_.tetrahedra.vertices[i], face)
-           : b == 1 ? face_of(mesh_.pyramids.vertices[i], face)
-           : b == 2 ? face_of(mesh_.prisms.vertices[i], face)
-                    : face_of(mesh_.hexahedra.vertices[i], face);
+  Face face(std::size_t cell, std::size_t face) const { return face_of_kind(kind(cell), cell, face); }
+  Face face_of_kind(std::size_t kind, std::size_t cell, std::size_t face) const {
+    const std::size_t i = cell - first_cell_[kind];
+    return kind == 0   ? face_of(mesh_.tetrahedra.vertices[i], face)
+           : kind == 1 ? face_of(mesh_.pyramids.vertices[i], face)
+           : kind == 2 ? face_of(mesh_.prisms.vertices[i], face)
+                       : face_of(mesh_.hexahedra.vertices[i], face);
   }
   Face face(std::size_t number) const {
-    const Face_of_cell f = face_of_cell(number);
-    return face(f.cell, f.face);
+    return with_kind_of_face<Face>(number, [&](std::size_t, std::size_t i, std::size_t face, const auto& block) {
+      return face_of(block.vertices[i], face);
+    });
   }
 
   // Calls f(cell, face, corners) for all faces of all cells, in order.
@@ -165,6 +166,17 @@ public:
   }
 
 private:
+  // f(kind, cell in its block, face, block); divisions are by constants, which is what makes them fast.
+  template <class Result, class F> Result with_kind_of_face(std::size_t number, const F& f) const {
+    if (number < first_face_[1])
+      return f(0, number / 4, number % 4, mesh_.tetrahedra);
+    if (number < first_face_[2])
+      return f(1, (number - first_face_[1]) / 5, (number - first_face_[1]) % 5, mesh_.pyramids);
+    if (number < first_face_[3])
+      return f(2, (number - first_face_[2]) / 5, (number - first_face_[2]) % 5, mesh_.prisms);
+    return f(3, (number - first_face_[3]) / 6, (number - first_face_[3]) % 6, mesh_.hexahedra);
+  }
+
   static constexpr std::size_t faces_of_kind[4] = {4, 5, 5, 6};
 
   const Mixed_mesh& mesh_;

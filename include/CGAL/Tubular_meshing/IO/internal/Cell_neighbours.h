@@ -17,9 +17,9 @@ namespace CGAL::Tubular_meshing::IO::internal {
 
 /* The cell across each face of each cell, in four bytes a face.
  *
- * Faces are gathered by their lowest corner, of which each has a few, and sorted there: O(n log d) for d faces at a
- * corner. Corners are taken in several ranges one after the other, so that the faces gathered at a time take less
- * memory than the mesh does. */
+ * Faces are gathered by their lowest corner, of which each has a few, and matched there by the others: expected time
+ * O(n). Corners are taken in several ranges one after the other, so that the faces gathered at a time take less memory
+ * than the mesh does. */
 class Cell_neighbours {
 public:
   Cell_neighbours(const Numbered_cells& cells, const std::string& file)
@@ -45,9 +45,7 @@ private:
     std::uint64_t middle; // the corners between the lowest and the last, in one number
     std::uint32_t last, face;
     bool has_corners_of(const Entry& e) const { return middle == e.middle && last == e.last; }
-    bool operator<(const Entry& e) const {
-      return middle != e.middle ? middle < e.middle : last != e.last ? last < e.last : face < e.face;
-    }
+    std::uint64_t hash() const { return (middle ^ std::uint64_t(last) << 17) * 0x9e3779b97f4a7c15u; }
   };
 
   static std::uint32_t lowest(const Face& f) { return (std::min)((std::min)(f[0], f[1]), (std::min)(f[2], f[3])); }
@@ -71,34 +69,58 @@ private:
         faces[first[v - begin]++] = face; // first becomes last
       ++face;
     });
+    // Many faces are looked up at a time, before any of them is matched: their cells are all over the memory, and the
+    // processor waits for several at once.
+    const std::size_t corners_at_a_time = 256;
     std::vector<Entry> entries;
-    std::size_t from = 0;
-    for (std::size_t v = begin; v < end; from = first[v - begin], ++v) {
-      entries.clear();
-      for (std::size_t i = from; i < first[v - begin]; ++i) {
+    for (std::size_t v = 0, next = 0, from = 0; v < end - begin; v = next) {
+      next = (std::min)(end - begin, v + corners_at_a_time);
+      const std::size_t to = first[next - 1];
+      entries.resize(to - from);
+      for (std::size_t i = from; i < to; ++i) {
         const Face s = sorted(cells_.face(faces[i]));
-        entries.push_back({std::uint64_t(s[1]) << 32 | s[2], s[3], faces[i]});
+        entries[i - from] = {std::uint64_t(s[1]) << 32 | s[2], s[3], faces[i]};
       }
-      std::sort(entries.begin(), entries.end());
-      match(entries);
+      std::size_t begin_of_corner = 0;
+      for (std::size_t w = v; w < next; ++w) {
+        const std::size_t end_of_corner = first[w] - from;
+        match(entries.data() + begin_of_corner, end_of_corner - begin_of_corner);
+        begin_of_corner = end_of_corner;
+      }
+      from = to;
     }
   }
 
-  void match(const std::vector<Entry>& entries) {
-    for (std::size_t i = 0; i + 1 < entries.size(); ++i) {
-      if (!entries[i].has_corners_of(entries[i + 1]))
-        continue;
-      if (i + 2 < entries.size() && entries[i].has_corners_of(entries[i + 2]))
-        refuse(file_, "three of its cells share a face", "repair the mesh");
-      const std::uint32_t a = entries[i].face, b = entries[i + 1].face;
-      across_[a] = std::uint32_t(cells_.face_of_cell(b).cell);
-      across_[b] = std::uint32_t(cells_.face_of_cell(a).cell);
+  // Finds equal faces by a small hash table, which has room for twice as many.
+  void match(const Entry* entries, std::size_t number) {
+    int bits = 1;
+    while ((std::size_t(1) << bits) < 2 * number)
+      ++bits;
+    const std::size_t mask = (std::size_t(1) << bits) - 1;
+    table_.assign(mask + 1, no_entry);
+    for (std::size_t i = 0; i < number; ++i) {
+      std::size_t slot = entries[i].hash() >> (64 - bits);
+      while (table_[slot] != no_entry && !entries[table_[slot]].has_corners_of(entries[i]))
+        slot = (slot + 1) & mask;
+      if (table_[slot] == no_entry)
+        table_[slot] = std::uint32_t(i);
+      else
+        join(entries[table_[slot]].face, entries[i].face);
     }
+  }
+
+  void join(std::uint32_t a, std::uint32_t b) {
+    if (across_[a] != no_cell)
+      refuse(file_, "three of its cells share a face", "repair the mesh");
+    across_[a] = std::uint32_t(cells_.face_of_cell(b).cell);
+    across_[b] = std::uint32_t(cells_.face_of_cell(a).cell);
   }
 
   const Numbered_cells& cells_;
   const std::string& file_;
   std::vector<std::uint32_t> across_;
+  static constexpr std::uint32_t no_entry = std::uint32_t(-1);
+  std::vector<std::uint32_t> table_;
 };
 
 } // namespace CGAL::Tubular_meshing::IO::internal

@@ -30,6 +30,7 @@ public:
   // The first side's cell is the owner, from outside of which the corners turn counterclockwise.
   struct Inner_face {
     Side owner;
+    std::uint8_t kind; // of the owner, as of Numbered_cells
     std::uint32_t neighbour;
   };
 
@@ -39,14 +40,16 @@ public:
       , facets_(cells_, file)
       , neighbours_(checked(), file_) {
     list_patches();
-    for_each_inner_face([&](const Inner_face&) { ++number_of_inner_faces_; });
+    number_of_inner_faces_ = (cells_.number_of_faces() - number_of_outer_faces_) / 2;
   }
   Face_mesh(const Face_mesh&) = delete;
 
   const Numbered_cells& cells() const { return cells_; }
   const Facet_sides& facets() const { return facets_; }
   Face corners(const Side& side) const { return cells_.face(side.cell, side.face); }
+  Face corners(const Inner_face& f) const { return cells_.face_of_kind(f.kind, f.owner.cell, f.owner.face); }
 
+  std::size_t number_of_inner_facets() const { return inner_facets_.size(); } // those of the mesh between cells
   std::size_t number_of_inner_faces() const { return number_of_inner_faces_; }
   std::size_t number_of_faces() const { return number_of_inner_faces_ + number_of_outer_faces_; }
 
@@ -57,20 +60,10 @@ public:
 
   // Calls f(face) for the faces between cells.
   template <class F> void for_each_inner_face(F f) const {
-    std::array<Inner_face, 6> upper;
-    for (std::size_t c = 0; c < cells_.size(); ++c) {
-      std::size_t n = 0;
-      const std::size_t first = cells_.first_face(c), faces = cells_.number_of_faces(c);
-      for (std::size_t k = 0; k < faces; ++k) {
-        const std::uint32_t other = neighbours_.across(first + k);
-        if (other != no_cell && other > c)
-          upper[n++] = {{std::uint32_t(c), std::uint8_t(k)}, other};
-      }
-      std::sort(upper.begin(), upper.begin() + std::ptrdiff_t(n),
-                [](const Inner_face& a, const Inner_face& b) { return a.neighbour < b.neighbour; });
-      for (std::size_t i = 0; i < n; ++i)
-        f(upper[i]);
-    }
+    for_each_inner_face_of_kind<4>(0, f);
+    for_each_inner_face_of_kind<5>(1, f);
+    for_each_inner_face_of_kind<5>(2, f);
+    for_each_inner_face_of_kind<6>(3, f);
   }
 
   // Calls f(face, facet) for them, with the facet that lies there, if any, else no_cell.
@@ -91,6 +84,25 @@ private:
   struct Inner_facet {
     std::uint32_t cell, face, facet; // the lower cell
   };
+
+  template <std::size_t NumberOfFaces, class F> void for_each_inner_face_of_kind(std::size_t kind, F& f) const {
+    std::array<Inner_face, NumberOfFaces> upper;
+    std::size_t face = cells_.first_face_of_kind(kind);
+    for (std::size_t c = cells_.first_cell(kind), end = cells_.first_cell(kind + 1); c < end; ++c) {
+      std::size_t n = 0;
+      for (std::size_t k = 0; k < NumberOfFaces; ++k) {
+        const std::uint32_t other = neighbours_.across(face++);
+        if (other == no_cell || other < c)
+          continue;
+        std::size_t at = n++; // few: put where they belong one by one
+        for (; at > 0 && upper[at - 1].neighbour > other; --at)
+          upper[at] = upper[at - 1];
+        upper[at] = {{std::uint32_t(c), std::uint8_t(k)}, std::uint8_t(kind), other};
+      }
+      for (std::size_t i = 0; i < n; ++i)
+        f(upper[i]);
+    }
+  }
 
   const Numbered_cells& checked() const {
     if (cells_.size() == 0)

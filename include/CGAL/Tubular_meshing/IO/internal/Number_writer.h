@@ -57,6 +57,14 @@ public:
     return *this;
   }
 
+  Number_writer& hexadecimal(std::size_t value) {
+    constexpr std::size_t most = 32;
+    make_room(most);
+    char* const begin = buffer_.data() + size_;
+    size_ += static_cast<std::size_t>(std::to_chars(begin, begin + most, value, 16).ptr - begin);
+    return *this;
+  }
+
   template <class T> Number_writer& bytes(T value, bool swapped = false) {
     make_room(sizeof(T));
     char* const begin = buffer_.data() + size_;
