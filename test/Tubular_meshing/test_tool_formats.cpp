@@ -75,6 +75,15 @@ TEST_F(Tool, Solvers_files_are_made_by_name_and_by_format) {
       EXPECT_EQ(make_files(f.first, {}), Files{f.first});
 }
 
+TEST_F(Tool, Names_that_a_format_spells_otherwise_are_told) {
+  const Arguments renamed = {"-n", "8", "--rename", "outlet_1=right one", "--report", out("r.json")};
+  const Outcome outcome = succeed(run_to(*this, out("m.su2")) + renamed);
+  EXPECT_NE(outcome.out.find("\"right one\" is right_one"), std::string::npos) << outcome.out;
+  EXPECT_NE(bytes_of(out("r.json")).find("right_one"), std::string::npos);
+  EXPECT_NE(bytes_of(out("m.su2")).find("MARKER_TAG= right_one\n"), std::string::npos);
+  EXPECT_EQ(succeed(run_to(*this, out("m.feb")) + renamed).out.find("right_one"), std::string::npos);
+}
+
 TEST_F(Tool, Solvers_of_walls_get_a_folder_a_region) {
   NEEDS_FILLING();
   succeed(run_to(*this, out("m-mesh-complete")) +

@@ -96,6 +96,9 @@ void execute(const Options& options, const std::string& version) {
   join(run, std::move(parts));
   rename_wall_patches(run);
   clock.begin("report");
+  if (!options.makes_surface_only())
+    for (const std::string& change : tubular::IO::changes_in(run.mesh, options.mesh_format()))
+      run.notes.push_back(change);
   Run_report report(run);
   clock.begin("write");
   write(run, report, clock);

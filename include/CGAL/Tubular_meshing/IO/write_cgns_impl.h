@@ -10,7 +10,7 @@
 #include <CGAL/Tubular_meshing/IO/internal/Wall_patches.h>
 #include <CGAL/Tubular_meshing/IO/internal/Cells_by_region.h>
 #include <CGAL/Tubular_meshing/IO/internal/check_mesh.h>
-#include <CGAL/Tubular_meshing/IO/internal/distinct_names.h>
+#include <CGAL/Tubular_meshing/IO/internal/names_in_files.h>
 #include <CGAL/Tubular_meshing/IO/internal/refuse.h>
 #include <CGAL/Tubular_meshing/IO/write_cgns.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
@@ -45,7 +45,7 @@ public:
       , order_(cells_)
       , blocks_(order_.blocks())
       , walls_(cells_, facets_)
-      , patch_names_(distinct_patch_names(mesh, &spelling)) {}
+      , patch_names_(patch_names_in_file(mesh, Mesh_format::cgns)) {}
   Cgns_writer(const Cgns_writer&) = delete;
   ~Cgns_writer() {
     if (is_open_)
@@ -72,12 +72,6 @@ public:
   }
 
 private:
-  static std::string spelling(const std::string& name) {
-    std::string result = shortened(name, 28); // room for a number
-    std::replace(result.begin(), result.end(), '/', '_');
-    return result.empty() || result == "." || result == ".." ? "_" : result;
-  }
-
   void check(int status) const {
     if (status != CG_OK)
       refuse(file_.name(), "the CGNS library failed to write it (" + std::string(cg_get_error()) + ")",
@@ -120,12 +114,11 @@ private:
     const CGNS_ENUMT(ElementType_t)
         types[4] = {CGNS_ENUMV(TETRA_4), CGNS_ENUMV(PYRA_5), CGNS_ENUMV(PENTA_6), CGNS_ENUMV(HEXA_8)};
     const char* const kinds[4] = {"tetrahedra", "pyramids", "prisms", "hexahedra"};
+    const Label_names names = region_names_in_file(mesh_, Mesh_format::cgns);
     for (const auto& n : patch_names_)
       used_.insert(n.second);
-    Label_names names = distinct_region_names(mesh_, &spelling);
-    for (auto& n : names)
-      used_.insert(n.second =
-                       used_.count(n.second) != 0 ? unused_name(shortened(n.second, 22) + "_cells", used_) : n.second);
+    for (const auto& n : names)
+      used_.insert(n.second);
     for (std::size_t b = 0; b < blocks_.size(); ++b) {
       const Cells_of_region& block = blocks_[b];
       const std::string& region = names.at(block.region);

@@ -18,19 +18,19 @@ bool has_exodus();
 
 /*! \ingroup PkgTubularMeshingIO
  *
- * writes a mesh in the format Exodus II into a file that the caller commits. See
- * `write_exodus(const std::string&, const Mixed_mesh&)`.
+ * writes a mesh in the format Exodus II into a file that the caller commits. See `write_exodus(const std::string&,
+ * const Mixed_mesh&)`.
  */
 void write_exodus(Output_file& file, const Mixed_mesh& mesh);
 
 /*! \ingroup PkgTubularMeshingIO
  *
- * writes a mesh in the format Exodus II, which MOOSE, Cubit and Nek5000's exo2nek read, after "Exodus: A Finite Element Data
- * Model" of Sandia.
+ * writes a mesh in the format Exodus II, which MOOSE, Cubit and Nek5000's exo2nek read, after "Exodus: A Finite Element
+ * Data Model" of Sandia.
  *
- * - All kinds of cells are written: TETRA4, PYRAMID5, WEDGE6, HEX8. Those of one kind in a region are an element block
- *   with the region's name and label; where a region has several kinds, the name of each but the first has the kind behind
- *   it, and its number is the next one that no region has.
+ * - All kinds of cells are written: TETRA4, PYRAMID5, WEDGE6, HEX8, their corners in the order of `Mixed_mesh`. Those
+ *   of one kind in a region are an element block with the region's name and label; where a region has several kinds,
+ *   the name of each but the first has the kind behind it, and its number is the next one that no region has.
  * - Each patch is a side set with its name and label, of the cells behind its facets and which of their sides they are.
  *   Where it lies between two regions, that is the side of the higher one, the wall.
  * - A name that is there twice gets a number. Names may be longer than the 32 bytes that older programs read.

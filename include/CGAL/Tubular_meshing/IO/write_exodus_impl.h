@@ -9,7 +9,7 @@
 #include <CGAL/Tubular_meshing/IO/internal/Used_points.h>
 #include <CGAL/Tubular_meshing/IO/internal/Cells_by_region.h>
 #include <CGAL/Tubular_meshing/IO/internal/check_mesh.h>
-#include <CGAL/Tubular_meshing/IO/internal/distinct_names.h>
+#include <CGAL/Tubular_meshing/IO/internal/names_in_files.h>
 #include <CGAL/Tubular_meshing/IO/internal/refuse.h>
 #include <CGAL/Tubular_meshing/IO/write_exodus.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
@@ -52,7 +52,7 @@ public:
     if (blocks_.empty())
       refuse(file_.name(), "its format is for meshes with cells, and this one has none", write_vtu_instead);
     name_blocks();
-    patch_names_ = distinct_patch_names(mesh_, &spelling);
+    patch_names_ = patch_names_in_file(mesh_, Mesh_format::exodus);
     ex_opts(0); // errors become exceptions, not text
     int of_program = sizeof(double), of_file = sizeof(double);
     exodus_ = ex_create(file_.name_for_library().c_str(), EX_CLOBBER | EX_LARGE_MODEL, &of_program, &of_file);
@@ -69,8 +69,6 @@ public:
   }
 
 private:
-  static std::string spelling(const std::string& name) { return shortened(name, 200); }
-
   void check(int status) const {
     if (status < 0)
       refuse(file_.name(), "the Exodus II library failed to write it",
@@ -79,7 +77,7 @@ private:
 
   // The numbers of labels that are there twice, or that the format has not, are the next ones above all of them.
   void name_blocks() {
-    const Label_names regions = distinct_region_names(mesh_, &spelling);
+    const Label_names regions = region_names_in_file(mesh_, Mesh_format::exodus);
     std::set<std::string> used;
     for (const auto& n : regions)
       used.insert(n.second);

@@ -23,10 +23,11 @@ void write_febio(Output_file& file, const Mixed_mesh& mesh);
  *
  * writes a mesh for FEBio, version 4.0 of its format, after "Mesh Section" in the FEBio user manual.
  *
- * - All kinds of cells are written: tet4, pyra5, penta6, hex8. Those of one kind in a region are an `Elements` block with
- *   the region's name; where a region has several kinds, the name of each but the first has the kind behind it.
- * - Patches are surfaces and node sets with their names. Facets turn counterclockwise seen from outside of the cell behind them; where a patch lies between
- *   two regions, that is the one of the higher label, the wall.
+ * - All kinds of cells are written: tet4, pyra5, penta6, hex8, their corners in the order of `Mixed_mesh`. Those of one
+ *   kind in a region are an `Elements` block with the region's name; where a region has several kinds, the name of each
+ *   but the first has the kind behind it.
+ * - Patches are surfaces and node sets with their names. Facets turn counterclockwise seen from outside of the cell
+ *   behind them; where a patch lies between two regions, that is the one of the higher label, the wall.
  * - `MeshDomains` gives each block a material of its region's name: define materials of these names, or read the mesh
  *   alone from another file, `<Mesh from="aorta.feb"/>`.
  * - Names are kept, in UTF-8; one that is there twice gets a number.

@@ -9,7 +9,7 @@
 #include <CGAL/Tubular_meshing/IO/internal/Vtk_xml_writer.h>
 #include <CGAL/Tubular_meshing/IO/internal/Cells_by_region.h>
 #include <CGAL/Tubular_meshing/IO/internal/check_mesh.h>
-#include <CGAL/Tubular_meshing/IO/internal/distinct_names.h>
+#include <CGAL/Tubular_meshing/IO/internal/names_in_files.h>
 #include <CGAL/Tubular_meshing/IO/internal/refuse.h>
 #include <CGAL/Tubular_meshing/IO/write_febio.h>
 
@@ -60,7 +60,7 @@ private:
   }
 
   void name_blocks() {
-    region_names_ = distinct_region_names(mesh_, &any_spelling);
+    region_names_ = region_names_in_file(mesh_, Mesh_format::febio);
     std::set<std::string> used;
     for (const auto& n : region_names_)
       used.insert(n.second);
@@ -102,7 +102,7 @@ private:
   }
 
   void write_patches() {
-    const Label_names names = distinct_patch_names(mesh_, &any_spelling);
+    const Label_names names = patch_names_in_file(mesh_, Mesh_format::febio);
     for (const auto& patch : facets_by_patch(facets_)) {
       const std::string name = escaped_for_xml(names.at(patch.first));
       std::vector<std::uint32_t> nodes;

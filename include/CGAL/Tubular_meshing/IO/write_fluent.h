@@ -27,8 +27,8 @@ void write_fluent(Output_file& file, const Mixed_mesh& mesh);
  * - All kinds of cells are written; a cell zone a region, of type fluid for the lumen and solid for others.
  * - Faces are listed with the cells on their two sides: the right hand's thumb points to the first one where its
  *   fingers follow the corners. Each patch is a zone with its name, of type wall for the walls of the vessel and the
- *   rings of its ends, velocity-inlet for the inlet and pressure-outlet for the outlets. A patch between regions, as the
- *   wall, has a cell on both sides: Fluent makes it a coupled wall. The other faces between cells are zones of type
+ *   rings of its ends, velocity-inlet for the inlet and pressure-outlet for the outlets. A patch between regions, as
+ *   the wall, has a cell on both sides: Fluent makes it a coupled wall. The other faces between cells are zones of type
  *   interior, one a region and one for those between regions.
  * - Fluent's names have small letters, digits and - _ . : + alone. Capital letters become small, other signs dashes; a
  *   name that is there twice gets a number, but the region of a patch's name gets -cells behind it.

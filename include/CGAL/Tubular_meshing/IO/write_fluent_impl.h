@@ -10,11 +10,10 @@
 #include <CGAL/Tubular_meshing/IO/internal/Wall_patches.h>
 #include <CGAL/Tubular_meshing/IO/internal/Cells_by_region.h>
 #include <CGAL/Tubular_meshing/IO/internal/check_mesh.h>
-#include <CGAL/Tubular_meshing/IO/internal/distinct_names.h>
+#include <CGAL/Tubular_meshing/IO/internal/names_in_files.h>
 #include <CGAL/Tubular_meshing/IO/write_fluent.h>
 #include <CGAL/Tubular_meshing/base/labels.h>
 
-#include <cctype>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -36,8 +35,11 @@ public:
       , order_(faces_.cells())
       , number_(order_.numbers())
       , walls_(faces_.cells(), faces_.facets())
-      , patch_names_(distinct_patch_names(mesh, &spelling)) {
-    name_regions();
+      , patch_names_(patch_names_in_file(mesh, Mesh_format::fluent))
+      , region_names_(region_names_in_file(mesh, Mesh_format::fluent)) {
+    for (const Label_names* names : {&patch_names_, &region_names_})
+      for (const auto& n : *names)
+        used_.insert(n.second);
   }
 
   void write() {
@@ -67,29 +69,8 @@ private:
   friend Number_writer& operator<<(Number_writer& out, Hexadecimal h) { return out.hexadecimal(h.value); }
   static Hexadecimal hex(std::size_t value) { return {value}; }
 
-  static std::string spelling(const std::string& name) {
-    std::string result;
-    for (char c : name) {
-      const auto u = static_cast<unsigned char>(c);
-      result += u < 128 && std::isalnum(u)                          ? static_cast<char>(std::tolower(u))
-                : std::string("-_.:+").find(c) != std::string::npos ? c
-                                                                    : '-';
-    }
-    return !result.empty() && std::isalpha(static_cast<unsigned char>(result[0])) ? result : "z-" + result;
-  }
-
   void declare(int section, std::size_t number) {
     out_ << '(' << section << " (0 1 " << hex(number) << (section == 10 ? " 0 3))\n" : " 0 0))\n");
-  }
-
-  // All zones have names of their own; where a patch and a region have the same, it is the patch's.
-  void name_regions() {
-    for (const auto& n : patch_names_)
-      used_.insert(n.second);
-    for (const auto& n : distinct_region_names(mesh_, &spelling)) {
-      const bool is_taken = used_.count(n.second) != 0;
-      used_.insert(region_names_[n.first] = is_taken ? unused_name(n.second + "-cells", used_) : n.second);
-    }
   }
 
   std::size_t add_further_zone(const std::string& type, const std::string& wanted) {
@@ -233,8 +214,7 @@ private:
   const Cells_by_region order_;
   const std::vector<std::uint32_t> number_;
   const Wall_patches walls_;
-  const Label_names patch_names_;
-  Label_names region_names_;
+  const Label_names patch_names_, region_names_;
   std::vector<Zone> zones_;
   std::set<std::string> used_;
   std::size_t next_face_ = 1;

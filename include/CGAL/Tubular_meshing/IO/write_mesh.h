@@ -14,6 +14,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace CGAL::Tubular_meshing::IO {
 
@@ -39,6 +40,18 @@ void write_mesh(Output& output, const Mixed_mesh& mesh, const Format_choice& cho
 /*! \ingroup PkgTubularMeshingIO
  * Whether the name of the file, or folder, tells write_mesh() a format: see mesh_format_of(). */
 bool is_supported_mesh_format(const std::string& file);
+
+/*! \ingroup PkgTubularMeshingIO
+ *
+ * The names that the patches of a mesh have in a file of a format, from label to name: spelled as it can hold them, and
+ * none twice where it needs that. */
+Label_names patch_names_in(const Mixed_mesh& mesh, Mesh_format format);
+
+/*! \ingroup PkgTubularMeshingIO
+ *
+ * What a format changes of a mesh or leaves out, a sentence each: names that are spelled otherwise, point arrays that
+ * are not written. */
+std::vector<std::string> changes_in(const Mixed_mesh& mesh, Mesh_format format);
 
 /*! \ingroup PkgTubularMeshingIO
  *

@@ -6,6 +6,7 @@
 
 #include <CGAL/Tubular_meshing/IO/Output_folder.h>
 #include <CGAL/Tubular_meshing/IO/internal/check_mesh.h>
+#include <CGAL/Tubular_meshing/IO/internal/names_in_files.h>
 #include <CGAL/Tubular_meshing/IO/internal/write_inp.h>
 #include <CGAL/Tubular_meshing/IO/internal/write_medit.h>
 #include <CGAL/Tubular_meshing/IO/internal/write_msh.h>
@@ -23,6 +24,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace CGAL::Tubular_meshing::IO {
 
@@ -95,7 +97,50 @@ CGAL_TUBULAR_MESHING_INLINE void write_mesh(Output& output, const Mixed_mesh& me
     throw Output_error(quoted(output.name()) + " was not opened for the format that is to be written.");
 }
 
+// Those that VTK's, Gmsh's and MEDIT's files keep as they are.
+inline bool keeps_names(Mesh_format format) {
+  return format == Mesh_format::vtu || format == Mesh_format::gmsh || format == Mesh_format::medit ||
+         format == Mesh_format::xdmf;
+}
+
+inline bool keeps_point_array(const Point_array& array, Mesh_format format) {
+  return format == Mesh_format::vtu || format == Mesh_format::gmsh ||
+         (format == Mesh_format::medit && array.is_metric());
+}
+
+// ", \"right one\" is right_one"
+inline std::string renamed(const Label_names& names, const Label_names& in_file) {
+  std::string text;
+  for (const auto& n : in_file) {
+    const auto name = names.find(n.first);
+    if (name != names.end() && !name->second.empty() && name->second != n.second)
+      text += (text.empty() ? "" : ", ") + quoted(name->second) + " is " + n.second;
+  }
+  return text;
+}
+
 } // namespace internal
+
+CGAL_TUBULAR_MESHING_INLINE Label_names patch_names_in(const Mixed_mesh& mesh, Mesh_format format) {
+  return internal::keeps_names(format) ? mesh.patch_names : internal::patch_names_in_file(mesh, format);
+}
+
+CGAL_TUBULAR_MESHING_INLINE std::vector<std::string> changes_in(const Mixed_mesh& mesh, Mesh_format format) {
+  std::vector<std::string> changes;
+  const std::string patches = internal::renamed(mesh.patch_names, patch_names_in(mesh, format));
+  if (!patches.empty())
+    changes.push_back("The file has other names of patches: " + patches + ".");
+  if (!internal::keeps_names(format) && format != Mesh_format::abaqus) {
+    const std::string regions = internal::renamed(mesh.region_names, internal::region_names_in_file(mesh, format));
+    if (!regions.empty() && format != Mesh_format::svmultiphysics && format != Mesh_format::su2)
+      changes.push_back("The file has other names of regions: " + regions + ".");
+  }
+  for (const Point_array& a : mesh.point_arrays)
+    if (!internal::keeps_point_array(a, format))
+      changes.push_back("The file has no place for the point array " + internal::quoted(a.name) +
+                        ", which is not written; a .vtu file has.");
+  return changes;
+}
 
 CGAL_TUBULAR_MESHING_INLINE bool is_supported_mesh_format(const std::string& file) {
   return mesh_format_of(file) != Mesh_format::by_name;

@@ -34,8 +34,9 @@ void write_openfoam(Output_folder& folder, const Mixed_mesh& mesh, bool binary =
  *   boundary follow by patch.
  * - Patches keep their names; those of the vessel's walls have the type `wall`, all others `patch`. Faces of the
  *   boundary that have no facet are in a last patch, `defaultFaces`.
- * - Regions are cell zones, where there are several or where the only one is not the lumen. A patch between cells, as
- *   the wall between lumen and wall region, is a face zone.
+ * - Regions are cell zones, where there are several or where the only one is not the lumen; `splitMeshRegions
+ *   -cellZones` makes each a mesh of its own. A patch between cells, as the wall between lumen and wall region, is a
+ *   face zone.
  * - A sign that OpenFOAM takes in no name, as a blank, becomes an underscore; a name that is there twice gets a number.
  * - Coordinates are kept to the last bit. Points that no cell has, and point arrays, are not written.
  *

@@ -10,7 +10,7 @@
 #include <CGAL/Tubular_meshing/IO/internal/Used_points.h>
 #include <CGAL/Tubular_meshing/IO/internal/Wall_patches.h>
 #include <CGAL/Tubular_meshing/IO/internal/check_mesh.h>
-#include <CGAL/Tubular_meshing/IO/internal/distinct_names.h>
+#include <CGAL/Tubular_meshing/IO/internal/names_in_files.h>
 #include <CGAL/Tubular_meshing/IO/internal/refuse.h>
 #include <CGAL/Tubular_meshing/IO/write_openfoam.h>
 
@@ -56,8 +56,6 @@ public:
 
 private:
   typedef Face_mesh::Side Side;
-
-  static std::string spelling(const std::string& name) { return as_word(name); }
 
   Number_writer begin(const std::string& object, const std::string& kind, bool binary, bool with_note = false) {
     Number_writer out(folder_.file(object));
@@ -152,7 +150,7 @@ private:
   }
 
   void write_boundary() {
-    const Label_names names = distinct_patch_names(mesh_, &spelling, {"defaultFaces"});
+    const Label_names names = patch_names_in_file(mesh_, Mesh_format::openfoam);
     const Wall_patches walls(faces_.cells(), faces_.facets());
     Number_writer out = begin("boundary", "polyBoundaryMesh", false);
     const std::size_t rest = faces_.faces_without_patch().size();
@@ -180,7 +178,7 @@ private:
     std::map<int, std::size_t> sizes;
     for (std::size_t c = 0; c < faces_.cells().size(); ++c)
       ++sizes[faces_.cells().region(c)];
-    const Label_names names = distinct_region_names(mesh_, &spelling);
+    const Label_names names = region_names_in_file(mesh_, Mesh_format::openfoam);
     Number_writer out = begin("cellZones", "regIOobject", false);
     out << sizes.size() << "\n(\n";
     for (const auto& s : sizes) {
@@ -212,7 +210,7 @@ private:
       }
       ++number;
     });
-    const Label_names names = distinct_patch_names(mesh_, &spelling);
+    const Label_names names = patch_names_in_file(mesh_, Mesh_format::openfoam);
     Number_writer out = begin("faceZones", "regIOobject", false);
     out << zones.size() << "\n(\n";
     for (const auto& z : zones) {

@@ -14,8 +14,7 @@ namespace CGAL::Tubular_meshing::IO {
 
 /*! \ingroup PkgTubularMeshingIO
  *
- * writes a mesh for SU2 into a file that the caller commits. See
- * `write_su2(const std::string&, const Mixed_mesh&)`.
+ * writes a mesh for SU2 into a file that the caller commits. See `write_su2(const std::string&, const Mixed_mesh&)`.
  */
 void write_su2(Output_file& file, const Mixed_mesh& mesh);
 
@@ -24,8 +23,8 @@ void write_su2(Output_file& file, const Mixed_mesh& mesh);
  * writes a mesh for SU2, after "Mesh File" in SU2's documentation: dimension, elements, points and markers, as text.
  *
  * - All kinds of cells are written, their corners in VTK's order, as the documentation says.
- * - Patches are markers with their names. A blank, or a sign that is none of a word, becomes an underscore; a name that is
- *   there twice gets a number.
+ * - Patches are markers with their names. A blank, or a sign that is none of a word, becomes an underscore; a name that
+ *   is there twice gets a number.
  * - A mesh of several regions is a file of several zones, one a region in the order of their labels, each with points
  *   of its own. A patch between two of them is a marker of both: in the zone of the higher label, its name has that
  *   region's behind it, as wall_wall between lumen and wall.

@@ -8,7 +8,7 @@
 #include <CGAL/Tubular_meshing/IO/internal/Number_writer.h>
 #include <CGAL/Tubular_meshing/IO/internal/Used_points.h>
 #include <CGAL/Tubular_meshing/IO/internal/check_mesh.h>
-#include <CGAL/Tubular_meshing/IO/internal/distinct_names.h>
+#include <CGAL/Tubular_meshing/IO/internal/names_in_files.h>
 #include <CGAL/Tubular_meshing/IO/internal/refuse.h>
 #include <CGAL/Tubular_meshing/IO/write_su2.h>
 
@@ -55,10 +55,10 @@ private:
   // The markers of the side of the lower region, or the only one, and those of the other side.
   void name_markers() {
     std::set<std::string> used;
-    names_[0] = distinct_patch_names(mesh_, &as_word);
+    names_[0] = patch_names_in_file(mesh_, Mesh_format::su2);
     for (const auto& n : names_[0])
       used.insert(n.second);
-    const Label_names regions = distinct_region_names(mesh_, &as_word);
+    const Label_names regions = region_names_in_file(mesh_, Mesh_format::su2);
     for (std::size_t f = 0; f < facets_.size(); ++f) {
       if (!facets_.is_inside(f))
         continue;

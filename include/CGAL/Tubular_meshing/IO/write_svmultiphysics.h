@@ -20,8 +20,8 @@ Output_folder svmultiphysics_folder(const std::string& folder);
 
 /*! \ingroup PkgTubularMeshingIO
  *
- * writes a mesh for svMultiPhysics into a folder that the caller commits. See
- * `write_svmultiphysics(const std::string&, const Mixed_mesh&)`.
+ * writes a mesh for svMultiPhysics into a folder that the caller commits. See `write_svmultiphysics(const std::string&,
+ * const Mixed_mesh&)`.
  */
 void write_svmultiphysics(Output_folder& folder, const Mixed_mesh& mesh);
 
@@ -35,14 +35,14 @@ void write_svmultiphysics(Output_folder& folder, const Mixed_mesh& mesh);
  * - `mesh-surfaces/NAME.vtp` has the facets of a patch, outward, each with the number of the cell behind it
  *   (`GlobalElementID`) and of the patch (`ModelFaceID`), and the points with their numbers in the mesh
  *   (`GlobalNodeID`). `mesh-complete.exterior.vtp` has those of all patches, `walls_combined.vtp` those of the walls
- *   without the rings of their ends. All numbers are Int32. The patch's number is that of the input, where it came in
- *   a `ModelFaceID`.
- * - A mesh of several regions is a folder a region: `fluid` for the lumen, `solid` for the wall around it, a further one
- *   by its name. Each has cells and points of its own, numbered from 1; patches between them are in both, with exactly
- *   the same points.
- * - Tetrahedra, prisms and hexahedra are written, of one kind a region, as the solver wants it, and the facets of a patch
- *   have to be of one kind. The solver has no pyramids. Prisms are in the solver's own order, 0,1,2 counterclockwise
- *   seen from 3,4,5: what it does with those in VTK's order leaves them twisted.
+ *   without the rings of their ends. All numbers are Int32. The patch's number is that of the input, where it came in a
+ *   `ModelFaceID`.
+ * - A mesh of several regions is a folder a region: `fluid` for the lumen, `solid` for the wall around it, a further
+ *   one by its name. Each has cells and points of its own, numbered from 1; patches between them are in both, with
+ *   exactly the same points.
+ * - Tetrahedra, prisms and hexahedra are written, of one kind a region, as the solver wants it, and the facets of a
+ *   patch have to be of one kind. The solver has no pyramids. Prisms are in the solver's own order, 0,1,2
+ *   counterclockwise seen from 3,4,5: what it does with those in VTK's order leaves them twisted.
  * - In the names of files a blank, or a sign that is none of a word, becomes an underscore, and one that is there twice
  *   gets a number. The names as they are, are field data of the files, as those of .vtu files are.
  *

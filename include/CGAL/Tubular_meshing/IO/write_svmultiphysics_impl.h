@@ -9,7 +9,7 @@
 #include <CGAL/Tubular_meshing/IO/internal/Vtk_xml_writer.h>
 #include <CGAL/Tubular_meshing/IO/internal/Wall_patches.h>
 #include <CGAL/Tubular_meshing/IO/internal/check_mesh.h>
-#include <CGAL/Tubular_meshing/IO/internal/distinct_names.h>
+#include <CGAL/Tubular_meshing/IO/internal/names_in_files.h>
 #include <CGAL/Tubular_meshing/IO/internal/name_fields.h>
 #include <CGAL/Tubular_meshing/IO/internal/One_kind.h>
 #include <CGAL/Tubular_meshing/IO/internal/refuse.h>
@@ -36,7 +36,7 @@ public:
       , cells_(mesh)
       , facets_(cells_, folder.name())
       , walls_(cells_, facets_)
-      , file_names_(distinct_patch_names(mesh, &file_name))
+      , file_names_(patch_names_in_file(mesh, Mesh_format::svmultiphysics))
       , model_face_(model_faces())
       , local_(mesh.points.size(), no_vertex) {}
 
@@ -54,12 +54,6 @@ private:
   typedef Facet_sides::Side Side;
   typedef std::vector<const Side*> Sides;
   typedef std::map<int, Sides> Patches;
-
-  static std::string file_name(const std::string& name) {
-    std::string result = shortened(as_word(name), 200);
-    std::replace(result.begin(), result.end(), ':', '_');
-    return result;
-  }
 
   // The numbers that the input had, each once; another patch's is its label, where that is not taken.
   std::map<int, std::int32_t> model_faces() const {
@@ -86,7 +80,7 @@ private:
   void check_cells(const std::set<int>& regions) const {
     const One_kind one_kind(cells_, folder_.name(), "svMultiPhysics");
     for (int r : regions)
-      one_kind.check_region(r, distinct_region_names(mesh_, &any_spelling).at(r), {true, false, true, true});
+      one_kind.check_region(r, region_names_in_file(mesh_, Mesh_format::vtu).at(r), {true, false, true, true});
     std::map<int, std::size_t> corners;
     for (std::size_t f = 0; f < facets_.size(); ++f) {
       const Facet_sides::Sides& s = facets_.sides(f);
@@ -111,7 +105,7 @@ private:
       return "solid";
     const auto name = mesh_.region_names.find(region);
     std::string result = unused_name(
-        file_name(name == mesh_.region_names.end() ? "region_" + std::to_string(region) : name->second), used);
+        as_file_name(name == mesh_.region_names.end() ? "region_" + std::to_string(region) : name->second), used);
     used.insert(result);
     return result;
   }

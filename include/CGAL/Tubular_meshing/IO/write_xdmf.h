@@ -25,13 +25,14 @@ void write_xdmf(Output_file& file, const Mixed_mesh& mesh);
 
 /*! \ingroup PkgTubularMeshingIO
  *
- * writes a mesh for FEniCSx: a file .xdmf and, beside it, a file .h5 of the same name with the numbers, after the format
- * XDMF 3 and what `dolfinx.io.XDMFFile` reads.
+ * writes a mesh for FEniCSx: a file .xdmf and, beside it, a file .h5 of the same name with the numbers, after the
+ * format XDMF 3 and what `dolfinx.io.XDMFFile` reads.
  *
- * - The grid `mesh` has the cells, the grid `cell_tags` their regions, the grid `facet_tags` the facets with their patches:
- *   `read_mesh(name="mesh")`, `read_meshtags(mesh, name="facet_tags")`. The names of regions and patches are
+ * - The grid `mesh` has the cells, the grid `cell_tags` their regions, the grid `facet_tags` the facets with their
+ *   patches: `read_mesh(name="mesh")`, `read_meshtags(mesh, name="facet_tags")`. The names of regions and patches are
  *   `Information` in these grids: the name, and the label as its value.
- * - FEniCSx has meshes of one kind of cells: of tetrahedra, or of hexahedra. Others are refused.
+ * - FEniCSx has meshes of one kind of cells: of tetrahedra, or of hexahedra, with corners in the order of `Mixed_mesh`,
+ *   which is VTK's for these. Others are refused.
  * - Coordinates are kept to the last bit. Point arrays are not written, nor are points that no cell has.
  *
  * It is there where the package was built with HDF5, see has_hdf5(). O(n log n).

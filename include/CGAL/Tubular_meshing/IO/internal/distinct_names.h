@@ -8,7 +8,6 @@
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/base/labels.h>
 
-#include <cctype>
 #include <cstddef>
 #include <set>
 #include <string>
@@ -53,24 +52,6 @@ Label_names distinct_patch_names(const Mixed_mesh& mesh, const Spelling& spellin
 template <class Spelling>
 Label_names distinct_region_names(const Mixed_mesh& mesh, const Spelling& spelling, std::set<std::string> used = {}) {
   return distinct_names(labels_of(mesh, 3), mesh.region_names, "region_", spelling, std::move(used));
-}
-
-inline std::string any_spelling(const std::string& name) {
-  return name;
-}
-
-/* Letters, digits, and _ - . : + are what programs take in a word; so are the letters of other alphabets, in UTF-8. A
- * blank or another sign becomes an underscore; a letter or an underscore comes first. */
-inline std::string as_word(const std::string& name) {
-  std::string word;
-  for (char c : name) {
-    const bool stays = std::isalnum(static_cast<unsigned char>(c)) || (static_cast<unsigned char>(c) & 0x80) != 0 ||
-                       std::string("_-.:+").find(c) != std::string::npos;
-    word += stays ? c : '_';
-  }
-  const bool begins_well = !word.empty() && (std::isalpha(static_cast<unsigned char>(word[0])) || word[0] == '_' ||
-                                             (static_cast<unsigned char>(word[0]) & 0x80) != 0);
-  return begins_well ? word : "_" + word;
 }
 
 // No more than so many bytes of a name, whole letters in UTF-8.
