@@ -2,13 +2,17 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
 # The packages that the library's headers need, found alike by this project and by the installed
-# Tubular_meshingConfig.cmake. After it, Tubular_meshing_dependency_targets lists what to link.
+# Tubular_meshingConfig.cmake. After it, Tubular_meshing_dependency_targets lists what to link, and
+# Tubular_meshing_format_targets those libraries that write files: src/IO_libraries.cpp alone needs their headers.
 
 include(CMakeFindDependencyMacro)
 option(TUBULAR_MESHING_WITH_TETGEN "Use TetGen (AGPL), where it is found, for fill_with_tetgen()" ON)
 option(TUBULAR_MESHING_WITH_LEMON "Use LEMON, where it is found, for recombine_triangles()" ON)
 option(TUBULAR_MESHING_WITH_LZMA "Use liblzma, where it is found, to read VTK files that it has compressed" ON)
 option(TUBULAR_MESHING_WITH_TBB "Use oneTBB, where it is found, to run on several threads" ON)
+option(TUBULAR_MESHING_WITH_HDF5 "Use HDF5, where it is found, to write meshes for FEniCSx" ON)
+option(TUBULAR_MESHING_WITH_CGNS "Use the CGNS library, where it is found, to write .cgns files" ON)
+option(TUBULAR_MESHING_WITH_EXODUS "Use the Exodus II library, where it is found, to write .exo files" ON)
 
 find_dependency(CGAL 5.5)
 find_dependency(Eigen3 3.3.7)
@@ -81,3 +85,29 @@ if(TUBULAR_MESHING_WITH_LZMA)
     list(APPEND Tubular_meshing_dependency_targets Tubular_meshing_lzma)
   endif()
 endif()
+
+# Libraries that write one format each: a header and a library without a CMake package, or with one that says less.
+set(Tubular_meshing_format_targets "")
+macro(tubular_meshing_find_format name header folder library)
+  string(TOUPPER ${name} TUBULAR_MESHING_FORMAT)
+  if(TUBULAR_MESHING_WITH_${TUBULAR_MESHING_FORMAT})
+    find_path(TUBULAR_MESHING_${TUBULAR_MESHING_FORMAT}_INCLUDE_DIR ${header} PATH_SUFFIXES ${folder})
+    find_library(TUBULAR_MESHING_${TUBULAR_MESHING_FORMAT}_LIBRARY NAMES ${library} ${ARGN})
+    mark_as_advanced(TUBULAR_MESHING_${TUBULAR_MESHING_FORMAT}_INCLUDE_DIR
+                     TUBULAR_MESHING_${TUBULAR_MESHING_FORMAT}_LIBRARY)
+    if(TUBULAR_MESHING_${TUBULAR_MESHING_FORMAT}_INCLUDE_DIR AND TUBULAR_MESHING_${TUBULAR_MESHING_FORMAT}_LIBRARY)
+      if(NOT TARGET Tubular_meshing_${name})
+        add_library(Tubular_meshing_${name} UNKNOWN IMPORTED)
+        set_target_properties(
+          Tubular_meshing_${name}
+          PROPERTIES IMPORTED_LOCATION "${TUBULAR_MESHING_${TUBULAR_MESHING_FORMAT}_LIBRARY}"
+                     INTERFACE_INCLUDE_DIRECTORIES "${TUBULAR_MESHING_${TUBULAR_MESHING_FORMAT}_INCLUDE_DIR}"
+                     INTERFACE_COMPILE_DEFINITIONS CGAL_TUBULAR_MESHING_WITH_${TUBULAR_MESHING_FORMAT})
+      endif()
+      list(APPEND Tubular_meshing_format_targets Tubular_meshing_${name})
+    endif()
+  endif()
+endmacro()
+tubular_meshing_find_format(hdf5 hdf5.h hdf5/serial hdf5_serial hdf5)
+tubular_meshing_find_format(cgns cgnslib.h "" cgns)
+tubular_meshing_find_format(exodus exodusII.h "" exoIIv2c exodusii exodus)

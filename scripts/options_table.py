@@ -66,7 +66,7 @@ def parts_of(lines):
 def marked_up(text):
     """Plain text as Markdown: names of options, of values with an underscore, and file extensions are code."""
     text = text.replace("<", "&lt;").replace("|", "\\|")
-    text = re.sub(r"(?<![\w`-])(--[a-z][\w-]*|\.[a-z]+\b(?!\.))", r"`\1`", text)
+    text = re.sub(r"(?<![\w`-])(--[a-z][\w-]*|\.[a-z][a-z0-9]*\b(?!\.))", r"`\1`", text)
     return re.sub(r"(?<![\w`])([a-z]\w*_\w+)\b", r"`\1`", text)
 
 

@@ -214,6 +214,54 @@ TEST_F(IO, What_a_format_cannot_hold_is_refused_and_nothing_is_written) {
   EXPECT_TRUE(TM::IO::is_supported_mesh_format("m.inp"));
 }
 
+TEST_F(IO, What_a_format_changes_is_told) {
+  using TM::IO::Mesh_format;
+  Mesh m = sample_mesh();
+  m.patch_names = {{1, "wall"}, {2, "In Let"}, {3, "In_Let"}, {102, "ring"}};
+  m.point_arrays.push_back(sample_array("metric", 6, m.points.size()));
+  typedef std::vector<std::string> Sentences;
+  EXPECT_EQ(TM::IO::changes_in(m, Mesh_format::vtu), Sentences());
+  EXPECT_EQ(TM::IO::changes_in(m, Mesh_format::medit), Sentences());
+  EXPECT_EQ(TM::IO::patch_names_in(m, Mesh_format::gmsh), m.patch_names);
+  EXPECT_EQ(TM::IO::patch_names_in(m, Mesh_format::openfoam),
+            (TM::Label_names{{1, "wall"}, {2, "In_Let"}, {3, "In_Let_2"}, {102, "ring"}}));
+  const std::string array =
+      "The file has no place for the point array \"metric\", which is not written; a .vtu file has.";
+  EXPECT_EQ(TM::IO::changes_in(m, Mesh_format::openfoam),
+            (Sentences{"The file has other names of patches: \"In Let\" is In_Let, \"In_Let\" is In_Let_2.", array}));
+  EXPECT_EQ(TM::IO::changes_in(m, Mesh_format::fluent),
+            (Sentences{"The file has other names of patches: \"In Let\" is in-let, \"In_Let\" is in_let.",
+                       "The file has other names of regions: \"wall\" is wall-cells.", array}));
+  m.point_arrays.clear();
+  EXPECT_EQ(TM::IO::changes_in(m, Mesh_format::febio), Sentences());
+  m.patch_names[102] = "wall";
+  EXPECT_EQ(TM::IO::changes_in(m, Mesh_format::febio),
+            Sentences{"The file has other names of patches: \"wall\" is wall_2."});
+}
+
+TEST_F(IO, Names_tell_formats) {
+  using TM::IO::Mesh_format;
+  for (const std::string& name : TM::IO::mesh_format_names())
+    EXPECT_NE(TM::IO::mesh_format_named(name), Mesh_format::by_name);
+  EXPECT_EQ(TM::IO::mesh_format_named("openfoam-binary"), Mesh_format::openfoam_binary);
+  EXPECT_THROW(TM::IO::mesh_format_named("nastran"), TM::Parameter_error);
+  EXPECT_EQ(TM::IO::mesh_format_of("a/b.MSH"), Mesh_format::gmsh);
+  EXPECT_EQ(TM::IO::mesh_format_of("a.cas"), Mesh_format::fluent);
+  EXPECT_EQ(TM::IO::mesh_format_of("case/constant/polyMesh/"), Mesh_format::openfoam);
+  EXPECT_EQ(TM::IO::mesh_format_of("x/aorta-mesh-complete"), Mesh_format::svmultiphysics);
+  EXPECT_EQ(TM::IO::mesh_format_of("mesh"), Mesh_format::by_name);
+  EXPECT_EQ(TM::IO::mesh_format_of("a.foam"), Mesh_format::by_name);
+  EXPECT_TRUE(TM::IO::is_folder(Mesh_format::svmultiphysics));
+  EXPECT_FALSE(TM::IO::is_folder(Mesh_format::xdmf));
+  Mesh m = mesh_for_a_deck();
+  TM::IO::write_mesh(path("m.msh"), m, TM::parameters::format(Mesh_format::su2));
+  EXPECT_EQ(bytes_of(path("m.msh")).compare(0, 6, "NZONE="), 0);
+  TM::IO::write_mesh(path("m"), m, TM::parameters::format(Mesh_format::openfoam));
+  EXPECT_TRUE(fs::exists(path("m/constant/polyMesh/owner")));
+  TM::IO::Output_file file(path("n"));
+  EXPECT_THROW(TM::IO::write_mesh(file, m, TM::parameters::format(Mesh_format::openfoam)), TM::Output_error);
+}
+
 TEST_F(IO, Input_decks_say_what_the_mesh_is) {
   Mesh m = mesh_for_a_deck();
   m.pyramids.push_back({8, 9, 10, 11, 12}, 1);

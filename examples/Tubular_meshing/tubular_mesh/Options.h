@@ -4,6 +4,8 @@
 #ifndef TUBULAR_MESH_OPTIONS_H
 #define TUBULAR_MESH_OPTIONS_H
 
+#include <CGAL/Tubular_meshing/IO/Mesh_format.h>
+
 #include <limits>
 #include <string>
 #include <vector>
@@ -18,6 +20,7 @@ struct Options {
   };
 
   std::string surface, centerlines, output, type = "isotropic";
+  std::string format;                        // of the mesh; empty: the output's name tells it
   std::string surface_mesher, volume_mesher; // empty: not said
   double boundary_layer = 0.3, first_height = 0, growth = 1.3, smoothing_ratio = 1.5, curvature_points = 20;
   std::string surface_elements = "triangles";
@@ -51,6 +54,10 @@ struct Options {
   bool is_anisotropic_surface() const { return makes_surface_only() && surface_elements == "anisotropic"; }
   bool is_mixed() const { return type == "mixed"; }
   bool is_hexahedral() const { return type == "hexahedral"; }
+  CGAL::Tubular_meshing::IO::Mesh_format mesh_format() const {
+    namespace IO = CGAL::Tubular_meshing::IO;
+    return format.empty() ? IO::mesh_format_of(output) : IO::mesh_format_named(format);
+  }
   // of the layers inside the lumen, in local radii
   double first_layer() const { return first_height > 0 ? first_height : boundary_layer / 20; }
   bool has_wall() const { return wall.thickness > 0; }

@@ -15,6 +15,7 @@
 #include <system_error>
 
 namespace tubular = CGAL::Tubular_meshing;
+using tubular::IO::Mesh_format;
 
 namespace {
 
@@ -55,14 +56,45 @@ void check_mesher(const Options& o) {
     throw tubular::Parameter_error(why_not);
 }
 
+// Before hours of work, what a solver would not take: it has no cells of these kinds, or one kind at a time.
+void check_cells(const Options& o) {
+  const bool is_svmultiphysics = o.mesh_format() == Mesh_format::svmultiphysics;
+  if (!is_svmultiphysics && o.mesh_format() != Mesh_format::xdmf)
+    return;
+  const std::string solver = is_svmultiphysics ? "svMultiPhysics" : "FEniCSx";
+  if (o.is_mixed())
+    throw tubular::Parameter_error(solver + " takes no pyramids, which meshes of type mixed have: choose --type "
+                                            "isotropic, anisotropic or hexahedral.");
+  if (o.boundary_layer_prisms > 0 && !o.is_hexahedral())
+    throw tubular::Parameter_error(solver + " takes one kind of cells, not prisms and tetrahedra in one lumen: choose "
+                                            "--type anisotropic in place of --boundary-layer-prisms, or --type "
+                                            "hexahedral.");
+  if (!is_svmultiphysics && o.has_wall() && !o.is_hexahedral() && o.wall_elements == "auto")
+    throw tubular::Parameter_error(solver +
+                                   " takes one kind of cells: add --wall-elements tetrahedra, or choose --type "
+                                   "hexahedral.");
+}
+
+void check_mesh_format(const Options& o) {
+  if (o.mesh_format() == Mesh_format::by_name)
+    throw tubular::Parameter_error("The mesh cannot be written to \"" + o.output +
+                                   "\": give a .vtu, .msh, .mesh, .inp, .su2, .feb, .cas, .xdmf, .cgns or .exo file, a "
+                                   "folder polyMesh or mesh-complete, or the --format.");
+  const std::string why_not = tubular::IO::why_not_built_in(o.mesh_format());
+  if (!why_not.empty())
+    throw tubular::Parameter_error(why_not);
+  check_cells(o);
+}
+
 void check_output(const Options& o) {
   if (o.makes_surface_only()) {
     if (!tubular::IO::is_supported_surface_format(o.output))
       throw tubular::Parameter_error("The surface cannot be written to \"" + o.output +
                                      "\": give a .stl, .vtp, .msh, .ply, .off, .obj or .vtk file.");
-  } else if (!tubular::IO::is_supported_mesh_format(o.output)) {
-    throw tubular::Parameter_error("The mesh cannot be written to \"" + o.output +
-                                   "\": give a .vtu, .msh, .mesh or .inp file.");
+    if (!o.format.empty())
+      throw tubular::Parameter_error("--format is for meshes of cells; that of a surface is told by its name.");
+  } else {
+    check_mesh_format(o);
   }
   if (!o.surface_output.empty() && !tubular::IO::is_supported_surface_format(o.surface_output))
     throw tubular::Parameter_error("The surface cannot be written to \"" + o.surface_output +
@@ -94,6 +126,14 @@ void check_layers(const Options& o) {
   if (o.boundary_layer_prisms > 0 && o.volume_mesher == "mesh_3")
     throw tubular::Parameter_error("Mesh_3 would not keep the sides of layers inside the lumen: these need "
                                    "--volume-mesher tetgen or ccdt.");
+}
+
+// Devices and pipes pass: opening them would be seen at their other end.
+void check_mesh_output(const Options& o) {
+  std::error_code ignored;
+  const auto status = std::filesystem::status(o.output, ignored);
+  if (tubular::IO::is_folder(o.mesh_format()) || !std::filesystem::is_other(status))
+    tubular::IO::open_mesh(o.output, tubular::parameters::format(o.mesh_format()));
 }
 
 } // namespace
@@ -132,7 +172,10 @@ void check(const Options& o) {
       throw tubular::Parameter_error("The file \"" + f + "\" is named twice; an output needs a name of its own.");
   try {
     for (const std::string& f : o.outputs())
-      tubular::IO::check_writable(f);
+      if (f != o.output || o.makes_surface_only())
+        tubular::IO::check_writable(f);
+    if (!o.makes_surface_only())
+      check_mesh_output(o);
   } catch (const tubular::Output_error& e) { // the name was wrong; later on, a full disk is no fault of the user's
     throw tubular::Parameter_error(e.what());
   }

@@ -216,8 +216,14 @@ inline void declare_options(CLI::App& app, Options& o, const std::string& versio
   app.set_version_flag("--version", version);
   app.add_option("surface", o.surface, "surface: .stl .off .obj .ply .vtp .vtu .vtk .msh .mesh")->required();
   app.add_option("-o,--output", o.output,
-                 "mesh to write: .vtu .msh .mesh .inp; a surface: .stl .vtp .msh .ply .off .obj .vtk")
+                 "mesh to write: .vtu .msh .mesh .inp .su2 .feb .cas .xdmf .cgns .exo, or a folder polyMesh or "
+                 "mesh-complete; a surface: .stl .vtp .msh .ply .off .obj .vtk")
       ->required();
+  app.add_option(
+         "--format", o.format,
+         "format of the mesh, where its name does not tell it: vtu, gmsh, medit, abaqus, openfoam (of a case: its "
+         "constant/polyMesh), openfoam-binary, svmultiphysics, su2, febio, fluent, xdmf (FEniCSx), cgns or exodus")
+      ->check(CLI::IsMember(CGAL::Tubular_meshing::IO::mesh_format_names()).description(""));
   app.add_option("-t,--type", o.type,
                  "kind of mesh: isotropic or anisotropic (tetrahedra), mixed (hexahedra, pyramids, tetrahedra), "
                  "hexahedral (hexahedra alone) or surface (no cells)")

@@ -42,13 +42,20 @@ void write_surface(tubular::IO::Output_file& file, const tubular::Remeshed_surfa
 // Writes everything that was asked for; nothing gets its name before all of it is whole.
 void write(const Run& run, Run_report& report, Stage_clock& clock) {
   const Options& o = run.options;
-  std::vector<std::unique_ptr<tubular::IO::Output_file>> files;
+  std::vector<std::unique_ptr<tubular::IO::Output>> outputs;
   const auto open = [&](const std::string& name) -> tubular::IO::Output_file& {
-    files.emplace_back(new tubular::IO::Output_file(name));
-    return *files.back();
+    auto file = std::make_unique<tubular::IO::Output_file>(name);
+    tubular::IO::Output_file& opened = *file;
+    outputs.push_back(std::move(file));
+    return opened;
   };
-  o.makes_surface_only() ? write_surface(open(o.output), run.surface, run.model)
-                         : tubular::IO::write_mesh(open(o.output), run.mesh);
+  if (o.makes_surface_only()) {
+    write_surface(open(o.output), run.surface, run.model);
+  } else {
+    const auto format = tubular::parameters::format(o.mesh_format());
+    outputs.push_back(tubular::IO::open_mesh(o.output, format));
+    tubular::IO::write_mesh(*outputs.back(), run.mesh, format);
+  }
   if (!o.surface_output.empty() && run.surface.surface.number_of_faces() > 0)
     write_surface(open(o.surface_output), run.surface, run.model);
   else if (!o.surface_output.empty())
@@ -64,10 +71,10 @@ void write(const Run& run, Run_report& report, Stage_clock& clock) {
   report.add_times(clock);
   if (!o.report.empty())
     open(o.report).write(report.json());
-  for (auto& f : files)
-    f->finish();
-  for (auto& f : files)
-    f->commit();
+  for (auto& output : outputs)
+    output->finish();
+  for (auto& output : outputs)
+    output->commit();
 }
 
 } // namespace
@@ -91,6 +98,9 @@ void execute(const Options& options, const std::string& version) {
   join(run, std::move(parts));
   rename_wall_patches(run);
   clock.begin("report");
+  if (!options.makes_surface_only())
+    for (const std::string& change : tubular::IO::changes_in(run.mesh, options.mesh_format()))
+      run.notes.push_back(change);
   Run_report report(run);
   clock.begin("write");
   write(run, report, clock);

@@ -16,6 +16,26 @@ namespace CGAL::Tubular_meshing::IO {
 
 /*! \ingroup PkgTubularMeshingIO
  *
+ * What is written whole or not at all: an Output_file, or an Output_folder. Where it is destroyed before commit(),
+ * nothing is left of it.
+ */
+class Output {
+public:
+  Output() = default;
+  Output(const Output&) = delete;
+  Output& operator=(const Output&) = delete;
+  virtual ~Output() = default;
+
+  /*! What was asked for, as it was given. */
+  virtual const std::string& name() const = 0;
+  /*! Closes everything; it is whole now, and only lacks its name. */
+  virtual void finish() = 0;
+  /*! Finishes it and gives it its name. */
+  virtual void commit() = 0;
+};
+
+/*! \ingroup PkgTubularMeshingIO
+ *
  * A file that is written whole or not at all.
  *
  * What is written goes into a temporary file in the same directory; commit() gives it its name, over a file that was
@@ -29,25 +49,33 @@ namespace CGAL::Tubular_meshing::IO {
  *
  * \exception Output_error from every function but the destructor, with the system's reason
  */
-class Output_file {
+class Output_file : public Output {
 public:
-  explicit Output_file(const std::string& file);
-  Output_file(const Output_file&) = delete;
-  Output_file& operator=(const Output_file&) = delete;
-  ~Output_file() { discard(); }
+  explicit Output_file(const std::string& file)
+      : Output_file(file, file) {}
+  /*! A file that exceptions call otherwise, as part of something else. */
+  Output_file(const std::string& file, const std::string& name);
+  ~Output_file() override { discard(); }
 
-  const std::string& name() const { return name_; }
+  const std::string& name() const override { return name_; }
 
   void write(std::string_view bytes);
 
   /*! A second file, which finish() and commit() take along: some formats keep a mesh in two. */
   Output_file& companion(const std::string& file);
 
+  /*! Whether it is a device, a pipe or a socket, which is written directly. */
+  bool is_direct() const { return target_.empty(); }
+
+  /*! Leaves the writing to a library that wants a name and makes the file itself.
+   * \returns the name of the temporary file */
+  std::string name_for_library();
+
   /*! Closes the file; it is whole now, and only lacks its name. */
-  void finish();
+  void finish() override;
 
   /*! Finishes the file and gives it its name. */
-  void commit();
+  void commit() override;
 
 private:
   struct Close {

@@ -29,18 +29,18 @@ inline std::filesystem::path without_links(std::filesystem::path file) {
 
 } // namespace internal
 
-CGAL_TUBULAR_MESHING_INLINE Output_file::Output_file(const std::string& file)
-    : name_(file) {
+CGAL_TUBULAR_MESHING_INLINE Output_file::Output_file(const std::string& file, const std::string& name)
+    : name_(name) {
   namespace fs = std::filesystem;
   std::error_code error;
-  const fs::file_status status = fs::status(name_, error);
-  if (name_.empty() || fs::is_directory(status))
+  const fs::file_status status = fs::status(file, error);
+  if (file.empty() || fs::is_directory(status))
     fail("it is not the name of a file");
   if (fs::exists(status) && !fs::is_regular_file(status)) {
-    open(name_, "wb");
+    open(file, "wb");
     return;
   }
-  target_ = internal::without_links(name_).string();
+  target_ = internal::without_links(file).string();
   if (fs::exists(status))
     check_existing();
   open_temporary();
@@ -56,6 +56,13 @@ CGAL_TUBULAR_MESHING_INLINE void Output_file::write(std::string_view bytes) {
 CGAL_TUBULAR_MESHING_INLINE Output_file& Output_file::companion(const std::string& file) {
   companions_.push_back(std::make_unique<Output_file>(file));
   return *companions_.back();
+}
+
+CGAL_TUBULAR_MESHING_INLINE std::string Output_file::name_for_library() {
+  if (is_direct())
+    fail("it is not a regular file, which its format needs");
+  stream_.reset();
+  return temporary_;
 }
 
 CGAL_TUBULAR_MESHING_INLINE void Output_file::finish() {

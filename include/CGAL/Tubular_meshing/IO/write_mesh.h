@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_IO_WRITE_MESH_H
 #define CGAL_TUBULAR_MESHING_IO_WRITE_MESH_H
 
+#include <CGAL/Tubular_meshing/IO/Mesh_format.h>
 #include <CGAL/Tubular_meshing/IO/Output_file.h>
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/base/config.h>
@@ -11,35 +12,74 @@
 
 #include <CGAL/Named_function_parameters.h>
 
+#include <memory>
 #include <string>
+#include <vector>
 
 namespace CGAL::Tubular_meshing::IO {
 
 namespace internal {
 
-void write_mesh(Output_file& file, const Mixed_mesh& mesh, double msh_format);
+// What the named parameter `format` can say: a format, or the version of the .msh format.
+struct Format_choice {
+  Format_choice() = default;
+  Format_choice(Mesh_format format)
+      : format(format) {}
+  Format_choice(double msh_version)
+      : msh_version(msh_version) {}
+
+  Mesh_format format = Mesh_format::by_name;
+  double msh_version = 4.1;
+};
+
+std::unique_ptr<Output> open_mesh(const std::string& file, const Format_choice& choice);
+void write_mesh(Output& output, const Mixed_mesh& mesh, const Format_choice& choice);
 
 } // namespace internal
 
 /*! \ingroup PkgTubularMeshingIO
- * Whether write_mesh() knows the extension of the file: .vtu, .msh, .mesh or .inp. read_mesh() knows all but the last.
- */
+ * Whether the name of the file, or folder, tells write_mesh() a format: see mesh_format_of(). */
 bool is_supported_mesh_format(const std::string& file);
 
 /*! \ingroup PkgTubularMeshingIO
  *
- * writes a mesh into a file that the caller commits: use it to write several files all or none.
- * See `write_mesh(const std::string&, const Mixed_mesh&, const NamedParameters&)`.
+ * The names that the patches of a mesh have in a file of a format, from label to name: spelled as it can hold them, and
+ * none twice where it needs that. */
+Label_names patch_names_in(const Mixed_mesh& mesh, Mesh_format format);
+
+/*! \ingroup PkgTubularMeshingIO
+ *
+ * What a format changes of a mesh or leaves out, a sentence each: names that are spelled otherwise, point arrays that
+ * are not written. */
+std::vector<std::string> changes_in(const Mixed_mesh& mesh, Mesh_format format);
+
+/*! \ingroup PkgTubularMeshingIO
+ *
+ * opens what a mesh is to be written to, a file or a folder as the format wants it. See
+ * `write_mesh(const std::string&, const Mixed_mesh&, const NamedParameters&)` for the parameters and the exceptions.
  */
 template <class NamedParameters = CGAL::parameters::Default_named_parameters>
-void write_mesh(Output_file& file, const Mixed_mesh& mesh,
-                const NamedParameters& np = CGAL::parameters::default_values()) {
-  internal::write_mesh(file, mesh, Tubular_meshing::internal::choose(np, internal_np::format, 4.1));
+std::unique_ptr<Output> open_mesh(const std::string& file,
+                                  const NamedParameters& np = CGAL::parameters::default_values()) {
+  return internal::open_mesh(file,
+                             Tubular_meshing::internal::choose(np, internal_np::format, internal::Format_choice()));
 }
 
 /*! \ingroup PkgTubularMeshingIO
  *
- * writes a mesh with its labels, names and point arrays, in the format that the extension of the file names.
+ * writes a mesh into a file, or what open_mesh() has opened, that the caller commits: use it to write several files all
+ * or none. See `write_mesh(const std::string&, const Mixed_mesh&, const NamedParameters&)`.
+ */
+template <class NamedParameters = CGAL::parameters::Default_named_parameters>
+void write_mesh(Output& output, const Mixed_mesh& mesh,
+                const NamedParameters& np = CGAL::parameters::default_values()) {
+  internal::write_mesh(output, mesh,
+                       Tubular_meshing::internal::choose(np, internal_np::format, internal::Format_choice()));
+}
+
+/*! \ingroup PkgTubularMeshingIO
+ *
+ * writes a mesh with its labels, names and point arrays, in the format that the file's name tells, or that is given.
  *
  * - `.vtu`: volume cells and boundary facets in one file, with cell arrays `region` (0 on facets) and `patch` (0 on
  *   cells). Names are field data: for each an array of pairs (label, dimension), the dimension being 3 for regions and
@@ -54,6 +94,9 @@ void write_mesh(Output_file& file, const Mixed_mesh& mesh,
  * a C3D8 whose last four nodes are its apex, as CalculiX has no element of five nodes. Point arrays are not written,
  * and meshes without cells are refused.
  *
+ * The other formats have a function each, which says what is kept: write_openfoam(), write_svmultiphysics(),
+ * write_su2(), write_febio(), write_fluent(), write_xdmf(), write_cgns() and write_exodus().
+ *
  * .vtu files are compressed with zlib, .msh files binary in format 4.1 and ASCII in format 2.2, others ASCII.
  * Coordinates are kept to the last bit, but in .inp files. The file is written whole or not at all; a file that was
  * there is replaced. The same mesh makes the same file, byte for byte. O(n log l) for n elements with l different
@@ -65,9 +108,9 @@ void write_mesh(Output_file& file, const Mixed_mesh& mesh,
  *
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{format}
- *     \cgalParamDescription{the version of the .msh format: 4.1 or 2.2}
- *     \cgalParamType{`double`}
- *     \cgalParamDefault{4.1}
+ *     \cgalParamDescription{the format, where the name does not tell it; or the version of the .msh format, 4.1 or 2.2}
+ *     \cgalParamType{`Mesh_format`, or `double`}
+ *     \cgalParamDefault{`Mesh_format::by_name`, and 4.1}
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
@@ -77,9 +120,9 @@ void write_mesh(Output_file& file, const Mixed_mesh& mesh,
 template <class NamedParameters = CGAL::parameters::Default_named_parameters>
 void write_mesh(const std::string& file, const Mixed_mesh& mesh,
                 const NamedParameters& np = CGAL::parameters::default_values()) {
-  Output_file out(file);
-  write_mesh(out, mesh, np);
-  out.commit();
+  const std::unique_ptr<Output> out = open_mesh(file, np);
+  write_mesh(*out, mesh, np);
+  out->commit();
 }
 
 } // namespace CGAL::Tubular_meshing::IO

@@ -4,55 +4,146 @@
 #ifndef CGAL_TUBULAR_MESHING_IO_WRITE_MESH_IMPL_H
 #define CGAL_TUBULAR_MESHING_IO_WRITE_MESH_IMPL_H
 
-#include <CGAL/Tubular_meshing/IO/write_mesh.h>
-#include <CGAL/Tubular_meshing/IO/internal/Input_file.h>
-#include <CGAL/Tubular_meshing/IO/internal/check_names.h>
+#include <CGAL/Tubular_meshing/IO/Output_folder.h>
+#include <CGAL/Tubular_meshing/IO/internal/check_mesh.h>
+#include <CGAL/Tubular_meshing/IO/internal/names_in_files.h>
 #include <CGAL/Tubular_meshing/IO/internal/write_inp.h>
 #include <CGAL/Tubular_meshing/IO/internal/write_medit.h>
 #include <CGAL/Tubular_meshing/IO/internal/write_msh.h>
 #include <CGAL/Tubular_meshing/IO/internal/write_vtu.h>
+#include <CGAL/Tubular_meshing/IO/write_cgns.h>
+#include <CGAL/Tubular_meshing/IO/write_exodus.h>
+#include <CGAL/Tubular_meshing/IO/write_febio.h>
+#include <CGAL/Tubular_meshing/IO/write_fluent.h>
+#include <CGAL/Tubular_meshing/IO/write_mesh.h>
+#include <CGAL/Tubular_meshing/IO/write_openfoam.h>
+#include <CGAL/Tubular_meshing/IO/write_su2.h>
+#include <CGAL/Tubular_meshing/IO/write_svmultiphysics.h>
+#include <CGAL/Tubular_meshing/IO/write_xdmf.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
+
+#include <memory>
+#include <string>
+#include <vector>
 
 namespace CGAL::Tubular_meshing::IO {
 
 namespace internal {
 
-// What every writer relies on.
-inline void check_mesh(const Mixed_mesh& mesh, const std::string& file) {
-  check_names(mesh.region_names, file);
-  check_names(mesh.patch_names, file);
-  for (const Point_array& a : mesh.point_arrays)
-    if (a.components < 1 || a.values.size() != static_cast<std::size_t>(a.components) * mesh.points.size())
-      throw Output_error("The file " + quoted(file) + " cannot be written: the point array '" + a.name +
-                         "' does not have a value for each point.");
+inline Mesh_format checked_format(const std::string& file, const Format_choice& choice) {
+  if (choice.msh_version != 4.1 && choice.msh_version != 2.2)
+    throw Parameter_error("The format of .msh files can be 4.1 or 2.2, not " + std::to_string(choice.msh_version) +
+                          ".");
+  const Mesh_format format = choice.format == Mesh_format::by_name ? mesh_format_of(file) : choice.format;
+  if (format == Mesh_format::by_name)
+    throw Output_error("The file " + quoted(file) +
+                       " cannot be written: its name tells no format of meshes; give it the extension .vtu, .msh, "
+                       ".mesh, .inp, .su2, .feb, .cas, .xdmf, .cgns or .exo, or name the format.");
+  const std::string why_not = why_not_built_in(format);
+  if (!why_not.empty())
+    throw Output_error(why_not);
+  return format;
 }
 
-CGAL_TUBULAR_MESHING_INLINE void write_mesh(Output_file& file, const Mixed_mesh& mesh, double format) {
-  check_mesh(mesh, file.name());
-  const std::string ext = extension_of(file.name());
-  if (format != 4.1 && format != 2.2)
-    throw Parameter_error("The format of .msh files can be 4.1 or 2.2, not " + std::to_string(format) + ".");
-  if (ext == "vtu")
-    write_vtu(file, mesh);
-  else if (ext == "mesh")
-    write_medit(file, mesh);
-  else if (ext == "inp")
-    Inp_writer(file, mesh).write();
-  else if (ext == "msh" && format == 4.1)
-    Msh_writer(file, mesh).write_4_1();
-  else if (ext == "msh")
-    Msh_writer(file, mesh).write_2_2();
+CGAL_TUBULAR_MESHING_INLINE std::unique_ptr<Output> open_mesh(const std::string& file, const Format_choice& choice) {
+  const Mesh_format format = checked_format(file, choice);
+  if (format == Mesh_format::svmultiphysics)
+    return std::unique_ptr<Output>(new Output_folder(svmultiphysics_folder(file)));
+  if (is_folder(format))
+    return std::unique_ptr<Output>(new Output_folder(openfoam_folder(file)));
+  return std::make_unique<Output_file>(file);
+}
+
+inline void write_mesh_folder(Output_folder& folder, const Mixed_mesh& mesh, Mesh_format format) {
+  if (format == Mesh_format::svmultiphysics)
+    write_svmultiphysics(folder, mesh);
   else
-    throw Output_error(
-        "The file " + quoted(file.name()) +
-        " cannot be written: meshes are written as .vtu, .msh, .mesh or .inp; give it one of these extensions.");
+    write_openfoam(folder, mesh, format == Mesh_format::openfoam_binary);
+}
+
+inline void write_mesh_file(Output_file& file, const Mixed_mesh& mesh, Mesh_format format, double msh_version) {
+  switch (format) {
+  case Mesh_format::vtu:
+    return write_vtu(file, mesh);
+  case Mesh_format::gmsh:
+    return msh_version == 4.1 ? Msh_writer(file, mesh).write_4_1() : Msh_writer(file, mesh).write_2_2();
+  case Mesh_format::medit:
+    return write_medit(file, mesh);
+  case Mesh_format::abaqus:
+    return Inp_writer(file, mesh).write();
+  case Mesh_format::su2:
+    return write_su2(file, mesh);
+  case Mesh_format::febio:
+    return write_febio(file, mesh);
+  case Mesh_format::fluent:
+    return write_fluent(file, mesh);
+  case Mesh_format::xdmf:
+    return write_xdmf(file, mesh);
+  case Mesh_format::cgns:
+    return write_cgns(file, mesh);
+  default:
+    return write_exodus(file, mesh);
+  }
+}
+
+CGAL_TUBULAR_MESHING_INLINE void write_mesh(Output& output, const Mixed_mesh& mesh, const Format_choice& choice) {
+  check_mesh(mesh, output.name());
+  const Mesh_format format = checked_format(output.name(), choice);
+  if (auto* folder = dynamic_cast<Output_folder*>(&output); folder != nullptr && is_folder(format))
+    write_mesh_folder(*folder, mesh, format);
+  else if (auto* file = dynamic_cast<Output_file*>(&output); file != nullptr && !is_folder(format))
+    write_mesh_file(*file, mesh, format, choice.msh_version);
+  else
+    throw Output_error(quoted(output.name()) + " was not opened for the format that is to be written.");
+}
+
+// Those that VTK's, Gmsh's and MEDIT's files keep as they are.
+inline bool keeps_names(Mesh_format format) {
+  return format == Mesh_format::vtu || format == Mesh_format::gmsh || format == Mesh_format::medit ||
+         format == Mesh_format::xdmf;
+}
+
+inline bool keeps_point_array(const Point_array& array, Mesh_format format) {
+  return format == Mesh_format::vtu || format == Mesh_format::gmsh ||
+         (format == Mesh_format::medit && array.is_metric());
+}
+
+// ", \"right one\" is right_one"
+inline std::string renamed(const Label_names& names, const Label_names& in_file) {
+  std::string text;
+  for (const auto& n : in_file) {
+    const auto name = names.find(n.first);
+    if (name != names.end() && !name->second.empty() && name->second != n.second)
+      text += (text.empty() ? "" : ", ") + quoted(name->second) + " is " + n.second;
+  }
+  return text;
 }
 
 } // namespace internal
 
+CGAL_TUBULAR_MESHING_INLINE Label_names patch_names_in(const Mixed_mesh& mesh, Mesh_format format) {
+  return internal::keeps_names(format) ? mesh.patch_names : internal::patch_names_in_file(mesh, format);
+}
+
+CGAL_TUBULAR_MESHING_INLINE std::vector<std::string> changes_in(const Mixed_mesh& mesh, Mesh_format format) {
+  std::vector<std::string> changes;
+  const std::string patches = internal::renamed(mesh.patch_names, patch_names_in(mesh, format));
+  if (!patches.empty())
+    changes.push_back("The file has other names of patches: " + patches + ".");
+  if (!internal::keeps_names(format) && format != Mesh_format::abaqus) {
+    const std::string regions = internal::renamed(mesh.region_names, internal::region_names_in_file(mesh, format));
+    if (!regions.empty() && format != Mesh_format::svmultiphysics && format != Mesh_format::su2)
+      changes.push_back("The file has other names of regions: " + regions + ".");
+  }
+  for (const Point_array& a : mesh.point_arrays)
+    if (!internal::keeps_point_array(a, format))
+      changes.push_back("The file has no place for the point array " + internal::quoted(a.name) +
+                        ", which is not written; a .vtu file has.");
+  return changes;
+}
+
 CGAL_TUBULAR_MESHING_INLINE bool is_supported_mesh_format(const std::string& file) {
-  const std::string ext = internal::extension_of(file);
-  return ext == "vtu" || ext == "msh" || ext == "mesh" || ext == "inp";
+  return mesh_format_of(file) != Mesh_format::by_name;
 }
 
 } // namespace CGAL::Tubular_meshing::IO

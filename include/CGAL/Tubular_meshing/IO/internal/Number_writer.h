@@ -7,10 +7,14 @@
 #include <CGAL/Tubular_meshing/IO/internal/Byte_cursor.h>
 #include <CGAL/Tubular_meshing/IO/Output_file.h>
 
+#include <algorithm>
 #include <charconv>
+#include <cstddef>
+#include <cstring>
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <vector>
 
 namespace CGAL::Tubular_meshing::IO::internal {
 
@@ -28,42 +32,71 @@ template <class T> void append_bytes(std::string& out, T value, bool swapped = f
 class Number_writer {
 public:
   explicit Number_writer(Output_file& file)
-      : file_(file) {}
-  ~Number_writer() = default;
+      : file_(file)
+      , buffer_(capacity) {}
 
   Number_writer& operator<<(std::string_view text) {
-    buffer_ += text;
-    return flush_if_full();
+    if (text.size() > capacity - size_)
+      return write_long(text);
+    std::memcpy(buffer_.data() + size_, text.data(), text.size());
+    size_ += text.size();
+    return *this;
   }
   Number_writer& operator<<(const char* text) { return *this << std::string_view(text); }
-  Number_writer& operator<<(char c) { return *this << std::string_view(&c, 1); }
+  Number_writer& operator<<(char c) {
+    make_room(1);
+    buffer_[size_++] = c;
+    return *this;
+  }
 
   template <class T> std::enable_if_t<std::is_arithmetic<T>::value, Number_writer&> operator<<(T value) {
-    char digits[32];
-    const auto result = std::to_chars(digits, digits + sizeof digits, value);
-    return *this << std::string_view(digits, static_cast<std::size_t>(result.ptr - digits));
+    constexpr std::size_t most = 32;
+    make_room(most);
+    char* const begin = buffer_.data() + size_;
+    size_ += static_cast<std::size_t>(std::to_chars(begin, begin + most, value).ptr - begin);
+    return *this;
+  }
+
+  Number_writer& hexadecimal(std::size_t value) {
+    constexpr std::size_t most = 32;
+    make_room(most);
+    char* const begin = buffer_.data() + size_;
+    size_ += static_cast<std::size_t>(std::to_chars(begin, begin + most, value, 16).ptr - begin);
+    return *this;
   }
 
   template <class T> Number_writer& bytes(T value, bool swapped = false) {
-    append_bytes(buffer_, value, swapped);
-    return flush_if_full();
+    make_room(sizeof(T));
+    char* const begin = buffer_.data() + size_;
+    std::memcpy(begin, &value, sizeof(T));
+    if (swapped)
+      std::reverse(begin, begin + sizeof(T));
+    size_ += sizeof(T);
+    return *this;
   }
 
   // To be called at the end.
   void flush() {
-    file_.write(buffer_);
-    buffer_.clear();
+    file_.write(std::string_view(buffer_.data(), size_));
+    size_ = 0;
   }
 
 private:
-  Number_writer& flush_if_full() {
-    if (buffer_.size() >= (1u << 16))
+  static constexpr std::size_t capacity = std::size_t(1) << 16;
+
+  void make_room(std::size_t bytes) {
+    if (bytes > capacity - size_)
       flush();
+  }
+  Number_writer& write_long(std::string_view text) {
+    flush();
+    file_.write(text);
     return *this;
   }
 
   Output_file& file_;
-  std::string buffer_;
+  std::vector<char> buffer_;
+  std::size_t size_ = 0;
 };
 
 } // namespace CGAL::Tubular_meshing::IO::internal

@@ -61,47 +61,85 @@ public:
 
   // components 0: plain numbers that say so of themselves by their count, as field data do
   template <class T> void array(const std::string& name, std::size_t components, const std::vector<T>& values) {
-    xml_ += "<DataArray type=\"" + vtk_xml_type_name<T>() + "\" Name=\"" + escaped_for_xml(name) + "\"";
-    if (components == 0)
-      xml_ += " NumberOfTuples=\"" + std::to_string(values.size()) + "\"";
-    else if (components > 1)
-      xml_ += " NumberOfComponents=\"" + std::to_string(components) + "\"";
-    xml_ += " format=\"appended\" offset=\"" + std::to_string(data_.size()) + "\"/>\n";
-    append_compressed(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
+    declare<T>(name, components, values.size());
+    begin_compressed(values.size() * sizeof(T));
+    const char* const bytes = reinterpret_cast<const char*>(values.data());
+    for (std::size_t i = 0, size = values.size() * sizeof(T); i < size; i += block_size)
+      append_block(bytes + i, (std::min)(block_size, size - i));
+  }
+
+  // The same of values that are made one after the other, f() giving the next, and not kept.
+  template <class T, class F> void array_of(const std::string& name, std::size_t components, std::size_t number, F f) {
+    declare<T>(name, components, number);
+    begin_compressed(number * sizeof(T));
+    std::vector<T> block;
+    block.reserve(block_size / sizeof(T));
+    for (std::size_t i = 0; i < number; ++i) {
+      block.push_back(f());
+      if (block.size() * sizeof(T) == block_size || i + 1 == number) {
+        append_block(reinterpret_cast<const char*>(block.data()), block.size() * sizeof(T));
+        block.clear();
+      }
+    }
   }
 
   void write(Output_file& out) {
     out.write(xml_);
     out.write("</" + dataset_ + ">\n<AppendedData encoding=\"raw\">\n_");
-    out.write(data_);
+    for (std::string& piece : data_) {
+      out.write(piece);
+      std::string().swap(piece);
+    }
     out.write("\n</AppendedData>\n</VTKFile>\n");
   }
 
 private:
-  void append_compressed(const char* bytes, std::size_t size) {
-    const std::size_t block = 32768;
-    const std::size_t blocks = (size + block - 1) / block;
-    const std::size_t header = data_.size();
-    append_bytes(data_, std::uint64_t(blocks));
-    append_bytes(data_, std::uint64_t(block));
-    append_bytes(data_, std::uint64_t(size % block));
-    data_.resize(data_.size() + blocks * sizeof(std::uint64_t));
-    std::vector<Bytef> packed(compressBound(block));
-    for (std::size_t b = 0; b < blocks; ++b) {
-      uLongf n = static_cast<uLongf>(packed.size());
-      const std::size_t length = (std::min)(block, size - b * block);
-      // the fastest level: coordinates gain little from more, and indices nothing worth the time
-      compress2(packed.data(), &n, reinterpret_cast<const Bytef*>(bytes + b * block), static_cast<uLong>(length),
-                Z_BEST_SPEED);
-      const std::uint64_t packed_size = n;
-      std::memcpy(&data_[header + (3 + b) * sizeof(std::uint64_t)], &packed_size, sizeof packed_size);
-      data_.append(reinterpret_cast<const char*>(packed.data()), n);
+  static constexpr std::size_t block_size = 32768, piece_size = std::size_t(1) << 18;
+
+  template <class T> void declare(const std::string& name, std::size_t components, std::size_t number) {
+    xml_ += "<DataArray type=\"" + vtk_xml_type_name<T>() + "\" Name=\"" + escaped_for_xml(name) + "\"";
+    if (components == 0)
+      xml_ += " NumberOfTuples=\"" + std::to_string(number) + "\"";
+    else if (components > 1)
+      xml_ += " NumberOfComponents=\"" + std::to_string(components) + "\"";
+    xml_ += " format=\"appended\" offset=\"" + std::to_string(data_size_) + "\"/>\n";
+  }
+
+  // The sizes of the blocks are filled in as they come.
+  void begin_compressed(std::size_t size) {
+    const std::size_t blocks = (size + block_size - 1) / block_size;
+    data_.emplace_back();
+    header_ = data_.size() - 1;
+    next_size_ = 3 * sizeof(std::uint64_t);
+    append_bytes(data_.back(), std::uint64_t(blocks));
+    append_bytes(data_.back(), std::uint64_t(block_size));
+    append_bytes(data_.back(), std::uint64_t(size % block_size));
+    data_.back().resize(next_size_ + blocks * sizeof(std::uint64_t));
+    data_size_ += data_.back().size();
+  }
+
+  void append_block(const char* bytes, std::size_t size) {
+    packed_.resize(compressBound(block_size));
+    uLongf n = static_cast<uLongf>(packed_.size());
+    // the fastest level: coordinates gain little from more, and indices nothing worth the time
+    compress2(packed_.data(), &n, reinterpret_cast<const Bytef*>(bytes), static_cast<uLong>(size), Z_BEST_SPEED);
+    const std::uint64_t packed_size = n;
+    std::memcpy(&data_[header_][next_size_], &packed_size, sizeof packed_size);
+    next_size_ += sizeof packed_size;
+    if (data_.size() - 1 == header_ || data_.back().capacity() - data_.back().size() < n) {
+      data_.emplace_back();
+      data_.back().reserve(piece_size);
     }
+    data_.back().append(reinterpret_cast<const char*>(packed_.data()), n);
+    data_size_ += n;
   }
 
   std::string dataset_;
   std::string xml_;
-  std::string data_;
+  std::vector<std::string> data_; // in pieces, none of which grows
+  std::size_t data_size_ = 0;
+  std::size_t header_ = 0, next_size_ = 0; // where the size of the next block goes
+  std::vector<Bytef> packed_;
 };
 
 template <class Point> std::vector<double> coordinates_of(const std::vector<Point>& points) {

@@ -7,6 +7,7 @@
 #include <CGAL/Tubular_meshing/IO/internal/Number_writer.h>
 #include <CGAL/Tubular_meshing/IO/Output_file.h>
 #include <CGAL/Tubular_meshing/IO/internal/element_kinds.h>
+#include <CGAL/Tubular_meshing/IO/internal/names_in_files.h>
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 
@@ -111,17 +112,10 @@ private:
     return std::string(text, end.ptr);
   }
 
-  // Letters, digits and underscores, a letter first, are what all programs take.
   static std::string name_of(const Label_names& names, int label, const std::string& prefix,
                              const std::string& prefix_of_number) {
     const auto found = names.find(label);
-    std::string name = prefix + (found == names.end() ? prefix_of_number + std::to_string(label) : found->second);
-    for (char& c : name)
-      if (!std::isalnum(static_cast<unsigned char>(c)))
-        c = '_';
-    if (name.empty() || !std::isalpha(static_cast<unsigned char>(name[0])))
-      name.insert(0, "n");
-    return name.substr(0, 80);
+    return as_abaqus_name(prefix + (found == names.end() ? prefix_of_number + std::to_string(label) : found->second));
   }
   // Element sets and surfaces of one name are mixed up by CalculiX, which loses the loads on them.
   std::string region_name(int label) const { return name_of(mesh_.region_names, label, "region_", ""); }

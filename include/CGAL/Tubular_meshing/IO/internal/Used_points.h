@@ -1,0 +1,54 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_IO_INTERNAL_USED_POINTS_H
+#define CGAL_TUBULAR_MESHING_IO_INTERNAL_USED_POINTS_H
+
+#include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL::Tubular_meshing::IO::internal {
+
+/* The points of those cells that have one of some labels, counted in their order: solvers take no point that no cell
+ * has. */
+class Used_points {
+public:
+  // counts(label): whether a region does
+  template <class Counts>
+  Used_points(const Mixed_mesh& mesh, const Counts& counts)
+      : number_(mesh.points.size(), unused) {
+    const auto mark = [&](const auto& block) {
+      for (std::size_t i = 0; i < block.size(); ++i)
+        if (counts(block.label[i]))
+          for (std::uint32_t v : block.vertices[i])
+            number_[v] = 0;
+    };
+    mark(mesh.tetrahedra);
+    mark(mesh.pyramids);
+    mark(mesh.prisms);
+    mark(mesh.hexahedra);
+    for (std::uint32_t& n : number_)
+      if (n != unused)
+        n = size_++;
+  }
+
+  std::size_t size() const { return size_; }
+  bool contain(std::size_t point) const { return number_[point] != unused; }
+  std::uint32_t number(std::size_t point) const { return number_[point]; }
+
+private:
+  static constexpr std::uint32_t unused = std::uint32_t(-1);
+  std::vector<std::uint32_t> number_;
+  std::uint32_t size_ = 0;
+};
+
+inline bool any_region(int) {
+  return true;
+}
+
+} // namespace CGAL::Tubular_meshing::IO::internal
+
+#endif // CGAL_TUBULAR_MESHING_IO_INTERNAL_USED_POINTS_H

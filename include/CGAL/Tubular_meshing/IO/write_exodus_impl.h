@@ -1,0 +1,222 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_IO_WRITE_EXODUS_IMPL_H
+#define CGAL_TUBULAR_MESHING_IO_WRITE_EXODUS_IMPL_H
+
+#include <CGAL/Tubular_meshing/IO/Mesh_format.h>
+#include <CGAL/Tubular_meshing/IO/internal/Facet_sides.h>
+#include <CGAL/Tubular_meshing/IO/internal/Used_points.h>
+#include <CGAL/Tubular_meshing/IO/internal/Cells_by_region.h>
+#include <CGAL/Tubular_meshing/IO/internal/check_mesh.h>
+#include <CGAL/Tubular_meshing/IO/internal/names_in_files.h>
+#include <CGAL/Tubular_meshing/IO/internal/refuse.h>
+#include <CGAL/Tubular_meshing/IO/write_exodus.h>
+#include <CGAL/Tubular_meshing/base/exceptions.h>
+
+#ifdef CGAL_TUBULAR_MESHING_WITH_EXODUS
+#include <exodusII.h>
+#endif
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace CGAL::Tubular_meshing::IO {
+
+namespace internal {
+
+#ifdef CGAL_TUBULAR_MESHING_WITH_EXODUS
+
+class Exodus_writer {
+public:
+  Exodus_writer(Output_file& file, const Mixed_mesh& mesh)
+      : file_(file)
+      , mesh_(mesh)
+      , cells_(mesh)
+      , facets_(cells_, file.name())
+      , points_(mesh, &any_region)
+      , order_(cells_)
+      , blocks_(order_.blocks()) {}
+  Exodus_writer(const Exodus_writer&) = delete;
+  ~Exodus_writer() {
+    if (exodus_ >= 0)
+      ex_close(exodus_);
+  }
+
+  void write() {
+    if (blocks_.empty())
+      refuse(file_.name(), "its format is for meshes with cells, and this one has none", write_vtu_instead);
+    name_blocks();
+    patch_names_ = patch_names_in_file(mesh_, Mesh_format::exodus);
+    ex_opts(0); // errors become exceptions, not text
+    int of_program = sizeof(double), of_file = sizeof(double);
+    exodus_ = ex_create(file_.name_for_library().c_str(), EX_CLOBBER | EX_LARGE_MODEL, &of_program, &of_file);
+    check(exodus_);
+    allow_long_names();
+    check(ex_put_init(exodus_, "Tubular_meshing", 3, std::int64_t(points_.size()), std::int64_t(cells_.size()),
+                      std::int64_t(blocks_.size()), 0, std::int64_t(patch_names_.size())));
+    write_points();
+    write_blocks();
+    write_side_sets();
+    const int exodus = exodus_;
+    exodus_ = -1;
+    check(ex_close(exodus));
+  }
+
+private:
+  void check(int status) const {
+    if (status < 0)
+      refuse(file_.name(), "the Exodus II library failed to write it",
+             "check its directory, its permissions and the free space");
+  }
+
+  // The numbers of labels that are there twice, or that the format has not, are the next ones above all of them.
+  void name_blocks() {
+    const Label_names regions = region_names_in_file(mesh_, Mesh_format::exodus);
+    std::set<std::string> used;
+    for (const auto& n : regions)
+      used.insert(n.second);
+    int next = regions.rbegin()->first;
+    for (std::size_t b = 0; b < blocks_.size(); ++b) {
+      const int region = blocks_[b].region;
+      const bool is_first = order_.is_first_of_region(b);
+      block_names_.push_back(is_first ? regions.at(region)
+                                      : unused_name(regions.at(region) + '_' + type_of(blocks_[b].kind), used));
+      used.insert(block_names_.back());
+      block_ids_.push_back(is_first&& region > 0 ? region : next = (std::max)(0, next) + 1);
+    }
+  }
+
+  void allow_long_names() const {
+    std::size_t longest = 32;
+    for (const std::string& n : block_names_)
+      longest = (std::max)(longest, n.size());
+    for (const auto& n : patch_names_)
+      longest = (std::max)(longest, n.second.size());
+    check(ex_set_max_name_length(exodus_, int(longest)));
+  }
+
+  static const char* type_of(std::size_t kind) {
+    const char* const types[4] = {"TETRA4", "PYRAMID5", "WEDGE6", "HEX8"};
+    return types[kind];
+  }
+
+  // Which side, from 1, the format says that a face of Cell_faces is.
+  static int side_of(std::size_t kind, std::size_t face) {
+    constexpr int tetrahedron[4] = {4, 1, 2, 3}, pyramid[5] = {5, 1, 2, 3, 4}, prism[5] = {4, 5, 1, 2, 3},
+                  hexahedron[6] = {5, 6, 1, 2, 3, 4};
+    return kind == 0 ? tetrahedron[face] : kind == 1 ? pyramid[face] : kind == 2 ? prism[face] : hexahedron[face];
+  }
+
+  void write_points() {
+    std::vector<double> xyz[3];
+    for (int k = 0; k < 3; ++k) {
+      xyz[k].reserve(points_.size());
+      for (std::size_t i = 0; i < mesh_.points.size(); ++i)
+        if (points_.contain(i))
+          xyz[k].push_back(mesh_.points[i][k]);
+    }
+    check(ex_put_coord(exodus_, xyz[0].data(), xyz[1].data(), xyz[2].data()));
+  }
+
+  void write_blocks() {
+    for (std::size_t b = 0; b < blocks_.size(); ++b) {
+      const std::vector<std::uint32_t> cells = order_.cells_of(b);
+      const std::size_t corners = cells_.corners(cells.front()).number;
+      check(ex_put_block(exodus_, EX_ELEM_BLOCK, block_ids_[b], type_of(blocks_[b].kind), std::int64_t(cells.size()),
+                         std::int64_t(corners), 0, 0, 0));
+      write_nodes(block_ids_[b], cells, corners);
+      check(ex_put_name(exodus_, EX_ELEM_BLOCK, block_ids_[b], block_names_[b].c_str()));
+    }
+  }
+
+  // A part at a time, where the library is one of those that can.
+  void write_nodes(int block, const std::vector<std::uint32_t>& cells, std::size_t corners) const {
+#if EX_API_VERS_NODOT <= 602
+    const std::size_t most = std::size_t(1) << 15;
+#else
+    const std::size_t most = cells.size();
+#endif
+    std::vector<int> nodes;
+    for (std::size_t begin = 0; begin < cells.size(); begin += most) {
+      const std::size_t end = (std::min)(cells.size(), begin + most);
+      nodes.clear();
+      nodes.reserve((end - begin) * corners);
+      for (std::size_t i = begin; i < end; ++i)
+        for (std::uint32_t v : cells_.corners(cells[i]))
+          nodes.push_back(int(points_.number(v)) + 1);
+#if EX_API_VERS_NODOT <= 602
+      check(ex_put_partial_elem_conn(exodus_, block, std::int64_t(begin) + 1, std::int64_t(end - begin), nodes.data()));
+#else
+      check(ex_put_conn(exodus_, EX_ELEM_BLOCK, block, nodes.data(), nullptr, nullptr));
+#endif
+    }
+  }
+
+  void write_side_sets() {
+    const std::vector<std::uint32_t> number = order_.numbers();
+    std::map<int, std::vector<std::uint32_t>> patches = facets_by_patch(facets_);
+    int next = patches.empty() ? 0 : patches.rbegin()->first;
+    for (const auto& patch : patches) {
+      const int id = patch.first > 0 ? patch.first : next = (std::max)(0, next) + 1;
+      std::vector<int> elements, sides;
+      for (std::uint32_t f : patch.second) {
+        const Facet_sides::Sides& s = facets_.sides(f);
+        const Facet_sides::Side& side = s[1].is_there() ? s[1] : s[0];
+        elements.push_back(int(number[side.cell]) + 1);
+        sides.push_back(side_of(cells_.kind(side.cell), side.face));
+      }
+      check(ex_put_set_param(exodus_, EX_SIDE_SET, id, std::int64_t(elements.size()), 0));
+      check(ex_put_set(exodus_, EX_SIDE_SET, id, elements.data(), sides.data()));
+      check(ex_put_name(exodus_, EX_SIDE_SET, id, patch_names_.at(patch.first).c_str()));
+    }
+  }
+
+  Output_file& file_;
+  const Mixed_mesh& mesh_;
+  const Numbered_cells cells_;
+  const Facet_sides facets_;
+  const Used_points points_;
+  const Cells_by_region order_;
+  const std::vector<Cells_of_region>& blocks_;
+  std::vector<std::string> block_names_;
+  std::vector<int> block_ids_;
+  Label_names patch_names_;
+  int exodus_ = -1;
+};
+
+#endif // CGAL_TUBULAR_MESHING_WITH_EXODUS
+
+} // namespace internal
+
+CGAL_TUBULAR_MESHING_INLINE bool has_exodus() {
+#ifdef CGAL_TUBULAR_MESHING_WITH_EXODUS
+  return true;
+#else
+  return false;
+#endif
+}
+
+CGAL_TUBULAR_MESHING_INLINE void write_exodus(Output_file& file, const Mixed_mesh& mesh) {
+  internal::check_mesh(mesh, file.name());
+#ifdef CGAL_TUBULAR_MESHING_WITH_EXODUS
+  internal::Exodus_writer(file, mesh).write();
+#else
+  throw Output_error(why_not_built_in(Mesh_format::exodus));
+#endif
+}
+
+CGAL_TUBULAR_MESHING_INLINE void write_exodus(const std::string& file, const Mixed_mesh& mesh) {
+  Output_file out(file);
+  write_exodus(out, mesh);
+  out.commit();
+}
+
+} // namespace CGAL::Tubular_meshing::IO
+
+#endif // CGAL_TUBULAR_MESHING_IO_WRITE_EXODUS_IMPL_H

@@ -1,0 +1,162 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_IO_WRITE_FEBIO_IMPL_H
+#define CGAL_TUBULAR_MESHING_IO_WRITE_FEBIO_IMPL_H
+
+#include <CGAL/Tubular_meshing/IO/internal/Facet_sides.h>
+#include <CGAL/Tubular_meshing/IO/internal/Number_writer.h>
+#include <CGAL/Tubular_meshing/IO/internal/Vtk_xml_writer.h>
+#include <CGAL/Tubular_meshing/IO/internal/Cells_by_region.h>
+#include <CGAL/Tubular_meshing/IO/internal/check_mesh.h>
+#include <CGAL/Tubular_meshing/IO/internal/names_in_files.h>
+#include <CGAL/Tubular_meshing/IO/internal/refuse.h>
+#include <CGAL/Tubular_meshing/IO/write_febio.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace CGAL::Tubular_meshing::IO {
+
+namespace internal {
+
+class Febio_writer {
+public:
+  Febio_writer(Output_file& file, const Mixed_mesh& mesh)
+      : file_(file)
+      , out_(file)
+      , mesh_(mesh)
+      , cells_(mesh)
+      , facets_(cells_, file.name())
+      , order_(cells_)
+      , blocks_(order_.blocks()) {}
+
+  void write() {
+    if (blocks_.empty())
+      refuse(file_.name(), "its format is for meshes with cells, and this one has none", write_vtu_instead);
+    name_blocks();
+    out_ << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<febio_spec version=\"4.0\">\n<Module "
+            "type=\"solid\"/>\n<Mesh>\n";
+    write_nodes();
+    write_elements();
+    write_patches();
+    out_ << "</Mesh>\n";
+    write_domains();
+    out_ << "</febio_spec>\n";
+    out_.flush();
+  }
+
+private:
+  typedef Facet_sides::Side Side;
+
+  static const char* type_of(std::size_t kind) {
+    const char* const types[4] = {"tet4", "pyra5", "penta6", "hex8"};
+    return types[kind];
+  }
+
+  void name_blocks() {
+    region_names_ = region_names_in_file(mesh_, Mesh_format::febio);
+    std::set<std::string> used;
+    for (const auto& n : region_names_)
+      used.insert(n.second);
+    for (std::size_t b = 0; b < blocks_.size(); ++b) {
+      const std::string& region = region_names_.at(blocks_[b].region);
+      const bool is_first = order_.is_first_of_region(b);
+      block_names_.push_back(is_first ? region : unused_name(region + '_' + type_of(blocks_[b].kind), used));
+      used.insert(block_names_.back());
+    }
+  }
+
+  // "1,2,3</tag>"
+  template <class Corners> void write_corners(const Corners& corners, std::size_t n, const char* end) {
+    for (std::size_t k = 0; k < n; ++k)
+      out_ << corners[k] + std::size_t(1) << (k + 1 == n ? end : ",");
+  }
+
+  void write_nodes() {
+    out_ << "<Nodes name=\"nodes\">\n";
+    for (std::size_t i = 0; i < mesh_.points.size(); ++i) {
+      const Point_3& p = mesh_.points[i];
+      out_ << "<node id=\"" << i + 1 << "\">" << p.x() << ',' << p.y() << ',' << p.z() << "</node>\n";
+    }
+    out_ << "</Nodes>\n";
+  }
+
+  void write_elements() {
+    std::size_t id = 0;
+    for (std::size_t b = 0; b < blocks_.size(); ++b) {
+      out_ << "<Elements type=\"" << type_of(blocks_[b].kind) << "\" name=\"" << escaped_for_xml(block_names_[b])
+           << "\">\n";
+      for (std::uint32_t c : order_.cells_of(b)) {
+        const Numbered_cells::Corners corners = cells_.corners(c);
+        out_ << "<elem id=\"" << ++id << "\">";
+        write_corners(corners, corners.number, "</elem>\n");
+      }
+      out_ << "</Elements>\n";
+    }
+  }
+
+  void write_patches() {
+    const Label_names names = patch_names_in_file(mesh_, Mesh_format::febio);
+    for (const auto& patch : facets_by_patch(facets_)) {
+      const std::string name = escaped_for_xml(names.at(patch.first));
+      std::vector<std::uint32_t> nodes;
+      out_ << "<Surface name=\"" << name << "\">\n";
+      std::size_t id = 0;
+      for (std::uint32_t f : patch.second) {
+        const Facet_sides::Sides& sides = facets_.sides(f);
+        const Face corners = facets_.face(sides[1].is_there() ? sides[1] : sides[0]);
+        const std::size_t n = number_of_corners(corners);
+        nodes.insert(nodes.end(), corners.begin(), corners.begin() + std::ptrdiff_t(n));
+        out_ << (n == 3 ? "<tri3 id=\"" : "<quad4 id=\"") << ++id << "\">";
+        write_corners(corners, n, n == 3 ? "</tri3>\n" : "</quad4>\n");
+      }
+      out_ << "</Surface>\n<NodeSet name=\"" << name << "\">\n";
+      std::sort(nodes.begin(), nodes.end());
+      nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+      for (std::size_t i = 0; i < nodes.size(); ++i)
+        out_ << nodes[i] + std::size_t(1) << (i + 1 == nodes.size() ? "\n" : i % 16 == 15 ? ",\n" : ",");
+      out_ << "</NodeSet>\n";
+    }
+  }
+
+  void write_domains() {
+    out_ << "<MeshDomains>\n";
+    for (std::size_t b = 0; b < blocks_.size(); ++b)
+      out_ << "<SolidDomain name=\"" << escaped_for_xml(block_names_[b]) << "\" mat=\""
+           << escaped_for_xml(region_names_.at(blocks_[b].region)) << "\"/>\n";
+    out_ << "</MeshDomains>\n";
+  }
+
+  Output_file& file_;
+  Number_writer out_;
+  const Mixed_mesh& mesh_;
+  const Numbered_cells cells_;
+  const Facet_sides facets_;
+  const Cells_by_region order_;
+  const std::vector<Cells_of_region>& blocks_;
+  Label_names region_names_;
+  std::vector<std::string> block_names_;
+};
+
+} // namespace internal
+
+CGAL_TUBULAR_MESHING_INLINE void write_febio(Output_file& file, const Mixed_mesh& mesh) {
+  internal::check_mesh(mesh, file.name());
+  internal::Febio_writer(file, mesh).write();
+}
+
+CGAL_TUBULAR_MESHING_INLINE void write_febio(const std::string& file, const Mixed_mesh& mesh) {
+  Output_file out(file);
+  write_febio(out, mesh);
+  out.commit();
+}
+
+} // namespace CGAL::Tubular_meshing::IO
+
+#endif // CGAL_TUBULAR_MESHING_IO_WRITE_FEBIO_IMPL_H

@@ -1,0 +1,467 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Meshes for OpenFOAM: read back face by face, and by its own checkMesh where that is installed.
+
+#include "openfoam_case.h"
+#include "solver_meshes.h"
+
+#include <CGAL/Tubular_meshing/IO/write_openfoam.h>
+#include <CGAL/Tubular_meshing/base/exceptions.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <map>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#ifdef __unix__
+#include <csignal>
+#include <sys/resource.h>
+#endif
+
+namespace {
+
+// A polyMesh, by a reader of its own.
+struct Poly_mesh {
+  struct Patch {
+    std::string type;
+    std::size_t faces = 0, first = 0;
+  };
+  struct Zone {
+    std::vector<std::size_t> members;
+    std::vector<int> flips;
+  };
+  std::vector<Point> points;
+  std::vector<std::vector<std::size_t>> faces;
+  std::vector<std::size_t> owner, neighbour;
+  std::map<std::string, Patch> patches;
+  std::vector<std::string> order_of_patches;
+  std::map<std::string, Zone> cell_zones, face_zones;
+  std::string note;
+
+  explicit Poly_mesh(const fs::path& folder) {
+    read_points(body(folder / "points"));
+    read_faces(body(folder / "faces"));
+    owner = labels(body(folder / "owner"));
+    note = note_;
+    neighbour = labels(body(folder / "neighbour"));
+    read_boundary(body(folder / "boundary"));
+    if (fs::exists(folder / "cellZones"))
+      read_zones(body(folder / "cellZones"), cell_zones);
+    if (fs::exists(folder / "faceZones"))
+      read_zones(body(folder / "faceZones"), face_zones);
+  }
+
+private:
+  bool binary_ = false;
+  std::string note_;
+
+  // What follows the header.
+  std::string body(const fs::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    std::ostringstream all;
+    all << in.rdbuf();
+    const std::string text = all.str();
+    EXPECT_EQ(text.compare(0, 8, "FoamFile"), 0) << file;
+    const std::size_t end = text.find("}\n");
+    const std::string header = text.substr(0, end);
+    binary_ = header.find("format      binary;") != std::string::npos;
+    const std::size_t note = header.find("note");
+    note_ = note == std::string::npos ? "" : header.substr(note, header.find('\n', note) - note);
+    EXPECT_NE(header.find("object      " + file.filename().string() + ";"), std::string::npos);
+    return text.substr(end + 2);
+  }
+
+  // "N(": a list of so many
+  static std::size_t begin_list(std::istringstream& in) {
+    std::size_t n = 0;
+    char c = 0;
+    in >> n >> c;
+    EXPECT_EQ(c, '(');
+    return n;
+  }
+  template <class T> static T raw(std::istringstream& in) {
+    char bytes[sizeof(T)];
+    in.read(bytes, sizeof(T));
+    T value;
+    std::memcpy(&value, bytes, sizeof(T));
+    return value;
+  }
+
+  void read_points(const std::string& text) {
+    std::istringstream in(text);
+    const std::size_t n = begin_list(in);
+    for (std::size_t i = 0; i < n; ++i) {
+      std::string x, y, z;
+      if (binary_) {
+        const double a = raw<double>(in), b = raw<double>(in), c = raw<double>(in);
+        points.push_back(Point(a, b, c));
+      } else {
+        char bracket;
+        in >> bracket >> x >> y >> z;
+        points.push_back(
+            Point(std::strtod(x.c_str(), nullptr), std::strtod(y.c_str(), nullptr), std::strtod(z.c_str(), nullptr)));
+      }
+    }
+    char c = 0;
+    in >> c;
+    EXPECT_EQ(c, ')');
+  }
+
+  std::vector<std::size_t> list(std::istringstream& in) const {
+    std::vector<std::size_t> result(begin_list(in));
+    for (std::size_t& l : result)
+      if (binary_)
+        l = std::size_t(raw<std::int32_t>(in));
+      else
+        in >> l;
+    char c = 0;
+    in >> c;
+    EXPECT_EQ(c, ')');
+    return result;
+  }
+  std::vector<std::size_t> labels(const std::string& text) const {
+    std::istringstream in(text);
+    return list(in);
+  }
+
+  void read_faces(const std::string& text) {
+    std::istringstream in(text);
+    if (binary_) {
+      const auto ends = list(in), corners = list(in);
+      for (std::size_t i = 0; i + 1 < ends.size(); ++i)
+        faces.emplace_back(corners.begin() + std::ptrdiff_t(ends[i]), corners.begin() + std::ptrdiff_t(ends[i + 1]));
+      EXPECT_EQ(ends.back(), corners.size());
+      return;
+    }
+    const std::size_t n = begin_list(in);
+    for (std::size_t i = 0; i < n; ++i)
+      faces.push_back(list(in));
+  }
+
+  void read_boundary(const std::string& text) {
+    std::istringstream in(text);
+    const std::size_t n = begin_list(in);
+    for (std::size_t i = 0; i < n; ++i) {
+      std::string name, word;
+      in >> name >> word;
+      EXPECT_EQ(word, "{");
+      Patch p;
+      while (in >> word && word != "}") {
+        std::string value;
+        in >> value;
+        EXPECT_EQ(value.back(), ';') << name << ' ' << word;
+        value.pop_back();
+        if (word == "type")
+          p.type = value;
+        else if (word == "nFaces")
+          p.faces = std::stoul(value);
+        else if (word == "startFace")
+          p.first = std::stoul(value);
+      }
+      EXPECT_TRUE(patches.emplace(name, p).second) << name;
+      order_of_patches.push_back(name);
+    }
+  }
+
+  void read_zones(const std::string& text, std::map<std::string, Zone>& zones) const {
+    std::istringstream in(text);
+    const std::size_t n = begin_list(in);
+    for (std::size_t i = 0; i < n; ++i) {
+      std::string name, word;
+      in >> name >> word;
+      EXPECT_EQ(word, "{");
+      Zone zone;
+      while (in >> word && word != "}")
+        if (word == "List<label>")
+          zone.members = list(in);
+        else if (word == "List<bool>")
+          for (std::size_t f : list(in))
+            zone.flips.push_back(int(f));
+      EXPECT_TRUE(zones.emplace(name, zone).second) << name;
+    }
+  }
+};
+
+Corners corners(const std::vector<std::size_t>& loop) {
+  return Corners(loop.begin(), loop.end());
+}
+
+void expect_same(const Mesh& m, const Poly_mesh& p) {
+  ASSERT_EQ(p.points.size(), m.points.size());
+  for (std::size_t i = 0; i < m.points.size(); ++i)
+    EXPECT_EQ(p.points[i], m.points[i]);
+
+  // the faces of each cell, and its volume by the way that they turn
+  const Faces_of_cells cells(m);
+  std::vector<std::set<Corners>> faces(cells.faces.size());
+  std::vector<double> volume(cells.faces.size(), 0);
+  ASSERT_EQ(p.owner.size(), p.faces.size());
+  for (std::size_t f = 0; f < p.faces.size(); ++f) {
+    std::vector<Point> loop;
+    for (std::size_t v : p.faces[f])
+      loop.push_back(p.points.at(v));
+    EXPECT_TRUE(faces.at(p.owner[f]).insert(corners(p.faces[f])).second);
+    volume[p.owner[f]] += volume_under(loop);
+    if (f < p.neighbour.size()) {
+      EXPECT_TRUE(faces.at(p.neighbour[f]).insert(corners(p.faces[f])).second);
+      volume[p.neighbour[f]] -= volume_under(loop);
+    }
+  }
+  for (std::size_t c = 0; c < faces.size(); ++c) {
+    EXPECT_EQ(faces[c], cells.corners(c));
+    double expected = 0;
+    for (const auto& face : cells.faces[c]) {
+      std::vector<Point> loop;
+      for (std::size_t v : face)
+        loop.push_back(m.points[v]);
+      expected += volume_under(loop);
+    }
+    EXPECT_GT(volume[c], 0);
+    EXPECT_NEAR(volume[c], expected, 1e-9);
+  }
+
+  // upper triangular order
+  for (std::size_t f = 0; f < p.neighbour.size(); ++f) {
+    EXPECT_LT(p.owner[f], p.neighbour[f]);
+    if (f > 0) {
+      EXPECT_LT(std::make_pair(p.owner[f - 1], p.neighbour[f - 1]), std::make_pair(p.owner[f], p.neighbour[f]));
+    }
+  }
+
+  // patches and zones are the facets of the mesh
+  std::map<std::string, std::set<Corners>> found;
+  std::size_t next = p.neighbour.size();
+  for (const std::string& name : p.order_of_patches) {
+    const auto& patch = p.patches.at(name);
+    EXPECT_EQ(patch.first, next);
+    next += patch.faces;
+    for (std::size_t f = patch.first; f < next; ++f)
+      found[name].insert(corners(p.faces.at(f)));
+    EXPECT_EQ(patch.type, name == "wall" || name == "outer_wall" ? "wall" : "patch") << name;
+  }
+  EXPECT_EQ(next, p.faces.size());
+  for (const auto& zone : p.face_zones) {
+    ASSERT_EQ(zone.second.flips.size(), zone.second.members.size());
+    for (std::size_t i = 0; i < zone.second.members.size(); ++i) {
+      const std::size_t f = zone.second.members[i];
+      ASSERT_LT(f, p.neighbour.size());
+      found[zone.first].insert(corners(p.faces[f]));
+      EXPECT_EQ(zone.second.flips[i] != 0, cells.region[p.owner[f]] > cells.region[p.neighbour[f]]);
+    }
+  }
+  std::map<std::string, std::set<Corners>> expected;
+  for (const auto& patch : facets_of(m))
+    expected[m.patch_names.at(patch.first)] = patch.second;
+  EXPECT_EQ(found, expected);
+
+  std::map<std::string, std::vector<std::size_t>> zones;
+  for (std::size_t c = 0; c < cells.region.size(); ++c)
+    zones[m.region_names.count(cells.region[c]) != 0 ? m.region_names.at(cells.region[c])
+                                                     : "region_" + std::to_string(cells.region[c])]
+        .push_back(c);
+  if (zones.size() > 1) {
+    ASSERT_EQ(p.cell_zones.size(), zones.size());
+    for (const auto& z : zones)
+      EXPECT_EQ(p.cell_zones.at(z.first).members, z.second);
+  } else {
+    EXPECT_TRUE(p.cell_zones.empty());
+  }
+}
+
+} // namespace
+
+TEST_F(IO, OpenFOAM_meshes_are_read_back_equal) {
+  for (const Named_mesh& m : solver_meshes())
+    for (bool binary : {false, true}) {
+      SCOPED_TRACE(m.name + (binary ? " binary" : ""));
+      TM::IO::write_openfoam(path("case"), m.mesh, binary);
+      const fs::path folder = directory / "case" / "constant" / "polyMesh";
+      expect_same(m.mesh, Poly_mesh(folder));
+      EXPECT_EQ(fs::exists(folder / "faceZones"),
+                m.name.find("12") != std::string::npos || m.name.find("21") != std::string::npos);
+      EXPECT_EQ(number_of_files(), 1u);
+    }
+}
+
+TEST_F(IO, OpenFOAM_says_that_meshes_are_OK) {
+  if (!has_program("checkMesh"))
+    GTEST_SKIP() << "needs checkMesh of OpenFOAM";
+  for (const Named_mesh& m : solver_meshes())
+    for (bool binary : {false, true}) {
+      SCOPED_TRACE(m.name + (binary ? " binary" : ""));
+      const fs::path folder = directory / "case";
+      make_openfoam_case(folder);
+      TM::IO::write_openfoam(folder.string(), m.mesh, binary);
+      const std::string log = path("log");
+      EXPECT_TRUE(run_openfoam("checkMesh -allTopology", folder, log));
+      const std::string said = bytes_of(log);
+      EXPECT_NE(said.find("\nMesh OK.\n"), std::string::npos) << said;
+      EXPECT_NE(said.find("tetrahedra:    " + std::to_string(m.mesh.tetrahedra.size()) + "\n"), std::string::npos)
+          << said;
+      EXPECT_NE(said.find("prisms:        " + std::to_string(m.mesh.prisms.size()) + "\n"), std::string::npos);
+      EXPECT_NE(said.find("pyramids:      " + std::to_string(m.mesh.pyramids.size()) + "\n"), std::string::npos);
+      EXPECT_NE(said.find("hexahedra:     " + std::to_string(m.mesh.hexahedra.size()) + "\n"), std::string::npos);
+      fs::remove_all(folder);
+    }
+}
+
+TEST_F(IO, OpenFOAM_computes_a_flow) {
+  if (!has_program("icoFoam"))
+    GTEST_SKIP() << "needs icoFoam of OpenFOAM";
+  for (const char* layers : {"TTTT", "HHXW"})
+    for (bool binary : {false, true}) {
+      const fs::path folder = directory / "case";
+      make_openfoam_case(folder);
+      TM::IO::write_openfoam(folder.string(), Layered_box::make(4, layers, "1111"), binary);
+      EXPECT_TRUE(run_openfoam("icoFoam", folder, path("log"))) << bytes_of(path("log"));
+      const std::string said = bytes_of(path("log"));
+      EXPECT_NE(said.find("\nTime = 0.01\n"), std::string::npos) << said;
+      EXPECT_NE(said.find("\nEnd\n"), std::string::npos) << said;
+      EXPECT_TRUE(fs::exists(folder / "0.01" / "U"));
+      fs::remove_all(folder);
+    }
+}
+
+TEST_F(IO, OpenFOAM_takes_names_as_words) {
+  Mesh m = Layered_box::make(1, "HH", "12");
+  m.patch_names = {{1, "arterial wall"}, {2, "Einströmung"}, {3, "2nd outlet; {a}"}, {100, "arterial_wall"}};
+  m.region_names = {{1, "same"}, {2, "same"}};
+  TM::IO::write_openfoam(path("polyMesh"), m);
+  const Poly_mesh p(directory / "polyMesh");
+  std::set<std::string> names, zones;
+  for (const auto& patch : p.patches)
+    names.insert(patch.first);
+  for (const auto& zone : p.cell_zones)
+    zones.insert(zone.first);
+  EXPECT_EQ(names, (std::set<std::string>{"arterial_wall", "Einströmung", "_2nd_outlet___a_", "arterial_wall_2"}));
+  EXPECT_EQ(zones, (std::set<std::string>{"same", "same_2"}));
+  EXPECT_EQ(p.patches.at("arterial_wall_2").type, "wall");
+  m.patch_names[2] = "an \"inlet\"";
+  EXPECT_THROW(TM::IO::write_openfoam(path("other"), m), TM::Output_error);
+  EXPECT_EQ(number_of_files(), 1u);
+}
+
+TEST_F(IO, OpenFOAM_gets_no_points_that_no_cell_has_and_every_face_a_patch) {
+  Mesh m = Layered_box::make(1, "H", "1");
+  m.points.insert(m.points.begin(), Point(9, 9, 9));
+  for (auto& h : m.hexahedra.vertices)
+    for (auto& v : h)
+      ++v;
+  for (auto& q : m.quads.vertices)
+    for (auto& v : q)
+      ++v;
+  m.quads.vertices.pop_back();
+  m.quads.label.pop_back();
+  TM::IO::write_openfoam(path("case"), m);
+  const Poly_mesh p(directory / "case" / "constant" / "polyMesh");
+  EXPECT_EQ(p.points.size(), 8u);
+  EXPECT_EQ(p.points[0], m.points[1]);
+  ASSERT_EQ(p.patches.count("defaultFaces"), 1u);
+  EXPECT_EQ(p.patches.at("defaultFaces").faces, 1u);
+  EXPECT_EQ(p.faces.size(), 6u);
+  EXPECT_NE(p.note.find("\"nPoints:8  nCells:1  nFaces:6  nInternalFaces:0\""), std::string::npos) << p.note;
+}
+
+TEST_F(IO, OpenFOAM_refuses_what_is_no_mesh_of_cells) {
+  Mesh m = Layered_box::make(1, "H", "1");
+  Mesh surface = m;
+  surface.hexahedra = {};
+  EXPECT_THROW(TM::IO::write_openfoam(path("case"), surface), TM::Output_error);
+  Mesh loose = m;
+  loose.triangles.push_back({0, 3, 5}, 1);
+  EXPECT_THROW(TM::IO::write_openfoam(path("case"), loose), TM::Output_error);
+  Mesh twice = m;
+  twice.quads.push_back(twice.quads.vertices[0], 3);
+  EXPECT_THROW(TM::IO::write_openfoam(path("case"), twice), TM::Output_error);
+  Mesh three = m;
+  three.hexahedra.push_back(three.hexahedra.vertices[0], 1);
+  three.hexahedra.push_back(three.hexahedra.vertices[0], 1);
+  EXPECT_THROW(TM::IO::write_openfoam(path("case"), three), TM::Output_error);
+  EXPECT_EQ(number_of_files(), 0u);
+}
+
+TEST_F(IO, Folders_are_written_whole_or_not_at_all) {
+  const Mesh m = Layered_box::make(1, "H", "1"), other = Layered_box::make(1, "T", "1");
+  fs::create_directories(directory / "case" / "system");
+  TM::IO::write_openfoam(path("case"), m);
+  const std::string before = bytes_of(path("case/constant/polyMesh/faces"));
+  {
+    TM::IO::Output_folder out = TM::IO::openfoam_folder(path("case"));
+    TM::IO::write_openfoam(out, other);
+    out.finish();
+    EXPECT_EQ(bytes_of(path("case/constant/polyMesh/faces")), before);
+  }
+  EXPECT_EQ(bytes_of(path("case/constant/polyMesh/faces")), before);
+  EXPECT_EQ(std::distance(fs::directory_iterator(directory / "case" / "constant"), fs::directory_iterator()), 1);
+  TM::IO::write_openfoam(path("case"), other);
+  EXPECT_NE(bytes_of(path("case/constant/polyMesh/faces")), before);
+  EXPECT_TRUE(fs::exists(directory / "case" / "system"));
+
+  // folders above it that were made go with it
+  {
+    TM::IO::Output_folder out = TM::IO::openfoam_folder(path("new/case"));
+    TM::IO::write_openfoam(out, m);
+  }
+  EXPECT_EQ(number_of_files(), 1u);
+}
+
+TEST_F(IO, Folders_with_other_files_are_not_replaced) {
+  const Mesh m = Layered_box::make(1, "H", "1");
+  TM::IO::write_openfoam(path("polyMesh"), m);
+  make("polyMesh/blockMeshDict", "mine");
+  try {
+    TM::IO::write_openfoam(path("polyMesh"), m);
+    ADD_FAILURE() << "no error";
+  } catch (const TM::Output_error& e) {
+    EXPECT_NE(std::string(e.what()).find("blockMeshDict"), std::string::npos) << e.what();
+  }
+  EXPECT_EQ(bytes_of(path("polyMesh/blockMeshDict")), "mine");
+  fs::create_directories(directory / "b");
+  make("b/polyMesh", "a file");
+  EXPECT_THROW(TM::IO::write_openfoam(path("b/polyMesh"), m), TM::Output_error);
+  make("c", "a file");
+  EXPECT_THROW(TM::IO::write_openfoam(path("c"), m), TM::Output_error);
+  EXPECT_THROW(TM::IO::write_openfoam("/dev/null/polyMesh", m), TM::Output_error);
+  EXPECT_EQ(bytes_of(path("c")), "a file");
+  EXPECT_EQ(number_of_files(), 3u);
+}
+
+#ifdef __unix__
+TEST_F(IO, Folders_stay_links) {
+  fs::create_directories(directory / "there" / "polyMesh");
+  fs::create_directory_symlink(directory / "there" / "polyMesh", directory / "polyMesh");
+  TM::IO::write_openfoam(path("polyMesh"), Layered_box::make(1, "H", "1"));
+  EXPECT_TRUE(fs::is_symlink(path("polyMesh")));
+  EXPECT_TRUE(fs::is_regular_file(path("there/polyMesh/points")));
+}
+
+TEST_F(IO, A_limit_on_file_size_leaves_the_folder_as_it_was) {
+  const Mesh m = Layered_box::make(1, "H", "1"), large = Layered_box::make(8, "TTT", "112");
+  TM::IO::write_openfoam(path("case"), m);
+  const std::string before = bytes_of(path("case/constant/polyMesh/faces"));
+  rlimit limit;
+  getrlimit(RLIMIT_FSIZE, &limit);
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  rlimit tight = limit;
+  tight.rlim_cur = 20000;
+  setrlimit(RLIMIT_FSIZE, &tight);
+  std::string said;
+  try {
+    TM::IO::write_openfoam(path("case"), large);
+  } catch (const TM::Output_error& e) {
+    said = e.what();
+  }
+  setrlimit(RLIMIT_FSIZE, &limit);
+  std::signal(SIGXFSZ, handler);
+  EXPECT_NE(said.find(path("case/constant/polyMesh/")), std::string::npos) << said;
+  EXPECT_EQ(bytes_of(path("case/constant/polyMesh/faces")), before);
+  EXPECT_EQ(std::distance(fs::directory_iterator(directory / "case" / "constant"), fs::directory_iterator()), 1);
+}
+#endif
