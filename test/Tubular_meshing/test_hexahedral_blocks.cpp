@@ -3,10 +3,13 @@
 
 // Blocks of hexahedra along vessels: how junctions are divided, what the blocks of known shapes are like, and layers.
 
+#include "hub_of_vessels.h"
+
 #include <CGAL/Tubular_meshing/Fields/Centerline_sizing_field.h>
 #include <CGAL/Tubular_meshing/Generators/bronchial_tree.h>
 #include <CGAL/Tubular_meshing/Generators/tubular_shapes.h>
 #include <CGAL/Tubular_meshing/Generators/tubular_surface.h>
+#include <CGAL/Tubular_meshing/Hexahedra/Block_structure.h>
 #include <CGAL/Tubular_meshing/Hexahedra/hexahedral_blocks.h>
 #include <CGAL/Tubular_meshing/Hexahedra/insert_wall_layers.h>
 #include <CGAL/Tubular_meshing/Hexahedra/internal/Disc_grid.h>
@@ -15,6 +18,7 @@
 #include <CGAL/Tubular_meshing/Quality/lumen_measures.h>
 #include <CGAL/Tubular_meshing/Quality/validity_report.h>
 #include <CGAL/Tubular_meshing/base/element_measures.h>
+#include <CGAL/Tubular_meshing/base/exceptions.h>
 #include <CGAL/Tubular_meshing/base/labels.h>
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
@@ -268,6 +272,26 @@ double least_scaled_jacobian(const Mixed_mesh& mesh, double* mean = nullptr) {
   return least;
 }
 
+// Twelve blocks a vessel, that match each other and the openings, at vertices of the mesh.
+void expect_structure(const tubular::Block_structure& structure, const Mixed_mesh& mesh,
+                      const tubular::Hexahedral_report& report, std::size_t openings) {
+  const std::size_t vessels = report.twist.size();
+  EXPECT_EQ(structure.hexahedra.size(), 12 * vessels);
+  EXPECT_EQ(structure.hexahedra.size(), report.number_of_blocks);
+  EXPECT_EQ(structure.quads.size(), 8 * vessels + 12 * openings);
+  const Mixed_mesh blocks = tubular::make_block_mesh(structure, mesh.points);
+  EXPECT_EQ(blocks.region_names.size(), vessels);
+  const tubular::Validity_report validity = tubular::validity_report(blocks);
+  EXPECT_EQ(validity.overfull_faces, 0u);
+  EXPECT_EQ(validity.nonmanifold_edges, 0u);
+  EXPECT_EQ(validity.unlabelled_faces, 0u);
+  EXPECT_EQ(validity.misplaced_facets, 0u);
+  EXPECT_EQ(validity.connected_components, 1u);
+  const std::set<Point_3> points(mesh.points.begin(), mesh.points.end());
+  for (const Point_3& p : blocks.points)
+    EXPECT_EQ(points.count(p), 1u);
+}
+
 class Hexahedral_blocks : public ::testing::TestWithParam<Shape> {
 protected:
   static tubular::Tubular_model model() {
@@ -294,6 +318,7 @@ TEST_P(Hexahedral_blocks, Are_valid_and_well_shaped) {
   EXPECT_NEAR(measures.volume, volume, 0.003 * volume);
   for (const auto& o : mesher.model().openings)
     EXPECT_NEAR(measures.opening_area.at(o.patch), o.area, 0.005 * o.area);
+  expect_structure(mesher.block_structure(), mesh, mesher.report().hexahedral, mesher.model().openings.size());
 }
 
 // Four layers that take up 0.3 radii: thin ones have the height asked for, next to all of the wall.
@@ -315,6 +340,97 @@ TEST_P(Hexahedral_blocks, Take_layers_along_the_wall) {
 
 INSTANTIATE_TEST_SUITE_P(Shapes, Hexahedral_blocks, ::testing::ValuesIn(shapes()),
                          [](const auto& info) { return info.param.name; });
+
+// --- vessels that have no simple end ---
+
+// Four veins and a wide, short opening: no centerline runs along what leads to the opening, as from there they part.
+TEST(Hexahedral_blocks_of_an_atrium, Reach_its_wide_opening) {
+  typedef Vector_3d V;
+  for (const double depth : {2.6, 3.2}) {
+    const Star atrium{{{V(0, 0, -1), 3.4, depth},
+                       {V(1, 1, 0.7), 0.9, 7},
+                       {V(-1, 1, 0.7), 0.9, 7},
+                       {V(-1, -1, 0.7), 0.9, 7},
+                       {V(1, -1, 0.7), 0.9, 7}}};
+    tubular::Surface surface;
+    tubular::generate_tubular_surface(atrium.skeleton(), surface, parameters::points_per_circumference(24));
+    tubular::Mesher mesher(tubular::make_tubular_model(surface), parameters::points_per_circumference(24));
+    const Mixed_mesh mesh = mesher.hexahedral();
+    ASSERT_TRUE(mesher.report().fallbacks.empty()) << mesher.report().fallbacks[0];
+    EXPECT_EQ(mesher.report().hexahedral.twist.size(), 5u);
+    EXPECT_EQ(tubular::validity_report(mesh).defects(), "");
+    EXPECT_GT(least_scaled_jacobian(mesh), 0.2);
+    EXPECT_EQ(tubular::lumen_measures(mesh, 5).opening_area.size(), 5u);
+    expect_structure(mesher.block_structure(), mesh, mesher.report().hexahedral, 5);
+  }
+}
+
+// Segmentations leave blind ends flat, with spikes at the corners of voxels: these are no vessels of their own.
+TEST(Hexahedral_blocks_of_a_blind_end, Are_valid_under_spikes) {
+  const auto skeleton = y(90, 1.5).make();
+  const Vector_3d center(skeleton.nodes.back()), axis = normalized(center), u(0, 0, 1), w = cross(axis, u);
+  const double radius = 0.8 / 1.5;
+  for (const double unit : {1., 1e-3}) {
+    tubular::Surface surface;
+    tubular::generate_tubular_surface(skeleton, surface, parameters::points_per_circumference(24).capped_ends(true));
+    int spikes = 0;
+    for (auto v : surface.vertices()) {
+      const Vector_3d d = Vector_3d(surface.point(v)) - center;
+      if (std::abs(dot(d, axis)) > 0.01 || norm(d) < 0.9 * radius || norm(d) > 1.1 * radius)
+        continue;
+      const double angle = std::atan2(dot(d, w), dot(d, u));
+      if (std::abs(std::remainder(angle, pi / 2)) < pi / 24) {
+        const Vector_3d p = center + d + 0.7 * radius * axis;
+        surface.point(v) = Point_3(p.x, p.y, p.z);
+        ++spikes;
+      }
+    }
+    ASSERT_GE(spikes, 3);
+    for (auto v : surface.vertices())
+      surface.point(v) = Point_3(unit * surface.point(v).x(), unit * surface.point(v).y(), unit * surface.point(v).z());
+    const Point_3 tip(unit * center.x, unit * center.y, unit * center.z);
+    tubular::Mesher mesher(tubular::make_tubular_model(surface, parameters::blind_ends(std::vector<Point_3>{tip})),
+                           parameters::points_per_circumference(24));
+    const Mixed_mesh mesh = mesher.hexahedral();
+    ASSERT_TRUE(mesher.report().fallbacks.empty()) << mesher.report().fallbacks[0];
+    EXPECT_EQ(mesher.model().openings.size(), 2u);
+    EXPECT_EQ(mesher.report().hexahedral.twist.size(), 3u);
+    EXPECT_EQ(mesher.block_structure().hexahedra.size(), 40u); // four more on the blind end
+    EXPECT_EQ(tubular::validity_report(mesh).defects(), "");
+    EXPECT_GT(least_scaled_jacobian(mesh), 0.1);
+  }
+}
+
+// --- the boundary alone ---
+
+TEST(Structured_quads, Are_the_boundary_of_blocks) {
+  const auto skeleton = tubular::y_bifurcation();
+  tubular::Surface surface;
+  tubular::generate_tubular_surface(skeleton, surface, parameters::points_per_circumference(30));
+  tubular::Mesher mesher(tubular::make_tubular_model(surface, tubular::centerlines_of(skeleton)),
+                         parameters::points_per_circumference(16));
+  const Mixed_mesh mesh = mesher.hexahedral();
+  const tubular::Remeshed_surface quads = mesher.surface(tubular::Surface_elements::structured_quads);
+  EXPECT_TRUE(CGAL::is_closed(quads.surface));
+  EXPECT_TRUE(CGAL::is_quad_mesh(quads.surface));
+  ASSERT_EQ(quads.surface.number_of_faces(), mesh.quads.size());
+  std::map<int, std::size_t> labels_of_quads, labels_of_mesh;
+  for (auto f : quads.surface.faces())
+    ++labels_of_quads[quads.patch[f]];
+  for (int l : mesh.quads.label)
+    ++labels_of_mesh[l];
+  EXPECT_EQ(labels_of_quads, labels_of_mesh);
+  const std::set<Point_3> points(mesh.points.begin(), mesh.points.end());
+  for (auto v : quads.surface.vertices())
+    EXPECT_EQ(points.count(quads.surface.point(v)), 1u);
+}
+
+TEST(Structured_quads, Of_a_hub_of_ten_vessels_are_refused) {
+  tubular::Surface surface;
+  tubular::generate_tubular_surface(hub_of_ten_vessels(), surface, parameters::points_per_circumference(16));
+  tubular::Mesher mesher(tubular::make_tubular_model(surface), parameters::points_per_circumference(16));
+  EXPECT_THROW(mesher.surface(tubular::Surface_elements::structured_quads), tubular::Meshing_error);
+}
 
 // --- options ---
 

@@ -155,9 +155,9 @@ tubular::Surface hub() {
 
 TEST_F(Tool, Makes_hexahedra_in_blocks) {
   const std::string input = make("y.off", bifurcation().surface);
-  const Outcome outcome =
-      succeed({input, "-t", "hexahedral", "-n", "16", "--boundary-layer-prisms", "3", "--first-height", "0.05",
-               "--wall", "0.2", "--wall-layers", "1", "-o", out("mesh.vtu"), "--report", out("r.json")});
+  const Outcome outcome = succeed({input, "-t", "hexahedral", "-n", "16", "--boundary-layer-prisms", "3",
+                                   "--first-height", "0.05", "--wall", "0.2", "--wall-layers", "1", "-o",
+                                   out("mesh.vtu"), "--report", out("r.json"), "--write-blocks", out("blocks.vtu")});
   const Json r = json_in(out("r.json")), h = r["hexahedral"];
   EXPECT_EQ(h["method"], "blocks");
   EXPECT_EQ(h["blocks"], 36);
@@ -171,6 +171,38 @@ TEST_F(Tool, Makes_hexahedra_in_blocks) {
   expect_valid(mesh);
   EXPECT_EQ(mesh.number_of_cells(), mesh.hexahedra.size());
   EXPECT_EQ(count(mesh.hexahedra.label, 2), count(mesh.quads.label, 1));
+  const Mesh blocks = mesh_in(out("blocks.vtu"));
+  EXPECT_EQ(blocks.hexahedra.size(), 36u);
+  for (int branch = 0; branch < 3; ++branch) {
+    EXPECT_EQ(count(blocks.hexahedra.label, branch + 1), 12u);
+    EXPECT_EQ(blocks.region_names.at(branch + 1), "branch_" + std::to_string(branch));
+  }
+  EXPECT_EQ(blocks.patch_names.at(2), "inlet");
+}
+
+// Branches and openings are counted through.
+TEST_F(Tool, Writes_the_blocks_of_two_vessels) {
+  tubular::Surface both = bifurcation().surface, other = both;
+  for (auto v : other.vertices())
+    other.point(v) = other.point(v) + CGAL::Vector_3<tubular::Kernel>(0, 0, 40);
+  CGAL::copy_face_graph(other, both);
+  succeed({make("two.off", both), "-t", "hexahedral", "-n", "8", "-o", out("mesh.vtu"), "--write-blocks",
+           out("blocks.vtu")});
+  const Mesh blocks = mesh_in(out("blocks.vtu"));
+  EXPECT_EQ(blocks.hexahedra.size(), 72u);
+  for (int branch = 0; branch < 6; ++branch)
+    EXPECT_EQ(count(blocks.hexahedra.label, branch + 1), 12u);
+  for (int patch = 2; patch < 8; ++patch)
+    EXPECT_EQ(count(blocks.quads.label, patch), 12u);
+}
+
+// Blocks that are asked for and cannot be had are no mesh by subdivision.
+TEST_F(Tool, Writes_nothing_where_there_are_no_blocks_to_write) {
+  const Outcome outcome = run({make("hub.off", hub()), "-t", "hexahedral", "-n", "12", "-o", out("mesh.vtu"),
+                               "--write-blocks", out("blocks.vtu")});
+  EXPECT_EQ(outcome.status, 4);
+  EXPECT_FALSE(fs::exists(out("mesh.vtu")));
+  EXPECT_FALSE(fs::exists(out("blocks.vtu")));
 }
 
 // The default is blocks; where there are none that is said, in the summary and in the report.

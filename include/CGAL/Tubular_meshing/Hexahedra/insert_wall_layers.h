@@ -25,7 +25,8 @@ Layer_report insert_wall_layers(Mixed_mesh& mesh, Length_function radius,
  *
  * cuts the hexahedra on the wall into layers, thin at the wall, each higher than the one before by a constant ratio; what
  * is left of them is one hexahedron more. The edges that lead inward from the wall become curves that start along the
- * wall's normal. Where there is too little room, layers are thinner, and the report says so.
+ * wall's normal. Where there is too little room, layers are thinner, and the report says so; where a hexahedron would be
+ * bad, which was not before it was cut, the curves get straighter, too.
  *
  * \param mesh hexahedra whose facets of patch labels::wall are quads; each hexahedron has one of them at most, and each
  *   vertex on them one edge inward, as in make_hexahedral_blocks()
