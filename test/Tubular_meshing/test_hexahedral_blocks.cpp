@@ -239,6 +239,7 @@ const std::vector<Shape>& shapes() {
       {"Willis", [] { return tubular::willis_loop(); }},
       {"Arch", [] { return tubular::aortic_arch(); }},
       {"Tree", [] { return tubular::bronchial_tree(31); }},
+      y(20, 1),
       y(30, 1),
       y(40, 1.5),
       y(60, 1),
@@ -453,19 +454,6 @@ TEST(Hexahedral_blocks_of_a_tube, Have_eight_points_round_it_or_multiples) {
     EXPECT_EQ(both, 2 * made);
   }
   EXPECT_THROW(tubular::Mesher(model, parameters::points_per_circumference(7)).hexahedral(), tubular::Parameter_error);
-}
-
-// The sharper the crotch, the flatter the hexahedra in it.
-TEST(Hexahedral_blocks_of_a_sharp_crotch, Are_valid) {
-  const auto skeleton = y(20, 1).make();
-  tubular::Surface surface;
-  tubular::generate_tubular_surface(skeleton, surface, parameters::points_per_circumference(30));
-  tubular::Mesher mesher(tubular::make_tubular_model(surface, tubular::centerlines_of(skeleton)),
-                         parameters::points_per_circumference(24));
-  const Mixed_mesh mesh = mesher.hexahedral();
-  EXPECT_EQ(mesher.report().hexahedral.method, tubular::Hexahedral_method::blocks);
-  EXPECT_EQ(tubular::validity_report(mesh).defects(), "");
-  EXPECT_GT(least_scaled_jacobian(mesh), 0.1);
 }
 
 TEST(Hexahedral_blocks_of_a_tube, Do_not_depend_on_threads) {

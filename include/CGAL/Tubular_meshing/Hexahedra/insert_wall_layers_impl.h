@@ -191,44 +191,78 @@ private:
   }
 
   /* Where a hexahedron between two layers is bad, which it was not before it was cut, its columns get straighter and
-   * thinner. */
+   * thinner, and those around them with them. */
   void give_way() {
     constexpr int rounds = 12;
-    constexpr double least = 0.2, straighter = 0.6, thinner = 0.85;
-    std::vector<std::size_t> quads;
+    constexpr double straighter = 0.6, thinner = 0.85;
+    std::vector<std::size_t> wall, quads;
     for (std::size_t k = 0; k < mesh_.quads.size(); ++k)
       if (mesh_.quads.label[k] == labels::wall)
-        quads.push_back(k);
-    for (int round = 0; round < rounds && !quads.empty(); ++round) {
-      std::vector<char> is_bad(quads.size(), 0);
-      for_each_range(quads.size(), heights_.threads, [&](std::size_t first, std::size_t last) {
-        for (std::size_t i = first; i < last; ++i) {
-          const double before = quality(mesh_.hexahedra.vertices[cell_of_[quads[i]]]);
-          is_bad[i] = worst_in_stack(quads[i]) < (std::min)(least, 0.95 * before);
-        }
-      });
-      std::vector<Index> columns;
-      for (std::size_t i = 0; i < quads.size(); ++i)
-        if (is_bad[i])
-          for (Index v : mesh_.quads.vertices[quads[i]])
-            columns.push_back(v);
-      std::sort(columns.begin(), columns.end());
-      columns.erase(std::unique(columns.begin(), columns.end()), columns.end());
+        wall.push_back(k);
+    quads = wall;
+    for (int round = 0; round < rounds; ++round) {
+      std::vector<Index> columns = columns_of_bad(quads);
+      if (columns.empty())
+        return;
       for (Index v : columns) {
         bend_[v] *= straighter;
         room_[v] = thinner * used_[v];
       }
       place_columns(columns);
-      quads.erase(std::remove_if(quads.begin(), quads.end(),
-                                 [&](std::size_t k) {
-                                   const Quad& q = mesh_.quads.vertices[k];
-                                   return std::none_of(q.begin(), q.end(), [&](Index v) {
-                                     return std::binary_search(columns.begin(), columns.end(), v);
-                                   });
-                                 }),
-                  quads.end());
+      const std::vector<char> is_changed = even_out(columns, wall);
+      quads.clear();
+      for (std::size_t k : wall)
+        for (Index v : mesh_.quads.vertices[k])
+          if (is_changed[v]) {
+            quads.push_back(k);
+            break;
+          }
     }
   }
+
+  // The columns round those quads of the wall whose stacks have a bad hexahedron.
+  std::vector<Index> columns_of_bad(const std::vector<std::size_t>& quads) const {
+    constexpr double least = 0.2, kept = 0.95; // the scaled Jacobian, and the part that is kept of a worse one
+    std::vector<char> is_bad(quads.size(), 0);
+    for_each_range(quads.size(), heights_.threads, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i) {
+        const double before = quality(mesh_.hexahedra.vertices[cell_of_[quads[i]]]);
+        is_bad[i] = worst_in_stack(quads[i]) < (std::min)(least, kept * before);
+      }
+    });
+    std::vector<Index> columns;
+    for (std::size_t i = 0; i < quads.size(); ++i)
+      if (is_bad[i])
+        columns.insert(columns.end(), mesh_.quads.vertices[quads[i]].begin(), mesh_.quads.vertices[quads[i]].end());
+    std::sort(columns.begin(), columns.end());
+    columns.erase(std::unique(columns.begin(), columns.end()), columns.end());
+    return columns;
+  }
+
+  /* Lowers columns that are much higher than a neighbor that has been lowered. Says which columns have changed. */
+  std::vector<char> even_out(std::vector<Index> columns, const std::vector<std::size_t>& wall) {
+    constexpr double steepest = 1.3; // the ratio of heights
+    std::vector<char> is_changed(inward_.size(), 0);
+    for (Index v : columns)
+      is_changed[v] = 1;
+    for (bool is_even = false; !is_even;) {
+      is_even = true;
+      for (std::size_t k : wall)
+        for (int i = 0; i < 4; ++i) {
+          Index low = mesh_.quads.vertices[k][i], high = mesh_.quads.vertices[k][(i + 1) % 4];
+          if (height(low) > height(high))
+            std::swap(low, high);
+          if (!is_changed[low] || height(high) <= 1.01 * steepest * height(low))
+            continue;
+          room_[high] = used_[high] * steepest * height(low) / height(high);
+          place_column(high);
+          is_changed[high] = 1;
+          is_even = false;
+        }
+    }
+    return is_changed;
+  }
+  double height(Index wall) const { return ratio_[wall] * std::exp(log_radius_[wall]); } // but for a factor
 
   // The hexahedron between two levels of the columns round a quad of the wall.
   std::array<Index, 8> hexahedron(const Quad& q, int level) const {

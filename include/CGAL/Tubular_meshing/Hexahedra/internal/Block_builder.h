@@ -124,7 +124,7 @@ private:
           key = {{1, r.corners[place.quadrant], std::size_t(place.x), 0}};
         const auto [found, is_new] = core.emplace(key, Index(0));
         if (is_new)
-          found->second = add(core_point(ring, v));
+          found->second = add(core_point(ring, v, junction_core()));
         section.core.push_back(found->second);
       }
       junctions_[n].push_back(std::move(section));
@@ -133,15 +133,18 @@ private:
 
   // --- vessels ---
 
-  Vector_3d core_point(const Wall_ring& ring, std::size_t v) const {
-    const Disc_grid::Polar p = disc_.polar(v, core_);
+  // In the crotches of a junction the ring needs more room than elsewhere.
+  double junction_core() const { return (std::min)(core_, 0.5); }
+
+  Vector_3d core_point(const Wall_ring& ring, std::size_t v, double core) const {
+    const Disc_grid::Polar p = disc_.polar(v, core);
     return ring.center + p.distance * (ring.at(p.step) - ring.center);
   }
 
-  Section section_of(const Wall_ring& ring) {
+  Section section_of(const Wall_ring& ring, double core) {
     Section section;
     for (std::size_t v = 0; v < disc_.size(); ++v)
-      section.core.push_back(add(core_point(ring, v)));
+      section.core.push_back(add(core_point(ring, v, core)));
     for (const Vector_3d& p : ring.points)
       section.wall.push_back(add(p));
     return section;
@@ -273,7 +276,7 @@ private:
         const Path_frames::Frame frame = frames.at(abscissa[e]);
         if (const int opening = network_.nodes[nodes[e]].opening) {
           ends[e].ring = rings_.on_rim(opening, frame, *ends[e].turn);
-          ends[e].section = section_of(ends[e].ring);
+          ends[e].section = section_of(ends[e].ring, core_);
         } else {
           const double ahead = e == 1 ? dome_ahead : -dome_ahead;
           ends[e].ring = rings_.across(path.point(abscissa[e]), frame, *ends[e].turn, ahead);
@@ -319,11 +322,15 @@ private:
     for (std::size_t i = 1; i < stations.size(); ++i) {
       const double a = stations[i];
       const Vector_3d center = path.point(a);
-      Section next = i + 1 == stations.size() ? ends[1].section
-                     : a < first              ? section_of(rings_.between(ends[0].ring, ring_first, a / first, center))
-                     : a > last
-                         ? section_of(rings_.between(ring_last, ends[1].ring, (a - last) / (length - last), center))
-                         : section_of(planar(a));
+      const auto between = [&](const Wall_ring& end, const Wall_ring& section, double t, bool is_junction) {
+        const double core = is_junction ? (1 - t) * junction_core() + t * core_ : core_;
+        return section_of(rings_.between(end, section, t, center), core);
+      };
+      Section next =
+          i + 1 == stations.size() ? ends[1].section
+          : a < first              ? between(ends[0].ring, ring_first, a / first, shapes_[nodes[0]].has_value())
+          : a > last ? between(ends[1].ring, ring_last, (length - a) / (length - last), shapes_[nodes[1]].has_value())
+                     : section_of(planar(a), core_);
       cells.add_between(before, next, labels::lumen);
       set_node(nodes[2 * i <= stations.size() ? 0 : 1]);
       before = std::move(next);
