@@ -109,5 +109,12 @@ macro(tubular_meshing_find_format name header folder library)
   endif()
 endmacro()
 tubular_meshing_find_format(hdf5 hdf5.h hdf5/serial hdf5_serial hdf5)
+if(TARGET Tubular_meshing_hdf5 AND EXISTS "${TUBULAR_MESHING_HDF5_INCLUDE_DIR}/H5pubconf.h")
+  file(STRINGS "${TUBULAR_MESHING_HDF5_INCLUDE_DIR}/H5pubconf.h" TUBULAR_MESHING_HDF5_IS_PARALLEL
+       REGEX "^#define H5_HAVE_PARALLEL 1")
+  if(TUBULAR_MESHING_HDF5_IS_PARALLEL) # its header wants that of MPI
+    list(REMOVE_ITEM Tubular_meshing_format_targets Tubular_meshing_hdf5)
+  endif()
+endif()
 tubular_meshing_find_format(cgns cgnslib.h "" cgns)
 tubular_meshing_find_format(exodus exodusII.h "" exoIIv2c exodusii exodus)

@@ -404,6 +404,13 @@ TEST_F(IO, Folders_are_written_whole_or_not_at_all) {
   EXPECT_NE(bytes_of(path("case/constant/polyMesh/faces")), before);
   EXPECT_TRUE(fs::exists(directory / "case" / "system"));
 
+  // what a killed process left behind is not in the way, and stays
+  fs::create_directories(directory / "case" / "constant" / ".tubular_meshing_0.partial");
+  make("case/constant/.tubular_meshing_1.partial", "a file");
+  TM::IO::write_openfoam(path("case"), m);
+  EXPECT_EQ(bytes_of(path("case/constant/polyMesh/faces")), before);
+  EXPECT_EQ(std::distance(fs::directory_iterator(directory / "case" / "constant"), fs::directory_iterator()), 3);
+
   // folders above it that were made go with it
   {
     TM::IO::Output_folder out = TM::IO::openfoam_folder(path("new/case"));

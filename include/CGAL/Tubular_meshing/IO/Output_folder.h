@@ -45,6 +45,8 @@ public:
 private:
   void check_existing(Belongs belongs);
   void make_parents();
+  void make_temporary();
+  std::filesystem::path sibling(int i) const;
   std::filesystem::path unused_sibling() const;
   void close();
   void discard() noexcept;

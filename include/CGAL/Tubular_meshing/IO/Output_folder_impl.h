@@ -29,11 +29,7 @@ CGAL_TUBULAR_MESHING_INLINE Output_folder::Output_folder(const std::string& fold
     check_existing(belongs);
   try {
     make_parents();
-    temporary_ = unused_sibling();
-    if (!fs::create_directory(temporary_, error)) {
-      temporary_.clear();
-      fail(error.message());
-    }
+    make_temporary();
   } catch (...) {
     discard(); // a constructor that throws has no destructor
     throw;
@@ -69,17 +65,30 @@ CGAL_TUBULAR_MESHING_INLINE void Output_folder::make_parents() {
   }
 }
 
+CGAL_TUBULAR_MESHING_INLINE std::filesystem::path Output_folder::sibling(int i) const {
+  return target_.parent_path() / (".tubular_meshing_" + std::to_string(i) + ".partial");
+}
+
 // The first free of a thousand names: what a killed process left behind is not in the way.
+CGAL_TUBULAR_MESHING_INLINE void Output_folder::make_temporary() {
+  std::error_code error;
+  for (int i = 0; i < 1000 && temporary_.empty(); ++i) {
+    if (std::filesystem::create_directory(sibling(i), error))
+      temporary_ = sibling(i);
+    else if (error && error != std::errc::file_exists)
+      fail(error.message());
+  }
+  if (temporary_.empty())
+    fail("too many temporary folders are beside it");
+}
+
 CGAL_TUBULAR_MESHING_INLINE std::filesystem::path Output_folder::unused_sibling() const {
   namespace fs = std::filesystem;
   std::error_code error;
-  fs::path path;
-  for (int i = 0; i < 1000; ++i) {
-    path = target_.parent_path() / (".tubular_meshing_" + std::to_string(i) + ".partial");
-    if (!fs::exists(fs::symlink_status(path, error)))
-      break;
-  }
-  return path;
+  int i = 0;
+  while (i < 1000 && fs::exists(fs::symlink_status(sibling(i), error)))
+    ++i;
+  return sibling(i);
 }
 
 CGAL_TUBULAR_MESHING_INLINE Output_file& Output_folder::file(const std::string& path) {
