@@ -10,8 +10,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <tuple>
-#include <type_traits>
 
 namespace CGAL::Tubular_meshing::IO::internal {
 
@@ -23,6 +21,10 @@ typedef std::array<std::uint32_t, 4> Face;
 
 inline std::size_t number_of_corners(const Face& f) {
   return f[3] == no_vertex ? 3 : 4;
+}
+
+inline std::uint32_t lowest_corner(const Face& f) {
+  return (std::min)((std::min)(f[0], f[1]), (std::min)(f[2], f[3]));
 }
 
 // By a network of five comparisons: there are millions to sort.
@@ -150,14 +152,42 @@ public:
 
   // Calls f(cell, face, corners) for all faces of all cells, in order.
   template <class F> void for_each_face(F f) const {
+    for_each_cell([&](std::size_t cell, const auto& vertices) {
+      for (std::size_t k = 0; k < faces_of(vertices); ++k)
+        f(cell, k, face_of(vertices, k));
+    });
+  }
+
+  // Calls f(number, corners) for those faces whose lowest corner is in a range, in order.
+  template <class F> void for_each_face_from(std::size_t begin, std::size_t end, F f) const {
+    std::size_t number = 0;
+    for_each_cell([&](std::size_t, const auto& vertices) {
+      std::size_t lowest = vertices[0], highest = vertices[0];
+      for (std::uint32_t v : vertices) {
+        lowest = (std::min)(lowest, std::size_t(v));
+        highest = (std::max)(highest, std::size_t(v));
+      }
+      if (lowest < end && highest >= begin)
+        for (std::size_t k = 0; k < faces_of(vertices); ++k) {
+          const Face face = face_of(vertices, k);
+          const std::size_t from = lowest_corner(face);
+          if (begin <= from && from < end)
+            f(number + k, face);
+        }
+      number += faces_of(vertices);
+    });
+  }
+
+private:
+  template <std::size_t N> static constexpr std::size_t faces_of(const std::array<std::uint32_t, N>&) {
+    return Cell_faces<N>::corners.size();
+  }
+
+  template <class F> void for_each_cell(F f) const {
     std::size_t cell = 0;
     const auto visit = [&](const auto& block) {
-      for (const auto& vertices : block.vertices) {
-        constexpr std::size_t n = std::tuple_size<std::decay_t<decltype(vertices)>>::value;
-        for (std::size_t k = 0; k < Cell_faces<n>::corners.size(); ++k)
-          f(cell, k, face_of(vertices, k));
-        ++cell;
-      }
+      for (const auto& vertices : block.vertices)
+        f(cell++, vertices);
     };
     visit(mesh_.tetrahedra);
     visit(mesh_.pyramids);
@@ -165,7 +195,6 @@ public:
     visit(mesh_.hexahedra);
   }
 
-private:
   // f(kind, cell in its block, face, block); divisions are by constants, which is what makes them fast.
   template <class Result, class F> Result with_kind_of_face(std::size_t number, const F& f) const {
     if (number < first_face_[1])

@@ -48,11 +48,9 @@ private:
     std::uint64_t hash() const { return (middle ^ std::uint64_t(last) << 17) * 0x9e3779b97f4a7c15u; }
   };
 
-  static std::uint32_t lowest(const Face& f) { return (std::min)((std::min)(f[0], f[1]), (std::min)(f[2], f[3])); }
-
   std::vector<std::uint32_t> faces_at_corners() const {
     std::vector<std::uint32_t> count(cells_.mesh().points.size(), 0);
-    cells_.for_each_face([&](std::size_t, std::size_t, const Face& f) { ++count[lowest(f)]; });
+    cells_.for_each_face([&](std::size_t, std::size_t, const Face& f) { ++count[lowest_corner(f)]; });
     return count;
   }
 
@@ -62,12 +60,8 @@ private:
     for (std::size_t v = begin; v < end; ++v)
       first[v - begin + 1] = first[v - begin] + count[v];
     std::vector<std::uint32_t> faces(first.back());
-    std::uint32_t face = 0;
-    cells_.for_each_face([&](std::size_t, std::size_t, const Face& f) {
-      const std::size_t v = lowest(f);
-      if (begin <= v && v < end)
-        faces[first[v - begin]++] = face; // first becomes last
-      ++face;
+    cells_.for_each_face_from(begin, end, [&](std::size_t number, const Face& f) {
+      faces[first[lowest_corner(f) - begin]++] = std::uint32_t(number); // first becomes last
     });
     // Many faces are looked up at a time, before any of them is matched: their cells are all over the memory, and the
     // processor waits for several at once.
