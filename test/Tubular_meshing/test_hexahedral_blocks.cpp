@@ -412,6 +412,7 @@ TEST(Structured_quads, Are_the_boundary_of_blocks) {
                          parameters::points_per_circumference(16));
   const Mixed_mesh mesh = mesher.hexahedral();
   const tubular::Remeshed_surface quads = mesher.surface(tubular::Surface_elements::structured_quads);
+  EXPECT_TRUE(mesher.block_structure().hexahedra.empty()); // of a mesh that is gone
   EXPECT_TRUE(CGAL::is_closed(quads.surface));
   EXPECT_TRUE(CGAL::is_quad_mesh(quads.surface));
   ASSERT_EQ(quads.surface.number_of_faces(), mesh.quads.size());
@@ -431,6 +432,9 @@ TEST(Structured_quads, Of_a_hub_of_ten_vessels_are_refused) {
   tubular::generate_tubular_surface(hub_of_ten_vessels(), surface, parameters::points_per_circumference(16));
   tubular::Mesher mesher(tubular::make_tubular_model(surface), parameters::points_per_circumference(16));
   EXPECT_THROW(mesher.surface(tubular::Surface_elements::structured_quads), tubular::Meshing_error);
+  tubular::Mesher with_layers(mesher.model(),
+                              parameters::points_per_circumference(16).boundary_layer_prisms(2).first_height(0.05));
+  EXPECT_THROW(with_layers.surface(tubular::Surface_elements::structured_quads), tubular::Parameter_error);
 }
 
 // --- options ---
@@ -461,8 +465,9 @@ TEST(Hexahedral_blocks_of_a_tube, Do_not_depend_on_threads) {
   tubular::Surface surface;
   tubular::generate_tubular_surface(skeleton, surface, parameters::points_per_circumference(30));
   const auto model = tubular::make_tubular_model(surface, tubular::centerlines_of(skeleton));
-  const Mixed_mesh one = tubular::make_hexahedral_mesh(model, parameters::number_of_threads(1));
-  const Mixed_mesh two = tubular::make_hexahedral_mesh(model, parameters::number_of_threads(2));
+  const auto layers = parameters::boundary_layer_prisms(3).first_height(0.05);
+  const Mixed_mesh one = tubular::make_hexahedral_mesh(model, layers.number_of_threads(1));
+  const Mixed_mesh two = tubular::make_hexahedral_mesh(model, layers.number_of_threads(2));
   EXPECT_EQ(one.points, two.points);
   EXPECT_EQ(one.hexahedra.vertices, two.hexahedra.vertices);
 }

@@ -180,6 +180,15 @@ TEST_F(Tool, Makes_hexahedra_in_blocks) {
   EXPECT_EQ(blocks.patch_names.at(2), "inlet");
 }
 
+TEST_F(Tool, Makes_structured_quads) {
+  const std::string input = make("y.off", bifurcation().surface);
+  succeed({input, "-t", "surface", "--surface-elements", "structured-quads", "-n", "16", "-o", out("quads.msh")});
+  const Mesh mesh = mesh_in(out("quads.msh"));
+  EXPECT_EQ(mesh.triangles.size(), 0u);
+  for (int patch = 2; patch < 5; ++patch)
+    EXPECT_EQ(count(mesh.quads.label, patch), 2u * 2 * 4 + 16); // squares of the core, and the ring
+}
+
 // Branches and openings are counted through.
 TEST_F(Tool, Writes_the_blocks_of_two_vessels) {
   tubular::Surface both = bifurcation().surface, other = both;

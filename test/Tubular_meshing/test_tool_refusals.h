@@ -109,6 +109,7 @@ inline std::vector<Refusal> usage_errors() {
        {"--write-blocks", "blocks"},
        with("-t hexahedral --hex-method subdivision --write-blocks blocks.vtu")},
       {"Blocks_in_a_text", usage, {"blocks.txt", ".vtu"}, with("-t hexahedral --write-blocks blocks.txt")},
+      {"Blocks_of_a_solver", usage, {"polyMesh", ".vtu"}, with("-t hexahedral --write-blocks polyMesh")},
       {"Hex_method_of_tetrahedra", usage, {"--hex-method", "hexahedral"}, with("--hex-method subdivision")},
       {"Hexahedral_layers_on_Mesh_3",
        usage,

@@ -92,14 +92,16 @@ void check_output(const Options& o) {
       throw tubular::Parameter_error("The surface cannot be written to \"" + o.output +
                                      "\": give a .stl, .vtp, .msh, .ply, .off, .obj or .vtk file.");
     if (!o.format.empty())
-      throw tubular::Parameter_error("--format is for meshes of cells; that of a surface is told by its name.");
+      throw tubular::Parameter_error("--format is for meshes of cells; the format of a surface is in its name.");
   } else {
     check_mesh_format(o);
   }
   if (!o.surface_output.empty() && !tubular::IO::is_supported_surface_format(o.surface_output))
     throw tubular::Parameter_error("The surface cannot be written to \"" + o.surface_output +
                                    "\": give a .stl, .vtp, .msh, .ply, .off, .obj or .vtk file.");
-  if (!o.blocks_output.empty() && !tubular::IO::is_supported_mesh_format(o.blocks_output))
+  const Mesh_format blocks = tubular::IO::mesh_format_of(o.blocks_output);
+  if (!o.blocks_output.empty() && blocks != Mesh_format::vtu && blocks != Mesh_format::gmsh &&
+      blocks != Mesh_format::medit && blocks != Mesh_format::abaqus)
     throw tubular::Parameter_error("The blocks cannot be written to \"" + o.blocks_output +
                                    "\": give a .vtu, .msh, .mesh or .inp file.");
 }

@@ -219,16 +219,19 @@ void join(Run& run, std::vector<Part> parts) {
     models.push_back(std::move(part.model));
     if (part.surface.surface.number_of_faces() > 0)
       surfaces.push_back(std::move(part.surface));
-    blocks.push_back(tubular::make_block_mesh(part.blocks, part.mesh.points, branches));
-    blocks.back().patch_names = part.mesh.patch_names;
-    if (!blocks.back().region_names.empty())
-      branches = std::size_t(blocks.back().region_names.rbegin()->first);
+    if (!run.options.blocks_output.empty()) {
+      blocks.push_back(tubular::make_block_mesh(part.blocks, part.mesh.points, branches));
+      blocks.back().patch_names = part.mesh.patch_names;
+      if (!blocks.back().region_names.empty())
+        branches = std::size_t(blocks.back().region_names.rbegin()->first);
+    }
     meshes.push_back(std::move(part.mesh));
   }
   if (surfaces.size() == parts.size()) // else some were not meshed by patches, and none is kept
     run.surface = tubular::join_parts(std::move(surfaces), run.openings_of_parts);
   run.mesh = tubular::join_parts(std::move(meshes), run.openings_of_parts);
-  run.block_mesh = tubular::join_parts(std::move(blocks), run.openings_of_parts);
+  if (!run.options.blocks_output.empty())
+    run.block_mesh = tubular::join_parts(std::move(blocks), run.openings_of_parts);
   run.model = tubular::join_parts(std::move(models));
 }
 

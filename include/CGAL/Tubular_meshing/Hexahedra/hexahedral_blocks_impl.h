@@ -276,14 +276,17 @@ private:
         missed[i] = std::sqrt(CGAL::squared_distance(p, q.point)) / radius;
       }
     });
-    for (;;) {
-      const std::size_t worst = std::size_t(std::max_element(missed.begin(), missed.end()) - missed.begin());
-      if (missed[worst] <= most)
-        return;
-      const Vertex tip = Vertex(Surface::size_type(worst));
-      result.refused.push_back({surface_.point(tip), "a part of the vessel has no centerline", tip});
-      forget_part(tip, most / 2, missed);
-    }
+    std::vector<std::pair<double, std::size_t>> worst;
+    for (std::size_t i = 0; i < missed.size(); ++i)
+      if (missed[i] > most)
+        worst.emplace_back(-missed[i], i);
+    std::sort(worst.begin(), worst.end());
+    for (const auto& [m, i] : worst)
+      if (missed[i] > most) { // no part that has been found already
+        const Vertex tip = Vertex(Surface::size_type(i));
+        result.refused.push_back({surface_.point(tip), "a part of the vessel has no centerline", tip});
+        forget_part(tip, most / 2, missed);
+      }
   }
 
   // Sets to 0 what is missed by more than a bound, from a vertex on.

@@ -240,27 +240,44 @@ private:
   }
 
   /* Lowers columns that are much higher than a neighbor that has been lowered. Says which columns have changed. */
-  std::vector<char> even_out(std::vector<Index> columns, const std::vector<std::size_t>& wall) {
+  std::vector<char> even_out(std::vector<Index> lowered, const std::vector<std::size_t>& wall) {
     constexpr double steepest = 1.3; // the ratio of heights
+    if (neighbor_.empty())
+      find_neighbors(wall);
     std::vector<char> is_changed(inward_.size(), 0);
-    for (Index v : columns)
+    for (Index v : lowered)
       is_changed[v] = 1;
-    for (bool is_even = false; !is_even;) {
-      is_even = true;
-      for (std::size_t k : wall)
-        for (int i = 0; i < 4; ++i) {
-          Index low = mesh_.quads.vertices[k][i], high = mesh_.quads.vertices[k][(i + 1) % 4];
-          if (height(low) > height(high))
-            std::swap(low, high);
-          if (!is_changed[low] || height(high) <= 1.01 * steepest * height(low))
-            continue;
-          room_[high] = used_[high] * steepest * height(low) / height(high);
-          place_column(high);
-          is_changed[high] = 1;
-          is_even = false;
-        }
+    while (!lowered.empty()) {
+      const Index low = lowered.back();
+      lowered.pop_back();
+      for (std::size_t k = first_neighbor_[low]; k < first_neighbor_[low + 1]; ++k) {
+        const Index high = neighbor_[k];
+        const double most = steepest * height(low);
+        if (!(most > 0) || height(high) <= 1.01 * most)
+          continue;
+        room_[high] = used_[high] * most / height(high);
+        place_column(high);
+        is_changed[high] = 1;
+        lowered.push_back(high);
+      }
     }
     return is_changed;
+  }
+  void find_neighbors(const std::vector<std::size_t>& wall) {
+    first_neighbor_.assign(inward_.size() + 1, 0);
+    for (std::size_t k : wall)
+      for (Index v : mesh_.quads.vertices[k])
+        first_neighbor_[v + 1] += 2;
+    for (std::size_t v = 0; v < inward_.size(); ++v)
+      first_neighbor_[v + 1] += first_neighbor_[v];
+    neighbor_.resize(first_neighbor_.back());
+    std::vector<std::size_t> next(first_neighbor_.begin(), first_neighbor_.end() - 1);
+    for (std::size_t k : wall)
+      for (int i = 0; i < 4; ++i) {
+        const Quad& q = mesh_.quads.vertices[k];
+        neighbor_[next[q[i]]++] = q[(i + 1) % 4];
+        neighbor_[next[q[i]]++] = q[(i + 3) % 4];
+      }
   }
   double height(Index wall) const { return ratio_[wall] * std::exp(log_radius_[wall]); } // but for a factor
 
@@ -384,6 +401,8 @@ private:
   // of each vertex on the wall: how far its column bends to the normal, which part of it layers may take up and do take
   // up, and which part that is of the thickness wanted
   std::vector<double> bend_, room_, used_, ratio_;
+  std::vector<std::size_t> first_neighbor_; // of each vertex on the wall, its place in neighbor_; only if needed
+  std::vector<Index> neighbor_;
 };
 
 CGAL_TUBULAR_MESHING_INLINE Layer_report insert_wall_layers(Mixed_mesh& mesh, Length_function radius,

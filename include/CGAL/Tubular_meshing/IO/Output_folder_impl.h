@@ -44,7 +44,8 @@ CGAL_TUBULAR_MESHING_INLINE void Output_folder::check_existing(Belongs belongs) 
     fail("its format needs a folder, and there is a file of that name");
   for (fs::recursive_directory_iterator it(target_, error), end; !error && it != end; it.increment(error)) {
     const fs::path inside = it->path().lexically_relative(target_);
-    if (!it->is_directory() && !belongs(inside))
+    const bool is_folder = it->symlink_status(error).type() == fs::file_type::directory; // a link to one is none
+    if (!is_folder && !belongs(inside))
       fail("there is a folder of that name with other files, as \"" + inside.string() +
            "\", which would be lost; give another name or move them");
   }
@@ -59,9 +60,11 @@ CGAL_TUBULAR_MESHING_INLINE void Output_folder::make_parents() {
   for (fs::path p = target_.parent_path(); !p.empty() && !fs::exists(p, error); p = p.parent_path())
     missing.push_back(p);
   for (auto p = missing.rbegin(); p != missing.rend(); ++p) {
-    if (!fs::create_directory(*p, error) && error)
+    const bool is_new = fs::create_directory(*p, error);
+    if (error)
       fail(error.message());
-    parents_.push_back(*p);
+    if (is_new)
+      parents_.push_back(*p);
   }
 }
 

@@ -275,7 +275,9 @@ private:
   Remeshed_surface structured_quads_in_frame() {
     if (options_.has_boundary_layer())
       throw Parameter_error("Layers inside the lumen are of a mesh of cells; a surface has none.");
+    check_memory();
     const Mixed_mesh mesh = *by_blocks(Hexahedral_fallback::none);
+    structure_ = Block_structure(); // of points that are not those of the surface
     Remeshed_surface result;
     std::vector<Surface::Vertex_index> vertex_of(mesh.points.size(), Surface::null_vertex());
     for (std::size_t i = 0; i < mesh.quads.size(); ++i) {
@@ -286,7 +288,10 @@ private:
           v = result.surface.add_vertex(mesh.points[mesh.quads.vertices[i][k]]);
         corners[k] = v;
       }
-      result.patch[result.surface.add_face(corners)] = mesh.quads.label[i];
+      const Surface::Face_index f = result.surface.add_face(corners);
+      if (f == Surface::null_face())
+        throw Meshing_error("The boundary of the blocks is no surface: it meets itself at an edge or a vertex.");
+      result.patch[f] = mesh.quads.label[i];
     }
     return result;
   }
@@ -404,7 +409,7 @@ private:
       }
     }
     if (fallback == Hexahedral_fallback::none)
-      throw Meshing_error(why + " The method or the fallback subdivision makes hexahedra of any shape.");
+      throw Meshing_error(why + " Subdivision makes hexahedra, and unstructured quads a surface, of any shape.");
     report_.fallbacks.push_back(why + " All hexahedra are made by subdivision.");
     return std::nullopt;
   }

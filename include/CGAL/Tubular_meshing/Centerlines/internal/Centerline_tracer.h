@@ -88,7 +88,7 @@ public:
     return true;
   }
 
-  /* Traces all lines anew, from that of their ends that is nearest to a point. The ends have to be points, and the front
+  /* Traces all lines once more, from that of their ends that is nearest to a point. The ends have to be points, and the front
    * has to have run everywhere. */
   void start_from(const Diagram::Point& p) {
     std::size_t source = 0;

@@ -97,8 +97,8 @@ public:
     for (const auto& [label, rim] : openings)
       if (Node* n = nearest(rim, [](const Node& node) { return node.is_blind(); }))
         n->opening = label;
-      else if (Node* j = nearest(rim, [](const Node& node) { return node.is_junction(); }))
-        add_trunk(std::size_t(j - nodes.data()), label, rim);
+      else if (Node* j = nearest(rim, [&](const Node& node) { return can_have_trunk(node, graph.branches().size()); }))
+        add_trunk(std::size_t(j - nodes.data()), label, rim, graph.branches().size() + trunks_++);
       else
         openings_without_vessel.push_back(label);
   }
@@ -125,9 +125,17 @@ private:
     return result;
   }
 
+  // A junction of vessels that lead elsewhere and have a length, none of them a trunk.
+  bool can_have_trunk(const Node& node, std::size_t number_of_branches) const {
+    return node.is_junction() && std::all_of(node.ends.begin(), node.ends.end(), [&](const Vessel_end& e) {
+             const Vessel& v = vessels[e.vessel];
+             return v.path.points.size() > 1 && v.nodes[0] != v.nodes[1] && v.branch < number_of_branches;
+           });
+  }
+
   /* Where several vessels begin in an opening, as an atrium's veins do in its valve, they are to begin a part of its
    * radius inside, where a vessel leads to the opening. */
-  void add_trunk(std::size_t junction, int label, const Opening_rim& rim) {
+  void add_trunk(std::size_t junction, int label, const Opening_rim& rim, std::size_t branch) {
     double depth = 0.75 * rim.radius;
     for (const Vessel_end& e : nodes[junction].ends)
       depth = (std::min)(depth, 0.5 * vessels[e.vessel].path.length());
@@ -141,13 +149,15 @@ private:
     }
     Node& n = nodes[junction];
     n.point = (1. / double(n.ends.size())) * sum;
-    Vessel trunk{{}, {{junction, nodes.size()}}, vessels[n.ends.front().vessel].branch};
+    Vessel trunk{{}, {{junction, nodes.size()}}, branch};
     trunk.path.push_back(n.point, radius);
     trunk.path.push_back(rim.center, rim.radius);
     n.ends.push_back({vessels.size(), false});
     nodes.push_back({rim.center, {{vessels.size(), true}}, label});
     vessels.push_back(std::move(trunk));
   }
+
+  std::size_t trunks_ = 0;
 
 public:
   // From the node on.
