@@ -3,6 +3,7 @@
 
 // Files that a library writes, where it was found. Compiled with its headers and macros, which no other file needs.
 
+#include <CGAL/Tubular_meshing/IO/hdf5_at_exit_impl.h>
 #include <CGAL/Tubular_meshing/IO/write_cgns_impl.h>
 #include <CGAL/Tubular_meshing/IO/write_exodus_impl.h>
 #include <CGAL/Tubular_meshing/IO/write_xdmf_impl.h>

@@ -7,10 +7,13 @@
 #include "tubular_mesh/declare_options.h"
 #include "tubular_mesh/execute.h"
 
+#include <CGAL/Tubular_meshing/IO/hdf5_at_exit.h>
+
 #include <string>
 
 int main(int argc, char* argv[]) {
   const std::string version = TUBULAR_MESHING_VERSION;
+  CGAL::Tubular_meshing::IO::leave_hdf5_alone_at_exit(); // a full disk has a status of its own
   CLI::App app("", "tubular_mesh");
   Options options;
   declare_options(app, options, "tubular_mesh " + version);

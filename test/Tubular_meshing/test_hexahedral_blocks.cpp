@@ -239,7 +239,6 @@ const std::vector<Shape>& shapes() {
       {"Willis", [] { return tubular::willis_loop(); }},
       {"Arch", [] { return tubular::aortic_arch(); }},
       {"Tree", [] { return tubular::bronchial_tree(31); }},
-      y(20, 1),
       y(30, 1),
       y(40, 1.5),
       y(60, 1),
@@ -458,6 +457,25 @@ TEST(Hexahedral_blocks_of_a_tube, Have_eight_points_round_it_or_multiples) {
     EXPECT_EQ(both, 2 * made);
   }
   EXPECT_THROW(tubular::Mesher(model, parameters::points_per_circumference(7)).hexahedral(), tubular::Parameter_error);
+}
+
+// The sharper the crotch, the flatter the hexahedra in it.
+TEST(Hexahedral_blocks_of_a_sharp_crotch, Are_valid) {
+  const auto skeleton = y(20, 1).make();
+  tubular::Surface surface;
+  tubular::generate_tubular_surface(skeleton, surface, parameters::points_per_circumference(30));
+  const auto model = tubular::make_tubular_model(surface, tubular::centerlines_of(skeleton));
+  for (const int layers : {0, 4}) {
+    tubular::Mesher_options options(parameters::points_per_circumference(24));
+    if (layers > 0)
+      options.boundary_layer =
+          tubular::Extrude_boundary_layer_options(parameters::boundary_layer_prisms(layers).first_height(0.3 / 6.187));
+    tubular::Mesher mesher(model, options);
+    const Mixed_mesh mesh = mesher.hexahedral();
+    EXPECT_EQ(mesher.report().hexahedral.method, tubular::Hexahedral_method::blocks);
+    EXPECT_EQ(tubular::validity_report(mesh).defects(), "");
+    EXPECT_GT(least_scaled_jacobian(mesh), 0.15);
+  }
 }
 
 TEST(Hexahedral_blocks_of_a_tube, Do_not_depend_on_threads) {

@@ -409,7 +409,8 @@ private:
       }
     }
     if (fallback == Hexahedral_fallback::none)
-      throw Meshing_error(why + " Subdivision makes hexahedra, and unstructured quads a surface, of any shape.");
+      throw Meshing_error(why + " By subdivision there are hexahedra of any shape, and surfaces of any shape in quads "
+                                "that are not structured.");
     report_.fallbacks.push_back(why + " All hexahedra are made by subdivision.");
     return std::nullopt;
   }
