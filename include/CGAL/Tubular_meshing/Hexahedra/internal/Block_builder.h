@@ -134,7 +134,7 @@ private:
   // --- vessels ---
 
   // In the crotches of a junction the ring needs more room than elsewhere.
-  double junction_core() const { return (std::min)(core_, 0.5); }
+  double junction_core() const { return (std::min)(core_, 0.55); }
 
   Vector_3d core_point(const Wall_ring& ring, std::size_t v, double core) const {
     const Disc_grid::Polar p = disc_.polar(v, core);
