@@ -468,14 +468,28 @@ private:
     return mesh;
   }
 
+  /* Layers keep the proportions of their cells, but where these are bad: there quality comes first. */
   void optimize(Mixed_mesh& hexahedra) {
     stage("optimization of hexahedra");
     Optimize_hexahedra_options optimization = options_.hexahedra;
-    if (options_.has_boundary_layer()) // layers keep their proportions
-      optimization.tempering = 0;
     optimization.number_of_threads = options_.size.number_of_threads;
     const Labelled_surface& s = frame_.surface();
-    report_.hexahedral.optimization = internal::optimize_hexahedra(hexahedra, s.surface, s.patch, optimization);
+    Optimize_hexahedra_report& report = report_.hexahedral.optimization;
+    if (options_.has_boundary_layer())
+      optimization.tempering = 0;
+    report = internal::optimize_hexahedra(hexahedra, s.surface, s.patch, optimization);
+    const double bad = 0.2;
+    if (!options_.has_boundary_layer() || report.min_scaled_jacobian >= bad)
+      return;
+    optimization.tempering = options_.hexahedra.tempering;
+    optimization.quality_wanted = (std::min)(bad, optimization.quality_wanted);
+    const Optimize_hexahedra_report first = report;
+    report = internal::optimize_hexahedra(hexahedra, s.surface, s.patch, optimization);
+    report.min_scaled_jacobian_before = first.min_scaled_jacobian_before;
+    report.mean_scaled_jacobian_before = first.mean_scaled_jacobian_before;
+    report.inverted_before = first.inverted_before;
+    report.below_wanted_before = first.below_wanted_before;
+    report.sweeps += first.sweeps;
   }
 
   void add_wall(Mixed_mesh& mesh) {
