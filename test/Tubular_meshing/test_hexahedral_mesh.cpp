@@ -161,6 +161,7 @@ TEST_P(Hexahedral_mesh, By_subdivision_has_layers_inside_and_a_wall_outside) {
   EXPECT_EQ(cells(2), 3 * on_wall);
   EXPECT_EQ(cells(3), 2 * on_wall);
   EXPECT_GT(cells(labels::lumen), 4 * on_wall);
+  EXPECT_GE(mesher.report().hexahedral.optimization.min_scaled_jacobian, 0.12);
 }
 
 INSTANTIATE_TEST_SUITE_P(Shapes, Hexahedral_mesh, ::testing::ValuesIn(shapes),

@@ -293,6 +293,29 @@ TEST(Optimize_hexahedra, Keeps_vertices_of_patches_that_the_surface_does_not_hav
   EXPECT_NE(mesh.points, before.points);
 }
 
+// A vertex outside of the box, and a fixed one inside of it that is further out than the surface.
+TEST(Optimize_hexahedra, Leaves_vertices_off_the_surface_where_hexahedra_would_turn_over_there) {
+  const std::array<double, 3> lengths = {6, 6, 6};
+  Mesh mesh = box_grid({6, 6, 6}, lengths);
+  const auto vertex_at = [&](const Point& p) {
+    return std::size_t(std::find(mesh.points.begin(), mesh.points.end(), p) - mesh.points.begin());
+  };
+  const std::size_t outside = vertex_at(Point(3, 3, 0)), inside = vertex_at(Point(3, 3, 1)),
+                    beside = vertex_at(Point(4, 3, 1));
+  mesh.points[outside] = Point(3, 3, -0.9);
+  mesh.points[inside] = Point(3, 3, -0.3);
+  mesh.points[beside] = Point(3.6, 3, 1);
+  std::vector<bool> fixed(mesh.points.size(), false);
+  fixed[inside] = true;
+  const Report report =
+      tubular::optimize_hexahedra(mesh, box_surface(lengths), params::fixed_vertices(&fixed).quality_wanted(1));
+  EXPECT_EQ(report.inverted_before, 0u);
+  EXPECT_LT(report.min_scaled_jacobian_before, 0.2);
+  EXPECT_EQ(report.inverted, 0u);
+  EXPECT_GT(report.min_scaled_jacobian, 0.35);
+  EXPECT_EQ(mesh.points[outside], Point(3, 3, -0.9));
+}
+
 TEST(Optimize_hexahedra, Is_the_same_on_any_number_of_threads) {
   const std::array<double, 3> lengths = {16, 16, 16};
   Mesh one = box_grid({16, 16, 16}, lengths);

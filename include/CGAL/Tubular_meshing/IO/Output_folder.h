@@ -43,7 +43,7 @@ public:
   void commit() override;
 
 private:
-  void check_existing(Belongs belongs);
+  void check_existing();
   void make_parents();
   void make_temporary();
   std::filesystem::path sibling(int i) const;
@@ -53,6 +53,7 @@ private:
   [[noreturn]] void fail(const std::string& reason);
 
   std::string name_;
+  Belongs belongs_;
   std::filesystem::path target_, temporary_;   // empty: done
   std::vector<std::filesystem::path> parents_; // that were made, the innermost last
   std::unique_ptr<Output_file> file_;

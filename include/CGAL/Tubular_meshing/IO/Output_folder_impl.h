@@ -16,7 +16,8 @@
 namespace CGAL::Tubular_meshing::IO {
 
 CGAL_TUBULAR_MESHING_INLINE Output_folder::Output_folder(const std::string& folder, Belongs belongs)
-    : name_(folder) {
+    : name_(folder)
+    , belongs_(belongs) {
   namespace fs = std::filesystem;
   std::error_code error;
   fs::path path = fs::path(folder).lexically_normal();
@@ -26,7 +27,7 @@ CGAL_TUBULAR_MESHING_INLINE Output_folder::Output_folder(const std::string& fold
     fail("it is not the name of a folder that can be replaced");
   target_ = internal::without_links(path);
   if (fs::exists(target_, error))
-    check_existing(belongs);
+    check_existing();
   try {
     make_parents();
     make_temporary();
@@ -37,7 +38,7 @@ CGAL_TUBULAR_MESHING_INLINE Output_folder::Output_folder(const std::string& fold
 }
 
 // All that is there has to be of the kind that is written, so that nothing of the user's goes.
-CGAL_TUBULAR_MESHING_INLINE void Output_folder::check_existing(Belongs belongs) {
+CGAL_TUBULAR_MESHING_INLINE void Output_folder::check_existing() {
   namespace fs = std::filesystem;
   std::error_code error;
   if (!fs::is_directory(target_, error))
@@ -45,7 +46,7 @@ CGAL_TUBULAR_MESHING_INLINE void Output_folder::check_existing(Belongs belongs) 
   for (fs::recursive_directory_iterator it(target_, error), end; !error && it != end; it.increment(error)) {
     const fs::path inside = it->path().lexically_relative(target_);
     const bool is_folder = it->symlink_status(error).type() == fs::file_type::directory; // a link to one is none
-    if (!is_folder && !belongs(inside))
+    if (!is_folder && !belongs_(inside))
       fail("there is a folder of that name with other files, as \"" + inside.string() +
            "\", which would be lost; give another name or move them");
   }
@@ -123,6 +124,7 @@ CGAL_TUBULAR_MESHING_INLINE void Output_folder::commit() {
   std::error_code error;
   fs::path old;
   if (fs::exists(target_, error)) {
+    check_existing(); // it may have come meanwhile
     old = unused_sibling();
     fs::rename(target_, old, error);
     if (error)

@@ -125,7 +125,7 @@ private:
       const bool is_first = order_.is_first_of_region(b);
       const std::string name = is_first ? region : unused_name(shortened(region, 17) + '_' + kinds[block.kind], used_);
       used_.insert(name);
-      const std::vector<std::uint32_t> cells = order_.cells_of(b);
+      const auto cells = order_.cells_of(b);
       auto cell = cells.begin();
       write_section(name, types[block.kind], block.size, 8, [&](std::vector<cgsize_t>& part) {
         for (std::uint32_t v : cells_.corners(*cell))

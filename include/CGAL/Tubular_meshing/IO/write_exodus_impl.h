@@ -126,7 +126,7 @@ private:
 
   void write_blocks() {
     for (std::size_t b = 0; b < blocks_.size(); ++b) {
-      const std::vector<std::uint32_t> cells = order_.cells_of(b);
+      const auto cells = order_.cells_of(b);
       const std::size_t corners = cells_.corners(cells.front()).number;
       check(ex_put_block(exodus_, EX_ELEM_BLOCK, block_ids_[b], type_of(blocks_[b].kind), std::int64_t(cells.size()),
                          std::int64_t(corners), 0, 0, 0));
@@ -136,7 +136,7 @@ private:
   }
 
   // A part at a time, where the library is one of those that can.
-  void write_nodes(int block, const std::vector<std::uint32_t>& cells, std::size_t corners) const {
+  void write_nodes(int block, const Cells_by_region::Cells& cells, std::size_t corners) const {
 #if EX_API_VERS_NODOT <= 602
     const std::size_t most = std::size_t(1) << 15;
 #else
@@ -148,7 +148,7 @@ private:
       nodes.clear();
       nodes.reserve((end - begin) * corners);
       for (std::size_t i = begin; i < end; ++i)
-        for (std::uint32_t v : cells_.corners(cells[i]))
+        for (std::uint32_t v : cells_.corners(cells.begin()[i]))
           nodes.push_back(int(points_.number(v)) + 1);
 #if EX_API_VERS_NODOT <= 602
       check(ex_put_partial_elem_conn(exodus_, block, std::int64_t(begin) + 1, std::int64_t(end - begin), nodes.data()));

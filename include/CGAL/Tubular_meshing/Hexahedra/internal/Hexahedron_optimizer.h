@@ -18,6 +18,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Tubular_meshing::internal {
@@ -44,13 +45,9 @@ public:
     const Summary before = measure_all();
     Summary after = before;
     if (before.below_wanted > 0) {
-      prepare();
-      untangle();
-      for (int power : {1, 2, 4, 8})
-        improve(power);
-      if (before.inverted == 0 && options_.target_lengths == nullptr)
-        send_back(before.least);
-      after = measure_all();
+      after = attempt(before);
+      if (is_spoilt_ && turned_over_ > 0)
+        hold_and_try_again(before, after);
       if (is_worse(after, before))
         after = before;
       else
@@ -75,6 +72,34 @@ private:
     double least = 0, mean = 0;
     std::size_t inverted = 0, below_wanted = 0;
   };
+
+  // From where the vertices are.
+  Summary attempt(const Summary& before) {
+    prepare();
+    untangle();
+    for (int power : {1, 2, 4, 8})
+      improve(power);
+    is_spoilt_ = before.inverted == 0 && options_.target_lengths == nullptr && send_back(before.least);
+    const Summary after = measure_all();
+    is_spoilt_ = is_spoilt_ || is_worse(after, before);
+    return after;
+  }
+  /* Vertices off the surface whose arrival there turns hexahedra over may spoil what is around them for good: then they
+   * stay where they are. */
+  void hold_and_try_again(const Summary& before, Summary& after) {
+    std::vector<Vector_3d> first(points_.size());
+    first.swap(points_);
+    for (std::size_t v = 0; v < first.size(); ++v)
+      points_[v] = Vector_3d(mesh_.points[v]);
+    holds_ = true;
+    measure_all();
+    const Summary again = attempt(before);
+    if (again.inverted < after.inverted || (again.inverted == after.inverted && again.least > after.least))
+      after = again;
+    else
+      points_.swap(first);
+  }
+
   // Where the caller has lengths in mind these may be worth some quality.
   bool is_worse(const Summary& after, const Summary& before) const {
     return after.inverted > before.inverted ||
@@ -82,8 +107,9 @@ private:
   }
   /* Vertices of hexahedra that have become worse than the worst one was go back to where they came from, and then those
    * of hexahedra that this makes worse: so one place that gets no better does not take from all others what they have
-   * won. Ends, as no hexahedron is worse whose vertices are all back. */
-  void send_back(double least) {
+   * won. Ends, as no hexahedron is worse whose vertices are all back. True if there were any. */
+  bool send_back(double least) {
+    bool were_any = false;
     for (bool is_done = false; !is_done;) {
       is_done = true;
       measure_all();
@@ -94,7 +120,9 @@ private:
             is_done = is_done && squared_norm(points_[v] - from) == 0;
             points_[v] = from;
           }
+      were_any = were_any || !is_done;
     }
+    return were_any;
   }
   struct Worst {
     double determinant, energy;
@@ -265,14 +293,38 @@ private:
         arrived.push_back(Index(v));
       is_active_[v] = 1;
     }
-    for_each_range(arrived.size(), options_.number_of_threads, [&](std::size_t first, std::size_t last) {
-      for (std::size_t k = first; k < last; ++k)
-        points_[arrived[k]] = sliding_->nearest(slide_[arrived[k]], points_[arrived[k]]).point;
-    });
+    bring_to_surface(arrived);
     colors_ = Vertex_colors(mesh_.hexahedra, stars_, active_);
     collect_hexahedra();
     report_.movable_vertices = (std::max)(report_.movable_vertices, active_.size());
     return !active_.empty();
+  }
+
+  void bring_to_surface(const std::vector<Index>& vertices) {
+    std::vector<Vector_3d> target(vertices.size());
+    for_each_range(vertices.size(), options_.number_of_threads, [&](std::size_t first, std::size_t last) {
+      for (std::size_t k = first; k < last; ++k)
+        target[k] = sliding_->nearest(slide_[vertices[k]], points_[vertices[k]]).point;
+    });
+    for (std::size_t k = 0; k < vertices.size(); ++k) {
+      const Index v = vertices[k];
+      const bool was_valid = is_valid_around(v);
+      const Vector_3d from = std::exchange(points_[v], target[k]);
+      if (!was_valid || is_valid_around(v))
+        continue;
+      ++turned_over_;
+      if (holds_) {
+        points_[v] = from;
+        slide_[v].dimension = 0;
+      }
+    }
+    active_.erase(std::remove_if(active_.begin(), active_.end(), [&](Index v) { return slide_[v].dimension == 0; }),
+                  active_.end());
+  }
+
+  bool is_valid_around(Index v) const {
+    return std::all_of(stars_(v).begin(), stars_(v).end(),
+                       [&](const auto& e) { return least_scaled_jacobian(corners(e.hexahedron())) > 0; });
   }
 
   // Those of active vertices.
@@ -477,7 +529,10 @@ private:
   std::vector<std::atomic<std::uint8_t>> must_visit_;
   Vertex_colors colors_;
   std::size_t moved_ = 0;
-  double epsilon_ = 1; // of corners that are still inverted
+  double epsilon_ = 1;          // of corners that are still inverted
+  bool is_spoilt_ = false;      // by vertices that got worse
+  bool holds_ = false;          // vertices off the surface
+  std::size_t turned_over_ = 0; // vertices that turned hexahedra over on arrival
   bool untangling_ = false;
 };
 

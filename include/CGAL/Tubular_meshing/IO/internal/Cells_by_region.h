@@ -6,6 +6,8 @@
 
 #include <CGAL/Tubular_meshing/IO/internal/Cell_faces.h>
 
+#include <boost/range/iterator_range.hpp>
+
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -21,17 +23,29 @@ struct Cells_of_region {
   std::size_t size;
 };
 
-/* The cells by region and then by kind: the order in which formats list them that have blocks of a kind. O(n log l). */
+/* The cells by region and then by kind: the order in which formats list them that have blocks of a kind. O(n + r log b)
+ * for r runs of cells that are alike, and b blocks. */
 class Cells_by_region {
 public:
-  explicit Cells_by_region(const Numbered_cells& cells)
-      : cells_(cells) {
+  typedef boost::iterator_range<const std::uint32_t*> Cells;
+
+  explicit Cells_by_region(const Numbered_cells& cells) {
     std::map<std::pair<int, std::size_t>, std::size_t> sizes;
-    for_each_run([&](int region, std::size_t kind, std::size_t first, std::size_t last) {
-      sizes[{region, kind}] += last - first;
+    for_each_run(cells, [&](std::pair<int, std::size_t> block, std::size_t first, std::size_t last) {
+      sizes[block] += last - first;
     });
-    for (const auto& s : sizes)
+    std::map<std::pair<int, std::size_t>, std::size_t> next;
+    for (const auto& s : sizes) {
+      next[s.first] = first_.back();
       blocks_.push_back({s.first.first, s.first.second, s.second});
+      first_.push_back(first_.back() + s.second);
+    }
+    cells_.resize(cells.size());
+    for_each_run(cells, [&](std::pair<int, std::size_t> block, std::size_t first, std::size_t last) {
+      std::size_t& place = next.at(block);
+      for (std::size_t c = first; c < last; ++c)
+        cells_[place++] = std::uint32_t(c);
+    });
   }
 
   const std::vector<Cells_of_region>& blocks() const { return blocks_; }
@@ -40,49 +54,31 @@ public:
   }
 
   // The cells of a block, in order.
-  std::vector<std::uint32_t> cells_of(std::size_t block) const {
-    std::vector<std::uint32_t> result;
-    result.reserve(blocks_[block].size);
-    for_each_run([&](int region, std::size_t kind, std::size_t first, std::size_t last) {
-      if (region == blocks_[block].region && kind == blocks_[block].kind)
-        for (std::size_t c = first; c < last; ++c)
-          result.push_back(std::uint32_t(c));
-    });
-    return result;
-  }
+  Cells cells_of(std::size_t block) const { return {cells_.data() + first_[block], cells_.data() + first_[block + 1]}; }
 
   // Where each cell is in that order, from 0.
   std::vector<std::uint32_t> numbers() const {
-    std::map<std::pair<int, std::size_t>, std::uint32_t> next;
-    std::size_t size = 0;
-    for (const Cells_of_region& b : blocks_) {
-      next[{b.region, b.kind}] = std::uint32_t(size);
-      size += b.size;
-    }
     std::vector<std::uint32_t> number(cells_.size());
-    for_each_run([&](int region, std::size_t kind, std::size_t first, std::size_t last) {
-      std::uint32_t& n = next.at({region, kind});
-      for (std::size_t c = first; c < last; ++c)
-        number[c] = n++;
-    });
+    for (std::size_t i = 0; i < cells_.size(); ++i)
+      number[cells_[i]] = std::uint32_t(i);
     return number;
   }
 
 private:
-  // Calls f(region, kind, first, behind the last) for cells one after the other that have the same.
-  template <class F> void for_each_run(F f) const {
-    for (std::size_t first = 0, last = 0; first < cells_.size(); first = last) {
-      const int region = cells_.region(first);
-      const std::size_t kind = cells_.kind(first);
+  // Calls f((region, kind), first, behind the last) for cells one after the other that have the same.
+  template <class F> static void for_each_run(const Numbered_cells& cells, F f) {
+    for (std::size_t first = 0, last = 0; first < cells.size(); first = last) {
+      const std::pair<int, std::size_t> block(cells.region(first), cells.kind(first));
       do
         ++last;
-      while (last < cells_.size() && cells_.kind(last) == kind && cells_.region(last) == region);
-      f(region, kind, first, last);
+      while (last < cells.size() && cells.kind(last) == block.second && cells.region(last) == block.first);
+      f(block, first, last);
     }
   }
 
-  const Numbered_cells& cells_;
   std::vector<Cells_of_region> blocks_;
+  std::vector<std::size_t> first_ = {0}; // of each block, and behind the last, in cells_
+  std::vector<std::uint32_t> cells_;
 };
 
 } // namespace CGAL::Tubular_meshing::IO::internal
