@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Time and memory of compute_centerlines(), without input and output: on generated trees of 10^3 to 10^6 triangles,
-// which is to grow as n log n, and on the surfaces named on the command line (with --loops before them: all branches).
+// which is to grow as n log n, and on the surfaces named on the command line (with --loops before them: all branches; with --threads N: by so many, not all there are).
 // Peak memory is the process': to have that of one surface, run it alone, with --benchmark_filter.
 
 #include <CGAL/Tubular_meshing/Centerlines/compute_centerlines.h>
@@ -37,6 +37,8 @@ double peak_megabytes() {
   return double(usage.ru_maxrss) / 1024;
 }
 
+int threads = 0;
+
 void measure(benchmark::State& state, Surface& surface, bool loops) {
   std::vector<tubular::Opening> openings = tubular::find_openings(surface);
   const auto patch = surface.add_property_map<Surface::Face_index, int>("f:patch", 0).first;
@@ -44,7 +46,8 @@ void measure(benchmark::State& state, Surface& surface, bool loops) {
   std::size_t branches = 0;
   for (auto _ : state) {
     Graph graph;
-    tubular::compute_centerlines(surface, patch, openings, graph, tubular::parameters::loops(loops));
+    tubular::compute_centerlines(surface, patch, openings, graph,
+                                 tubular::parameters::loops(loops).number_of_threads(threads));
     branches = graph.branches().size();
   }
   state.counters["triangles"] = double(surface.number_of_faces());
@@ -77,6 +80,7 @@ BENCHMARK(tree)
     ->Args({31, 16})
     ->Args({305, 12})
     ->Args({305, 40})
+    ->Args({3001, 12})
     ->Unit(benchmark::kMillisecond)
     ->Complexity(benchmark::oNLogN);
 
@@ -88,6 +92,8 @@ int main(int argc, char* argv[]) {
   for (int i = 1; i < argc; ++i)
     if (std::string(argv[i]) == "--loops")
       loops = true;
+    else if (std::string(argv[i]) == "--threads" && i + 1 < argc)
+      threads = std::stoi(argv[++i]);
     else
       benchmark::RegisterBenchmark(argv[i], file, std::string(argv[i]), loops)->Unit(benchmark::kMillisecond);
   benchmark::RunSpecifiedBenchmarks();

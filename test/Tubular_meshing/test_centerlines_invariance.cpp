@@ -5,6 +5,7 @@
 
 #include "computed_centerlines.h"
 
+#include <CGAL/Tubular_meshing/Generators/bronchial_tree.h>
 #include <CGAL/Tubular_meshing/Generators/tubular_shapes.h>
 
 #include <algorithm>
@@ -89,6 +90,20 @@ TEST(Centerlines_invariance, Carotid) {
 }
 TEST(Centerlines_invariance, Vessels_that_split_and_rejoin) {
   expect_invariance_of("trees/sofa_phantom_network.obj", true);
+}
+
+// To the last digit, on a surface large enough for several threads to share out all there is.
+TEST(Centerlines_invariance, Any_number_of_threads) {
+  const Closed closed(surface_of(tubular::bronchial_tree(31), 40));
+  Graph graphs[3];
+  for (int i = 0; i < 3; ++i)
+    tubular::compute_centerlines(closed.mesh, closed.patch, closed.openings, graphs[i],
+                                 tubular::parameters::number_of_threads(i + 1));
+  for (int i = 1; i < 3; ++i) {
+    EXPECT_EQ(graphs[i].points(), graphs[0].points()) << i + 1 << " threads";
+    EXPECT_EQ(graphs[i].radii(), graphs[0].radii()) << i + 1 << " threads";
+    EXPECT_EQ(graphs[i].branches().size(), graphs[0].branches().size()) << i + 1 << " threads";
+  }
 }
 
 } // namespace

@@ -106,6 +106,7 @@ tubular::Tubular_model with_computed_centerlines(const Run& run, const tubular::
                       .seeds(run.points.ends)
                       .blind_ends(run.points.blind_ends)
                       .single_opening(run.options.single_opening)
+                      .number_of_threads(run.options.threads)
                       .labelled_ends(run.labels);
   if (!run.extensions.openings.empty()) // the inlet has moved
     return tubular::make_tubular_model(surface, np.inlet(run.extensions.openings.front().center));

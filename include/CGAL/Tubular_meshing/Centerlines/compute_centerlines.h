@@ -27,12 +27,14 @@ namespace CGAL::Tubular_meshing {
 struct Compute_centerlines_options {
   bool loops = true;            ///< whether vessels that split and rejoin keep all their branches
   double merge_tolerance = 0.1; ///< see build_centerline_graph()
+  int number_of_threads = 0;    ///< 0: all there are; the result does not depend on it
 
   Compute_centerlines_options() = default;
   template <class NamedParameters>
   explicit Compute_centerlines_options(const NamedParameters& np)
       : loops(internal::choose(np, internal_np::loops, true))
-      , merge_tolerance(internal::choose(np, internal_np::merge_tolerance, 0.1)) {}
+      , merge_tolerance(internal::choose(np, internal_np::merge_tolerance, 0.1))
+      , number_of_threads(internal::choose(np, internal_np::number_of_threads, 0)) {}
 };
 
 namespace internal {
@@ -41,9 +43,10 @@ namespace internal {
 class Centerline_computation {
 public:
   /* `ends` are points, each with the label of the faces around it, two at least. Further ends can be added if
-   * `everywhere`; then one will do. */
+   * `everywhere`; then one will do. `threads`: 0 for all. */
   Centerline_computation(const Surface& surface, const Face_patch_map& patch,
-                         const std::vector<std::pair<Point_3, int>>& ends, bool loops, bool everywhere);
+                         const std::vector<std::pair<Point_3, int>>& ends, bool loops, bool everywhere,
+                         int threads = 0);
   ~Centerline_computation();
 
   /* Adds a line to a vertex of the wall; false if none leads there. */
@@ -109,6 +112,11 @@ void compute_centerlines(const Surface& surface, const std::vector<Point_3>& end
  *     \cgalParamDescription{see build_centerline_graph()}
  *     \cgalParamType{`double`}
  *     \cgalParamDefault{0.1}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{number_of_threads}
+ *     \cgalParamDescription{of the work that can be shared out; 0: all there are. The result does not depend on it}
+ *     \cgalParamType{`int`}
+ *     \cgalParamDefault{0}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{vertex_point_map}
  *     \cgalParamDescription{the points of the surface's vertices}

@@ -13,13 +13,17 @@
 #include <CGAL/Tubular_meshing/base/Nearest_tree.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 #include <CGAL/Tubular_meshing/base/labels.h>
+#include <CGAL/Tubular_meshing/base/parallel.h>
 
 #include <CGAL/boost/graph/helpers.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
+#include <memory>
 #include <string>
+#include <utility>
 
 namespace CGAL::Tubular_meshing::internal {
 
@@ -69,11 +73,19 @@ inline std::size_t number_of_loops(const Centerline_graph& graph) {
 
 struct Centerline_computation::Impl {
   Impl(const Surface& surface, const Face_patch_map& patch, const std::vector<std::pair<Point_3, int>>& ends,
-       std::size_t needed)
-      : frame(points_of(surface, ends.size(), needed))
-      , root(ends.front().first)
-      , tracer(Sampled_surface(surface, patch, frame), canonical(ends))
-      , wall(tracer.wall_triangles()) {}
+       std::size_t needed, int number_of_threads)
+      : threads(number_of_threads)
+      , frame(points_of(surface, ends.size(), needed))
+      , root(ends.front().first) {
+    Sampled_surface samples(surface, patch, frame, number_of_threads);
+    std::vector<Double_kernel::Triangle_3> triangles = std::move(samples.wall_triangles);
+    for_each_task(2, number_of_threads, [&](std::size_t task) {
+      if (task == 0)
+        tracer = std::make_unique<Centerline_tracer>(std::move(samples), canonical(ends), number_of_threads);
+      else
+        wall = Nearest_tree<Double_kernel::Triangle_3>(std::move(triangles));
+    });
+  }
 
   static std::vector<Double_kernel::Point_3> points_of(const Surface& surface, std::size_t number_of_ends,
                                                        std::size_t needed) {
@@ -113,50 +125,69 @@ struct Centerline_computation::Impl {
       for (const Line_point& p : line) {
         polylines.lines.back().push_back(polylines.points.size());
         polylines.points.push_back(to_core(p.point));
+        polylines.radius.push_back(p.radius);
       }
     }
-    const auto radius = [&](const Point_3& p) { return std::sqrt(wall.nearest(to_double_point(p)).squared_distance); };
+    // the radii of the spheres that were passed will do to merge lines; those of the graph are measured
     Centerline_graph result;
-    build_centerline_graph(polylines, radius, result, options);
+    build_centerline_graph(polylines, result, options);
+    result.set_radii(measured(result.points()));
     return result;
   }
 
+  // By blocks that do not depend on the threads: a search begins with what the one before has found.
+  std::vector<double> measured(const std::vector<Point_3>& points) const {
+    const std::size_t block = 64;
+    std::vector<double> radii(points.size());
+    for_each_task((points.size() + block - 1) / block, threads, [&](std::size_t b) {
+      std::size_t hint = wall.size();
+      for (std::size_t i = b * block; i < (std::min)(points.size(), (b + 1) * block); ++i) {
+        const auto found =
+            wall.nearest_from(hint, to_double_point(points[i]), (std::numeric_limits<double>::infinity)());
+        hint = found.index;
+        radii[i] = std::sqrt(found.squared_distance);
+      }
+    });
+    return radii;
+  }
+
+  const int threads;
   const Canonical_frame frame;
   Point_3 root;
   std::size_t loops = 0; // of the lumen; 0 also if they are not wanted
-  Centerline_tracer tracer;
-  const Nearest_tree<Double_kernel::Triangle_3> wall;
+  std::unique_ptr<Centerline_tracer> tracer;
+  Nearest_tree<Double_kernel::Triangle_3> wall;
 };
 
 CGAL_TUBULAR_MESHING_INLINE
 Centerline_computation::Centerline_computation(const Surface& surface, const Face_patch_map& patch,
                                                const std::vector<std::pair<Point_3, int>>& ends, bool loops,
-                                               bool everywhere) {
+                                               bool everywhere, int threads) {
   if (ends.empty()) // before one is taken for the root
     throw Input_error("Centerlines lead from an inlet to outlets, but the surface has no opening; name its ends, by "
                       "points.");
-  impl_ = std::make_unique<Impl>(surface, patch, ends, everywhere ? 1 : 2);
+  impl_ = std::make_unique<Impl>(surface, patch, ends, everywhere ? 1 : 2, threads);
   std::vector<std::vector<Double_kernel::Point_3>> on_surface;
   if (loops)
     on_surface = impl_->loops_on(surface);
   impl_->loops = on_surface.size() / 2;
-  impl_->tracer.trace(on_surface, everywhere);
+  impl_->tracer->trace(on_surface, impl_->wall, everywhere);
 }
 
 CGAL_TUBULAR_MESHING_INLINE Centerline_computation::~Centerline_computation() = default;
 
 CGAL_TUBULAR_MESHING_INLINE bool Centerline_computation::add_end(Surface::Vertex_index v) {
-  return impl_->tracer.add_end(std::size_t(v));
+  return impl_->tracer->add_end(std::size_t(v));
 }
 
 CGAL_TUBULAR_MESHING_INLINE void Centerline_computation::start_from(const Point_3& end) {
   impl_->root = end;
-  impl_->tracer.start_from(impl_->frame.to_canonical(to_double_point(end)));
+  impl_->tracer->start_from(impl_->frame.to_canonical(to_double_point(end)));
 }
 
 CGAL_TUBULAR_MESHING_INLINE double Centerline_computation::longest_line() const {
   double longest = 0;
-  for (const Sampled_line& line : impl_->tracer.lines()) {
+  for (const Sampled_line& line : impl_->tracer->lines()) {
     double widest = 0;
     for (const Line_point& p : line)
       widest = (std::max)(widest, p.radius);
@@ -168,7 +199,7 @@ CGAL_TUBULAR_MESHING_INLINE double Centerline_computation::longest_line() const 
 
 CGAL_TUBULAR_MESHING_INLINE void
 Centerline_computation::make_graph(Centerline_graph& graph, const Build_centerline_graph_options& options) const {
-  std::vector<Sampled_line> lines = impl_->tracer.lines();
+  std::vector<Sampled_line> lines = impl_->tracer->lines();
   Centerline_graph merged = impl_->merged(lines, options);
   // The two lines of a loop may part once more where the lumen is wide: one that adds nothing else is left out.
   for (std::size_t i = lines.size(); i-- > 0 && impl_->loops > 0 && number_of_loops(merged) > impl_->loops;) {
@@ -192,7 +223,8 @@ CGAL_TUBULAR_MESHING_INLINE void compute_centerlines(const Surface& surface, con
     ends.emplace_back(o.center, o.patch);
   Build_centerline_graph_options merging;
   merging.merge_tolerance = options.merge_tolerance;
-  Centerline_computation(surface, patch, ends, options.loops, false).make_graph(graph, merging);
+  Centerline_computation(surface, patch, ends, options.loops, false, options.number_of_threads)
+      .make_graph(graph, merging);
 }
 
 CGAL_TUBULAR_MESHING_INLINE void compute_centerlines(const Surface& surface, const std::vector<Point_3>& ends,

@@ -52,6 +52,7 @@ struct Tubular_model_options {
   bool blind_vessels = true;       ///< whether lines lead into vessels that end blind
   bool loops = true;               ///< whether vessels that split and rejoin keep all their branches
   double merge_tolerance = 0.1;    ///< see build_centerline_graph()
+  int number_of_threads = 0;       ///< for centerlines that are computed, see compute_centerlines()
   Labelled_ends labelled_ends;     ///< of a surface that open_labelled_ends() has opened
 
   Tubular_model_options() = default;
@@ -64,6 +65,7 @@ struct Tubular_model_options {
     blind_vessels = choose(np, internal_np::blind_vessels, blind_vessels);
     loops = choose(np, internal_np::loops, loops);
     merge_tolerance = choose(np, internal_np::merge_tolerance, merge_tolerance);
+    number_of_threads = choose(np, internal_np::number_of_threads, number_of_threads);
     labelled_ends = choose(np, internal_np::labelled_ends, labelled_ends);
   }
 };
@@ -191,6 +193,11 @@ Tubular_model make_tubular_model(const FaceGraph& surface, const Centerline_poly
  *     \cgalParamDescription{see build_centerline_graph()}
  *     \cgalParamType{double}
  *     \cgalParamDefault{0.1}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{number_of_threads}
+ *     \cgalParamDescription{see compute_centerlines()}
+ *     \cgalParamType{`int`}
+ *     \cgalParamDefault{0}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{face_label_map}
  *     \cgalParamDescription{labels of the surface's faces, which mark and name its ends: see open_labelled_ends(), whose

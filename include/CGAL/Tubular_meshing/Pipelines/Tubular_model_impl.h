@@ -117,7 +117,8 @@ CGAL_TUBULAR_MESHING_INLINE void prepare(Tubular_model& model, const Tubular_mod
   std::vector<std::pair<Point_3, int>> ends = ends_of_lines(model.openings, {}, options.single_opening);
   if (ends.size() == 1)
     ends.emplace_back(farthest_point(model.surface, model.patch, ends.front().second), int(labels::wall));
-  Centerline_computation computation(model.surface, model.patch, ends, options.loops, options.blind_vessels);
+  Centerline_computation computation(model.surface, model.patch, ends, options.loops, options.blind_vessels,
+                                     options.number_of_threads);
   computation.make_graph(model.centerlines, merging);
   if (options.blind_vessels)
     follow_blind_vessels(model.surface, model.patch, computation, model.centerlines, merging);

@@ -12,6 +12,7 @@
 #include <CGAL/Tubular_meshing/Centerlines/internal/Sample_refiner.h>
 #include <CGAL/Tubular_meshing/Centerlines/internal/smooth_line.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
+#include <CGAL/Tubular_meshing/base/parallel.h>
 
 #include <algorithm>
 #include <array>
@@ -37,9 +38,12 @@ public:
   typedef Interior_voronoi_diagram Diagram;
   typedef Diagram::Index Index;
 
-  Centerline_tracer(Sampled_surface surface, std::vector<Centerline_end> ends)
-      : surface_(std::move(surface))
-      , ends_(std::move(ends)) {
+  /* `threads`: 0 for all; lines do not depend on it. */
+  Centerline_tracer(Sampled_surface surface, std::vector<Centerline_end> ends, int threads)
+      : threads_(threads)
+      , surface_(std::move(surface))
+      , ends_(std::move(ends))
+      , diagram_(threads) {
     sample_caps();
     diagram_.insert_samples(surface_);
     // Each round at least halves the edges that are too long. A surface of a few triangles round each vessel asks for
@@ -50,26 +54,29 @@ public:
     const std::size_t enough = (std::max)(std::size_t(20000), 4 * surface_.points.size());
     for (int round = 0; round < most_rounds && surface_.points.size() < enough && refiner.refine(diagram_); ++round)
       diagram_.insert_samples(surface_);
-    find_poles();
-    diagram_.make_faces(surface_);
+    const std::vector<std::size_t> samples = samples_at_ends();
+    diagram_.make(surface_);
+    find_poles(samples);
   }
 
   /* Traces one line to each end but the first; and one line or two for each independent loop of the lumen, if loops of
    * the surface are given, see Loop_linking. Further ends can be added afterwards if the front is to run everywhere,
    * not only as far as the ends. */
-  void trace(const std::vector<std::vector<Diagram::Point>>& surface_loops, bool everywhere) {
+  void trace(const std::vector<std::vector<Diagram::Point>>& surface_loops, const Essential_meetings::Wall& wall,
+             bool everywhere) {
     const std::vector<Index> outlets(poles_.begin() + 1, poles_.end());
     front_.reset(
         new Voronoi_front(diagram_, poles_[0], !surface_loops.empty() || everywhere ? std::vector<Index>() : outlets));
+    std::vector<std::size_t> reached;
     for (std::size_t i = 1; i < ends_.size(); ++i) {
       if (!front_->has_reached(poles_[i]))
         throw Input_error("The inside of the surface does not connect its inlet with " + name(i) +
                           ": the surface is in several pieces, or closed in between.");
-      trace_to(i);
+      reached.push_back(i);
     }
+    trace_to(reached);
     if (surface_loops.empty())
       return;
-    const Essential_meetings::Wall wall(surface_.wall_triangles);
     const Essential_meetings found(diagram_, *front_, surface_loops, wall);
     for (const auto& meeting : found.meetings())
       add_loop(*front_, meeting[0], meeting[1], lines_);
@@ -84,7 +91,7 @@ public:
     ends_.push_back(Centerline_end{surface_.points[sample], labels::wall});
     centers_.push_back(std::size_t(-1));
     poles_.push_back(pole);
-    trace_to(ends_.size() - 1);
+    trace_to({ends_.size() - 1});
     return true;
   }
 
@@ -99,15 +106,14 @@ public:
     std::swap(poles_[0], poles_[source]);
     front_.reset(new Voronoi_front(diagram_, poles_[0], {}));
     lines_.clear();
+    std::vector<std::size_t> reached;
     for (std::size_t i = 1; i < poles_.size(); ++i)
       if (poles_[i] != poles_[0] && front_->has_reached(poles_[i]))
-        trace_to(i);
+        reached.push_back(i);
+    trace_to(reached);
   }
 
   const std::vector<Sampled_line>& lines() const { return lines_; }
-
-  /* The triangles of the wall. */
-  const std::vector<Double_kernel::Triangle_3>& wall_triangles() const { return surface_.wall_triangles; }
 
 private:
   void sample_caps() {
@@ -122,10 +128,17 @@ private:
     centers_.resize(ends_.size(), std::size_t(-1));
   }
 
-  void find_poles() {
+  std::vector<std::size_t> samples_at_ends() const {
+    std::vector<std::size_t> samples;
+    for (std::size_t i = 0; i < ends_.size(); ++i)
+      samples.push_back(is_cap(i) ? centers_[i] : diagram_.nearest_sample(ends_[i].point));
+    return samples;
+  }
+
+  void find_poles(const std::vector<std::size_t>& samples) {
     for (std::size_t i = 0; i < ends_.size(); ++i) {
-      const std::size_t sample = is_cap(i) ? centers_[i] : diagram_.nearest_sample(ends_[i].point);
-      const Index pole = diagram_.poles.empty() ? Diagram::none : diagram_.poles[sample];
+      const std::size_t sample = samples[i];
+      const Index pole = diagram_.poles[sample];
       if (pole == Diagram::none)
         throw Input_error("No sphere inside the surface touches it at " + name(i) +
                           ": the surface is turned inside out, or not closed there; repair it.");
@@ -141,7 +154,13 @@ private:
     }
   }
 
-  void trace_to(std::size_t end) { lines_.push_back(finished(reversed(front_->path_from(poles_[end])), end)); }
+  void trace_to(const std::vector<std::size_t>& ends) {
+    const std::size_t before = lines_.size();
+    lines_.resize(before + ends.size());
+    for_each_task(ends.size(), threads_, [&](std::size_t i) {
+      lines_[before + i] = finished(reversed(front_->path_from(poles_[ends[i]])), ends[i]);
+    });
+  }
 
   bool is_cap(std::size_t end) const { return centers_[end] != std::size_t(-1); }
 
@@ -222,6 +241,7 @@ private:
     return resampled(smoothed(line, window, 2), step);
   }
 
+  int threads_;
   Sampled_surface surface_;
   std::vector<Centerline_end> ends_;
   std::vector<std::size_t> centers_; // samples, or -1

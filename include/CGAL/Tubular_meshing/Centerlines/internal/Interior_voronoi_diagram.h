@@ -6,18 +6,26 @@
 
 #include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Centerlines/internal/Sampled_surface.h>
+#include <CGAL/Tubular_meshing/Centerlines/internal/order_in_space.h>
+#include <CGAL/Tubular_meshing/base/parallel.h>
+#include <CGAL/Tubular_meshing/Centerlines/internal/parallel_sort.h>
 
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Delaunay_triangulation_cell_base_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Triangulation_cell_base_with_info_3.h>
+#include <CGAL/Spatial_sort_traits_adapter_3.h>
 #include <CGAL/Triangulation_vertex_base_with_info_3.h>
+#include <CGAL/property_map.h>
+#include <CGAL/spatial_sort.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -29,7 +37,10 @@ namespace CGAL::Tubular_meshing::internal {
  * A vertex is the centre of the sphere through the four samples of a Delaunay tetrahedron; it is inside if it lies
  * behind the tangent planes of at least three of them. This holds for no tetrahedron in a gap between two vessels, even
  * where the gap is narrower than the triangles, and needs no search. A face is dual to a Delaunay edge, a convex
- * polygon; those with a vertex outside are left out. */
+ * polygon; those with a vertex outside are left out.
+ *
+ * First samples are inserted, in rounds; then make() numbers the vertices along a curve that fills space, so that those
+ * near each other are near each other in memory. */
 class Interior_voronoi_diagram {
 public:
   typedef Double_kernel::Point_3 Point;
@@ -44,123 +55,208 @@ public:
   std::vector<Index> face_vertices;           // in order around the face
   std::vector<Index> poles;                   // of each sample: its largest sphere, or `none`
 
-  /* Takes in those of the surface's samples that are not in the diagram yet, and makes vertices and poles of all. */
+  /* `threads`: 0 for all; the diagram does not depend on it. */
+  explicit Interior_voronoi_diagram(int threads = 0)
+      : threads_(threads) {}
+
+  /* Takes in those of the surface's samples that are not in the diagram yet. */
   void insert_samples(const Sampled_surface& surface) {
-    std::vector<std::pair<Delaunay::Point, Index>> samples;
-    for (std::size_t i = poles.size(); i < surface.points.size(); ++i) {
-      const Point& p = surface.points[i];
-      samples.emplace_back(Delaunay::Point(p.x(), p.y(), p.z()), Index(i));
-    }
-    delaunay_.insert(samples.begin(), samples.end());
-    poles.assign(surface.points.size(), none);
-    points.clear();
-    radii.clear();
+    const std::size_t before = pole_radii_.size();
+    inserted_.clear();
+    insert_from(before, surface);
+    pole_radii_.resize(surface.points.size(), 0);
     if (delaunay_.dimension() < 3)
       return;
-    make_vertices(surface);
-    find_poles();
+    const std::size_t few = 150; // are looked at in less time than a pass takes if there are so many times as many
+    if (inserted_.size() * few > surface.points.size())
+      measure_everywhere(surface);
+    else
+      measure_beside_inserted(surface);
   }
 
-  std::size_t number_of_faces() const { return face_begin.empty() ? 0 : face_begin.size() - 1; }
+  /* The radius of the largest sphere that touches a sample, 0 if there is none; before make(). */
+  double pole_radius(std::size_t sample) const { return pole_radii_[sample]; }
 
-  /* The faces; apart, since the poles tell whether there are samples enough. */
-  void make_faces(const Sampled_surface& surface) {
-    std::vector<std::vector<Index>> outlines;
-    for (auto e = delaunay_.finite_edges_begin(); e != delaunay_.finite_edges_end(); ++e)
-      if (runs_inside(surface, e->first->vertex(e->second)->info(), e->first->vertex(e->third)->info())) {
-        std::vector<Index> outline = outline_of(*e, delaunay_);
-        if (!outline.empty())
-          outlines.push_back(std::move(outline));
-      }
-    delaunay_.clear();
-    std::sort(outlines.begin(), outlines.end()); // as for the vertices, memory is not to decide
-    faces_of.assign(points.size(), {{none, none, none, none, none, none}});
-    face_begin.assign(1, 0);
-    for (const std::vector<Index>& outline : outlines)
-      add_face(outline);
-  }
-
-  /* The sample nearest to a point; before make_faces(). */
+  /* The sample nearest to a point; before make(). */
   Index nearest_sample(const Point& p) const {
     return delaunay_.nearest_vertex(Delaunay::Point(p.x(), p.y(), p.z()))->info();
   }
 
+  /* Vertices, poles and faces of the samples that are there. */
+  void make(const Sampled_surface& surface) {
+    poles.assign(surface.points.size(), none);
+    if (delaunay_.dimension() == 3) {
+      make_vertices();
+      copy_cells();
+      find_poles();
+    }
+    delaunay_.clear();
+    std::vector<double>().swap(pole_radii_);
+    make_faces(surface);
+    std::vector<Quadruple>().swap(samples_of_);
+    std::vector<Quadruple>().swap(neighbors_of_);
+  }
+
+  std::size_t number_of_faces() const { return face_begin.empty() ? 0 : face_begin.size() - 1; }
+
 private:
   typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
+  static constexpr Index unknown = none, outside = none - 1;
+  struct Cell_info {
+    Index ball = unknown; // its number, or the vertex'; or that the cell has not been looked at, or is outside
+  };
   typedef CGAL::Triangulation_data_structure_3<
       CGAL::Triangulation_vertex_base_with_info_3<Index, Kernel>,
-      CGAL::Delaunay_triangulation_cell_base_3<Kernel, CGAL::Triangulation_cell_base_with_info_3<Index, Kernel>>>
+      CGAL::Delaunay_triangulation_cell_base_3<Kernel, CGAL::Triangulation_cell_base_with_info_3<Cell_info, Kernel>>>
       Data_structure;
   typedef CGAL::Delaunay_triangulation_3<Kernel, Data_structure> Delaunay;
   typedef Delaunay::Cell_handle Cell;
+  typedef std::array<Index, 4> Quadruple;
+  typedef std::array<std::int64_t, 3> Rounded_place;
 
-  /* A vertex before it has its number. Numbers follow places, not the triangulation's memory, in which cells lie as a
-   * random walk has found them: where the front has a choice, among equals, it is the same one each time. */
-  struct Candidate {
-    std::array<std::int64_t, 3> place; // rounded, so that places that differ by rounding errors are one
+  struct Ball {
     Point center;
     double radius;
-    Cell cell;
   };
 
-  static std::array<std::int64_t, 3> rounded(const Point& p) {
-    const double unit = 1e-9; // of the surface's extent
-    return {{std::llround(p.x() / unit), std::llround(p.y() / unit), std::llround(p.z() / unit)}};
+  /* A Delaunay triangulation is the same in whatever order its points come (CGAL breaks ties by their places), but for
+   * points that coincide: of these the first stands for all. */
+  void insert_from(std::size_t first, const Sampled_surface& surface) {
+    const auto less = [&](Index a, Index b) {
+      const Point &p = surface.points[a], &q = surface.points[b];
+      const std::uint64_t along_p = place_on_curve(p), along_q = place_on_curve(q);
+      return along_p != along_q ? along_p < along_q : p != q ? p < q : a < b;
+    };
+    std::vector<Index> order(surface.points.size() - first);
+    std::iota(order.begin(), order.end(), Index(first));
+    const auto sorted_end = std::is_sorted_until(order.begin(), order.end(), less); // the vertices of the wall are
+    std::sort(sorted_end, order.end(), less);
+    std::inplace_merge(order.begin(), sorted_end, order.end(), less);
+    std::vector<std::pair<Delaunay::Point, Index>> samples;
+    samples.reserve(order.size());
+    for (std::size_t i = 0; i < order.size(); ++i)
+      if (const Point& p = surface.points[order[i]]; i == 0 || p != surface.points[order[i - 1]])
+        samples.emplace_back(Delaunay::Point(p.x(), p.y(), p.z()), order[i]);
+    insert(samples);
   }
 
-  // Of cells with one centre, their corners' places tell which is first.
-  static std::array<std::array<std::int64_t, 3>, 4> corners(const Sampled_surface& surface, Cell c) {
-    std::array<std::array<std::int64_t, 3>, 4> result;
-    for (int k = 0; k < 4; ++k)
-      result[std::size_t(k)] = rounded(surface.points[c->vertex(k)->info()]);
-    std::sort(result.begin(), result.end());
-    return result;
-  }
-
-  void make_vertices(const Sampled_surface& surface) {
-    for (auto c = delaunay_.all_cells_begin(); c != delaunay_.all_cells_end(); ++c)
-      c->info() = none;
-    std::vector<Candidate> candidates;
-    for (auto c = delaunay_.finite_cells_begin(); c != delaunay_.finite_cells_end(); ++c) {
-      Candidate v;
-      v.cell = c;
-      if (!circumsphere(surface, c, v.center, v.radius) || !is_inside(surface, c, v.center))
-        continue;
-      v.place = rounded(v.center);
-      candidates.push_back(v);
+  /* One after the other: CGAL's insertion by several threads takes twice the work, and longer, where threads have to wait
+   * for their turn. */
+  void insert(std::vector<std::pair<Delaunay::Point, Index>>& samples) {
+    typedef CGAL::First_of_pair_property_map<std::pair<Delaunay::Point, Index>> Place;
+    CGAL::spatial_sort(samples.begin(), samples.end(), CGAL::Spatial_sort_traits_adapter_3<Kernel, Place>());
+    Delaunay::Vertex_handle last;
+    for (const auto& [p, sample] : samples) {
+      const std::size_t before = delaunay_.number_of_vertices();
+      last = delaunay_.insert(p, last);
+      if (delaunay_.number_of_vertices() == before)
+        continue; // another sample is there
+      last->info() = sample;
+      inserted_.push_back(last);
     }
-    std::sort(candidates.begin(), candidates.end(), [&](const Candidate& a, const Candidate& b) {
-      return a.place != b.place ? a.place < b.place : corners(surface, a.cell) < corners(surface, b.cell);
-    });
-    for (const Candidate& v : candidates) {
-      v.cell->info() = Index(points.size());
-      points.push_back(v.center);
-      radii.push_back(v.radius);
+  }
+
+  void measure_everywhere(const Sampled_surface& surface) {
+    measure_new_cells(surface);
+    std::fill(pole_radii_.begin(), pole_radii_.end(), 0.);
+    for (auto c = delaunay_.finite_cells_begin(); c != delaunay_.finite_cells_end(); ++c)
+      if (c->info().ball < outside)
+        for (int k = 0; k < 4; ++k) {
+          double& radius = pole_radii_[c->vertex(k)->info()];
+          radius = (std::max)(radius, balls_[c->info().ball].radius);
+        }
+  }
+
+  // All new cells have a new corner, and all whose corners have lost cells, a new neighbour.
+  void measure_beside_inserted(const Sampled_surface& surface) {
+    std::vector<Delaunay::Vertex_handle> changed;
+    std::vector<Cell> cells;
+    for (Delaunay::Vertex_handle v : inserted_) {
+      changed.push_back(v);
+      delaunay_.finite_adjacent_vertices(v, std::back_inserter(changed));
+    }
+    const auto less = [](Delaunay::Vertex_handle a, Delaunay::Vertex_handle b) { return a->info() < b->info(); };
+    std::sort(changed.begin(), changed.end(), less);
+    changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
+    for (Delaunay::Vertex_handle v : changed) {
+      cells.clear();
+      delaunay_.finite_incident_cells(v, std::back_inserter(cells));
+      double& radius = pole_radii_[v->info()];
+      radius = 0;
+      for (Cell c : cells) {
+        if (c->info().ball == unknown) {
+          Ball ball;
+          measure_cell(surface, c, ball);
+          keep(c, ball);
+        }
+        if (c->info().ball < outside)
+          radius = (std::max)(radius, balls_[c->info().ball].radius);
+      }
     }
   }
 
-  static bool circumsphere(const Sampled_surface& surface, Cell c, Point& center, double& radius) {
-    const Point& p = surface.points[c->vertex(0)->info()];
-    const Vector a = surface.points[c->vertex(1)->info()] - p;
-    const Vector b = surface.points[c->vertex(2)->info()] - p;
-    const Vector d = surface.points[c->vertex(3)->info()] - p;
+  void keep(Cell c, const Ball& ball) {
+    if (c->info().ball == outside)
+      return;
+    c->info().ball = Index(balls_.size());
+    balls_.push_back(ball);
+  }
+
+  // By blocks, so that there is little to remember of cells outside.
+  void measure_new_cells(const Sampled_surface& surface) {
+    const std::size_t block = 1 << 16;
+    std::vector<Cell> cells;
+    std::vector<Ball> balls;
+    cells.reserve(block);
+    const auto measure = [&] {
+      balls.resize(cells.size());
+      for_each_range(cells.size(), threads_, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i)
+          measure_cell(surface, cells[i], balls[i]);
+      });
+      for (std::size_t i = 0; i < cells.size(); ++i)
+        keep(cells[i], balls[i]);
+      cells.clear();
+    };
+    for (auto c = delaunay_.finite_cells_begin(); c != delaunay_.finite_cells_end(); ++c)
+      if (c->info().ball == unknown) {
+        cells.push_back(c);
+        if (cells.size() == block)
+          measure();
+      }
+    measure();
+  }
+
+  // The order of a cell's vertices depends on that of the insertions: they are sorted, or rounding would differ.
+  static Quadruple samples_of(Cell c) {
+    Quadruple s = {{c->vertex(0)->info(), c->vertex(1)->info(), c->vertex(2)->info(), c->vertex(3)->info()}};
+    std::sort(s.begin(), s.end());
+    return s;
+  }
+
+  static void measure_cell(const Sampled_surface& surface, Cell c, Ball& ball) {
+    const Quadruple s = samples_of(c);
+    if (!circumsphere(surface, s, ball) || !is_inside(surface, s, ball.center))
+      c->info().ball = outside;
+  }
+
+  static bool circumsphere(const Sampled_surface& surface, const Quadruple& s, Ball& ball) {
+    const Point& p = surface.points[s[0]];
+    const Vector a = surface.points[s[1]] - p, b = surface.points[s[2]] - p, d = surface.points[s[3]] - p;
     const Vector bd = CGAL::cross_product(b, d);
     const double volume = 2 * (a * bd);
     const Vector r = (a * a) * bd + (b * b) * CGAL::cross_product(d, a) + (d * d) * CGAL::cross_product(a, b);
     const double length = std::sqrt(r.squared_length());
     if (!(std::abs(volume) > 0) || !(length < 64 * std::abs(volume))) // beyond the surface, whose extent is about 1
       return false;
-    center = p + r / volume;
-    radius = length / std::abs(volume);
+    ball = Ball{p + r / volume, length / std::abs(volume)};
     return true;
   }
 
-  static bool is_inside(const Sampled_surface& surface, Cell c, const Point& center) {
+  static bool is_inside(const Sampled_surface& surface, const Quadruple& s, const Point& center) {
     int behind = 0;
-    for (int k = 0; k < 4; ++k) {
-      const Index i = c->vertex(k)->info();
+    for (Index i : s)
       behind += (center - surface.points[i]) * surface.normals[i] < 0;
-    }
     return behind >= 3;
   }
 
@@ -172,42 +268,162 @@ private:
     return d * surface.normals[p] < 0 && d * surface.normals[q] > 0;
   }
 
-  void find_poles() {
-    for (auto c = delaunay_.finite_cells_begin(); c != delaunay_.finite_cells_end(); ++c)
-      if (c->info() != none)
-        for (int k = 0; k < 4; ++k) {
-          Index& pole = poles[c->vertex(k)->info()];
-          if (pole == none || radii[c->info()] > radii[pole] ||
-              (radii[c->info()] == radii[pole] && points[c->info()] < points[pole]))
-            pole = c->info();
-        }
+  /* Numbers follow places, not the triangulation's memory: where the front has a choice, among equals, it is the same
+   * one each time. Places are rounded, so that those of spheres that are one but for rounding errors are equal. */
+  static Rounded_place rounded(const Point& p) {
+    const double unit = 1e-9; // of the surface's extent
+    return {{std::llround(p.x() / unit), std::llround(p.y() / unit), std::llround(p.z() / unit)}};
   }
 
-  // From its smallest vertex, on towards the smaller neighbour; empty if one is outside.
-  static std::vector<Index> outline_of(const Delaunay::Edge& edge, const Delaunay& delaunay) {
-    std::vector<Index> outline;
-    auto c = delaunay.incident_cells(edge);
-    const auto first = c;
-    do {
-      if (c->info() == none)
-        return {};
-      outline.push_back(c->info());
-    } while (++c != first);
-    std::rotate(outline.begin(), std::min_element(outline.begin(), outline.end()), outline.end());
+  void make_vertices() {
+    std::vector<std::pair<std::uint64_t, Cell>> order;
+    order.reserve(balls_.size());
+    for (auto c = delaunay_.finite_cells_begin(); c != delaunay_.finite_cells_end(); ++c)
+      if (c->info().ball < outside)
+        order.emplace_back(place_on_curve(balls_[c->info().ball].center), c);
+    const auto less = [&](const auto& a, const auto& b) {
+      if (a.first != b.first)
+        return a.first < b.first;
+      const Rounded_place p = rounded(balls_[a.second->info().ball].center);
+      const Rounded_place q = rounded(balls_[b.second->info().ball].center);
+      return p != q ? p < q : samples_of(a.second) < samples_of(b.second);
+    };
+    parallel_sort(order.begin(), order.end(), less, threads_);
+    points.clear();
+    radii.clear();
+    points.reserve(order.size());
+    radii.reserve(order.size());
+    for (const auto& [place, c] : order) {
+      const Ball& ball = balls_[c->info().ball];
+      points.push_back(ball.center);
+      radii.push_back(ball.radius);
+    }
+    std::vector<Ball>().swap(balls_);
+    samples_of_.resize(order.size());
+    for_each_range(order.size(), threads_, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i) {
+        order[i].second->info().ball = Index(i);
+        for (std::size_t k = 0; k < 4; ++k)
+          samples_of_[i][k] = order[i].second->vertex(int(k))->info();
+      }
+    });
+    cells_.clear();
+    cells_.reserve(order.size());
+    for (const auto& o : order)
+      cells_.push_back(o.second);
+  }
+
+  void copy_cells() {
+    neighbors_of_.resize(cells_.size());
+    for_each_range(cells_.size(), threads_, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i)
+        for (std::size_t k = 0; k < 4; ++k) {
+          const Index n = cells_[i]->neighbor(int(k))->info().ball;
+          neighbors_of_[i][k] = n < outside ? n : none; // infinite cells are not looked at
+        }
+    });
+    std::vector<Cell>().swap(cells_);
+  }
+
+  void find_poles() {
+    for (Index c = 0; c < points.size(); ++c)
+      for (Index s : samples_of_[c]) {
+        Index& pole = poles[s];
+        if (pole == none || radii[c] > radii[pole] || (radii[c] == radii[pole] && points[c] < points[pole]))
+          pole = c;
+      }
+  }
+
+  /* In the order of their lowest vertices, then of the next ones; by blocks of these, which are independent. */
+  void make_faces(const Sampled_surface& surface) {
+    struct Block {
+      std::vector<Index> sizes, vertices;
+    };
+    const std::size_t width = 1 << 13;
+    std::vector<Block> blocks((points.size() + width - 1) / width);
+    for_each_task(blocks.size(), threads_, [&](std::size_t b) {
+      std::vector<std::vector<Index>> outlines(6);
+      for (std::size_t c = b * width; c < (std::min)(points.size(), (b + 1) * width); ++c)
+        add_faces_of(surface, Index(c), outlines, blocks[b].sizes, blocks[b].vertices);
+    });
+    std::size_t faces = 0, corners = 0;
+    for (const Block& b : blocks) {
+      faces += b.sizes.size();
+      corners += b.vertices.size();
+    }
+    face_begin.assign(1, 0);
+    face_begin.reserve(faces + 1);
+    face_vertices.clear();
+    face_vertices.reserve(corners);
+    for (Block& b : blocks) {
+      for (Index size : b.sizes)
+        face_begin.push_back(face_begin.back() + size);
+      face_vertices.insert(face_vertices.end(), b.vertices.begin(), b.vertices.end());
+      b = Block();
+    }
+    faces_of.assign(points.size(), {{none, none, none, none, none, none}});
+    for (Index f = 0; f < faces; ++f)
+      for (Index i = face_begin[f]; i < face_begin[f + 1]; ++i) {
+        std::array<Index, 6>& around = faces_of[face_vertices[i]];
+        *std::find(around.begin(), around.end(), none) = f;
+      }
+  }
+
+  // Those of which c is the lowest vertex.
+  void add_faces_of(const Sampled_surface& surface, Index c, std::vector<std::vector<Index>>& outlines,
+                    std::vector<Index>& sizes, std::vector<Index>& vertices) const {
+    std::size_t n = 0;
+    const Quadruple& s = samples_of_[c];
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = i + 1; j < 4; ++j) {
+        const std::size_t k = i == 0 ? (j == 1 ? 2 : 1) : 0, l = 6 - i - j - k;
+        if (is_later(neighbors_of_[c][k], c) && is_later(neighbors_of_[c][l], c) && runs_inside(surface, s[i], s[j]) &&
+            find_outline(c, {{s[i], s[j]}}, s[k], s[l], outlines[n]))
+          ++n;
+      }
+    std::sort(outlines.begin(), outlines.begin() + std::ptrdiff_t(n));
+    for (std::size_t f = 0; f < n; ++f) {
+      sizes.push_back(Index(outlines[f].size()));
+      vertices.insert(vertices.end(), outlines[f].begin(), outlines[f].end());
+    }
+  }
+
+  static bool is_later(Index n, Index c) { return n != none && n > c; }
+
+  /* Round a Delaunay edge from c, on towards the lower neighbour. False if a vertex is outside, or lower than c.
+   * `back` and `ahead` are the samples of a cell beside the edge: the way on leads across the side opposite to `back`. */
+  bool find_outline(Index c, const std::array<Index, 2>& edge, Index back, Index ahead,
+                    std::vector<Index>& outline) const {
+    outline.assign(1, c);
+    for (Index at = c;;) {
+      const Quadruple& s = samples_of_[at];
+      const std::size_t side = std::size_t(std::find(s.begin(), s.end(), back) - s.begin());
+      const Index next = neighbors_of_[at][side];
+      if (next == c)
+        break;
+      if (!is_later(next, c))
+        return false;
+      outline.push_back(next);
+      Index new_sample = none;
+      for (Index t : samples_of_[next])
+        if (t != edge[0] && t != edge[1] && t != ahead)
+          new_sample = t;
+      back = ahead;
+      ahead = new_sample;
+      at = next;
+    }
     if (outline.size() > 2 && outline.back() < outline[1])
       std::reverse(outline.begin() + 1, outline.end());
-    return outline;
+    return true;
   }
 
-  void add_face(const std::vector<Index>& outline) {
-    const Index face = Index(face_begin.size() - 1);
-    for (Index v : outline)
-      *std::find(faces_of[v].begin(), faces_of[v].end(), none) = face;
-    face_vertices.insert(face_vertices.end(), outline.begin(), outline.end());
-    face_begin.push_back(Index(face_vertices.size()));
-  }
-
+  int threads_;
   Delaunay delaunay_;
+  std::vector<Delaunay::Vertex_handle> inserted_;    // of the last samples
+  std::vector<double> pole_radii_;                   // of each sample, while samples come; 0: there is no sphere
+  std::vector<Ball> balls_;                          // likewise; also of cells that are no more
+  std::vector<Cell> cells_;                          // by vertex, as the next two are
+  std::vector<Quadruple> samples_of_, neighbors_of_; // a neighbour is opposite to the sample of the same place
 };
 
 } // namespace CGAL::Tubular_meshing::internal

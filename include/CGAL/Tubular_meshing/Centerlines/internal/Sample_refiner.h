@@ -43,11 +43,13 @@ public:
     std::map<Edge, Vector> long_edges; // and their normals
     for (const Sampled_surface::Triangle& t : surface_.wall) {
       const Point p = surface_.points[t[0]], q = surface_.points[t[1]], r = surface_.points[t[2]];
-      const Vector normal = Sampled_surface::unit(CGAL::cross_product(q - p, r - p));
       bool is_large = false;
+      Vector normal(0, 0, 0);
       for (int k = 0; k < 3; ++k) {
         const Edge edge((std::min)(t[k], t[(k + 1) % 3]), (std::max)(t[k], t[(k + 1) % 3]));
         if (parts(length(edge), radius(edge, diagram)) > 1) {
+          if (!is_large)
+            normal = Sampled_surface::unit(CGAL::cross_product(q - p, r - p));
           is_large = true;
           Vector& sum = long_edges.emplace(edge, Vector(0, 0, 0)).first->second;
           sum = sum + normal;
@@ -76,8 +78,8 @@ private:
     const double narrowest = 0.5; // of the edges
     double result = 0;
     for (std::size_t v : {e.first, e.second})
-      if (diagram.poles[v] != Interior_voronoi_diagram::none)
-        result = (std::max)({result, diagram.radii[diagram.poles[v]], narrowest * shortest_edge_[v]});
+      if (const double r = diagram.pole_radius(v); r > 0)
+        result = (std::max)({result, r, narrowest * shortest_edge_[v]});
     return result;
   }
 

@@ -6,6 +6,8 @@
 
 #include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/base/Canonical_frame.h>
+#include <CGAL/Tubular_meshing/Centerlines/internal/order_in_space.h>
+#include <CGAL/Tubular_meshing/Centerlines/internal/parallel_sort.h>
 #include <CGAL/Tubular_meshing/base/Nearest_tree.h>
 #include <CGAL/Tubular_meshing/base/labels.h>
 
@@ -15,6 +17,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <map>
 #include <utility>
 #include <vector>
@@ -24,7 +28,7 @@ namespace CGAL::Tubular_meshing::internal {
 /* Points on a closed surface with their outward normals, in canonical coordinates and canonical order: all that the
  * Voronoi diagram is made from. Built in O(n log n).
  *
- * The vertices of the wall come first, sorted. A cap is sampled again, whatever its triangles are: by its centre, and
+ * The vertices of the wall come first, along a curve that fills space. A cap is sampled again, whatever its triangles are: by its centre, and
  * by copies of its rim shrunk towards it. */
 class Sampled_surface {
 public:
@@ -38,14 +42,15 @@ public:
   std::vector<Double_kernel::Triangle_3> wall_triangles;
 
   /* `patch` tells the label of a face; those that are not labels::wall are caps. */
-  Sampled_surface(const Surface& mesh, const Face_patch_map& patch, const Canonical_frame& frame) {
-    add_vertices(mesh, patch, frame);
+  Sampled_surface(const Surface& mesh, const Face_patch_map& patch, const Canonical_frame& frame, int threads = 0) {
+    add_vertices(mesh, patch, frame, threads);
     for (auto f : mesh.faces())
       if (get(patch, f) == labels::wall)
         wall.push_back(corners(mesh, f));
       else
         caps_.emplace_back(corners(mesh, f), get(patch, f));
-    std::sort(wall.begin(), wall.end());
+    parallel_sort(wall.begin(), wall.end(), std::less<Triangle>(), threads);
+    wall_triangles.reserve(wall.size());
     for (const Triangle& t : wall) {
       add_normal(t);
       wall_triangles.emplace_back(points[t[0]], points[t[1]], points[t[2]]);
@@ -132,25 +137,41 @@ public:
 private:
   static constexpr std::size_t none = std::size_t(-1);
 
-  void add_vertices(const Surface& mesh, const Face_patch_map& patch, const Canonical_frame& frame) {
+  struct Vertex_in_space {
+    std::uint64_t along; // see place_on_curve()
+    Point point;
+    std::size_t number;
+
+    bool operator<(const Vertex_in_space& other) const {
+      if (along != other.along)
+        return along < other.along;
+      return point != other.point ? point < other.point : number < other.number;
+    }
+  };
+
+  void add_vertices(const Surface& mesh, const Face_patch_map& patch, const Canonical_frame& frame, int threads) {
     sample_of_.assign(mesh.num_vertices(), none);
     for (auto f : mesh.faces())
       if (get(patch, f) == labels::wall)
         for (auto v : CGAL::vertices_around_face(mesh.halfedge(f), mesh))
           sample_of_[v] = 0;
-    std::vector<std::pair<Point, std::size_t>> order;
-    for (auto v : mesh.vertices())
-      order.emplace_back(frame.to_canonical(to_double_point(mesh.point(v))), std::size_t(v));
-    std::sort(order.begin(), order.end());
-    for (const auto& p : order)
-      if (sample_of_[p.second] != none) {
-        sample_of_[p.second] = points.size();
-        points.push_back(p.first);
+    std::vector<Vertex_in_space> order;
+    order.reserve(mesh.number_of_vertices());
+    for (auto v : mesh.vertices()) {
+      const Point p = frame.to_canonical(to_double_point(mesh.point(v)));
+      order.push_back({place_on_curve(p), p, std::size_t(v)});
+    }
+    parallel_sort(order.begin(), order.end(), std::less<Vertex_in_space>(), threads);
+    points.reserve(order.size());
+    for (const Vertex_in_space& v : order)
+      if (sample_of_[v.number] != none) {
+        sample_of_[v.number] = points.size();
+        points.push_back(v.point);
       }
     std::size_t name = points.size(); // of a vertex inside a cap, which is no sample
-    for (const auto& p : order)
-      if (sample_of_[p.second] == none)
-        sample_of_[p.second] = name++;
+    for (const Vertex_in_space& v : order)
+      if (sample_of_[v.number] == none)
+        sample_of_[v.number] = name++;
     normals.assign(points.size(), Vector(0, 0, 0));
   }
 

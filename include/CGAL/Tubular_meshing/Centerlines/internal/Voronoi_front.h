@@ -8,7 +8,9 @@
 #include <CGAL/Tubular_meshing/Centerlines/internal/Sampled_line.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstddef>
 #include <functional>
 #include <limits>
@@ -36,10 +38,10 @@ public:
 
   /* Lets the front run until it has reached all targets, or everything if there are none. */
   Voronoi_front(const Diagram& diagram, Index source, const std::vector<Index>& targets)
-      : diagram_(diagram)
-      , time_(diagram.points.size(), (std::numeric_limits<double>::infinity)())
-      , rank_(diagram.points.size(), none)
-      , parent_(diagram.points.size(), none) {
+      : diagram_(diagram) {
+    at_.reserve(diagram.points.size());
+    for (std::size_t v = 0; v < diagram.points.size(); ++v)
+      at_.push_back(State{diagram.points[v], diagram.radii[v], (std::numeric_limits<double>::infinity)(), none, none});
     std::vector<bool> wanted(diagram.points.size(), false);
     std::size_t missing = 0;
     for (Index t : targets)
@@ -52,20 +54,20 @@ public:
     while (!queue_.empty()) {
       const Index v = queue_.top().second;
       queue_.pop();
-      if (rank_[v] != none)
+      if (at_[v].rank != none)
         continue;
-      rank_[v] = reached++;
+      at_[v].rank = reached++;
       if (wanted[v] && --missing == 0)
         break;
       spread_from(v);
     }
   }
 
-  bool has_reached(Index v) const { return rank_[v] != none; }
-  double time(Index v) const { return time_[v]; }
-  Index rank(Index v) const { return rank_[v]; }
+  bool has_reached(Index v) const { return at_[v].rank != none; }
+  double time(Index v) const { return at_[v].time; }
+  Index rank(Index v) const { return at_[v].rank; }
   // A vertex of the same face from which, or from an edge of which, the front came; `none` at the source.
-  Index parent(Index v) const { return parent_[v]; }
+  Index parent(Index v) const { return at_[v].parent; }
 
   /* The path of steepest descent from a vertex to the source. It always gets there: among vertices that all but
    * coincide, as on surfaces with symmetries, small steps may go round in circles. When they have reached no vertex
@@ -75,11 +77,11 @@ public:
     Sampled_line path;
     Place place = at_vertex(target);
     path.push_back(Line_point{place.point, place.radius});
-    Index earliest = rank_[target];
-    for (int steps = 0; place.a != place.b || rank_[place.a] != 0;) {
+    Index earliest = at_[target].rank;
+    for (int steps = 0; place.a != place.b || at_[place.a].rank != 0;) {
       place = steps < most_steps ? snapped(place, step_down(place)) : at_vertex(earliest_beside(place));
       path.push_back(Line_point{place.point, place.radius});
-      const Index now = (std::min)(rank_[place.a], rank_[place.b]);
+      const Index now = (std::min)(at_[place.a].rank, at_[place.b].rank);
       steps = now < earliest ? 0 : steps + 1;
       earliest = (std::min)(earliest, now);
     }
@@ -87,6 +89,13 @@ public:
   }
 
 private:
+  // All that is asked of a vertex, in one place in memory: the front is at work everywhere in a large tree by turns.
+  struct State {
+    Point point;
+    double radius, time;
+    Index rank, parent; // the rank in the order of arrival
+  };
+
   // A point at a vertex (a == b) or on an edge of the diagram.
   struct Place {
     Index a, b;
@@ -94,8 +103,8 @@ private:
     double radius, time;
   };
 
-  const Point& point(Index v) const { return diagram_.points[v]; }
-  double radius(Index v) const { return diagram_.radii[v]; }
+  const Point& point(Index v) const { return at_[v].point; }
+  double radius(Index v) const { return at_[v].radius; }
 
   /* Where the segment ab is to be left for c, as a fraction of it: the minimum over x of T(x) + |x - c| / R, T being
    * linear on ab, and R that at c. */
@@ -106,7 +115,7 @@ private:
       return 0;
     const double length = std::sqrt(length2), along = (d * e) / length;
     const double across = std::sqrt((std::max)(0., d.squared_length() - along * along));
-    const double k = (time_[b] - time_[a]) * radius_at_c / length;
+    const double k = (at_[b].time - at_[a].time) * radius_at_c / length;
     if (k >= 1)
       return 0;
     if (k <= -1)
@@ -119,21 +128,56 @@ private:
     if (t <= 0 || t >= 1)
       return at_vertex(t <= 0 ? a : b);
     return Place{a, b, point(a) + t * (point(b) - point(a)), (1 - t) * radius(a) + t * radius(b),
-                 (1 - t) * time_[a] + t * time_[b]};
+                 (1 - t) * at_[a].time + t * at_[b].time};
   }
 
-  Place at_vertex(Index v) const { return Place{v, v, point(v), radius(v), time_[v]}; }
+  Place at_vertex(Index v) const { return Place{v, v, point(v), radius(v), at_[v].time}; }
 
   static double time_from(const Place& x, const Point& c, double radius_at_c) {
     return x.time + distance(x.point, c) / radius_at_c;
   }
 
   void lower(Index v, double time, Index parent) {
-    if (time < time_[v]) {
-      time_[v] = time;
-      parent_[v] = parent;
+    if (time < at_[v].time) {
+      at_[v].time = time;
+      at_[v].parent = parent;
       queue_.emplace(time, v);
     }
+  }
+
+  // A segment from the vertex that was reached last to one that was before, from which the front comes across a face.
+  struct Way_in {
+    Index end;
+    double length, rise; // of the time along it
+    Vector direction;
+  };
+
+  Way_in way_in(Index v, Index u) const {
+    const Vector e = point(u) - point(v);
+    const double length = std::sqrt(e.squared_length());
+    return Way_in{u, length, at_[u].time - at_[v].time, length > 0 ? e / length : e};
+  }
+
+  /* When a place is reached from the segment, other than from its beginning v; see best_departure(). `d` leads from v to
+   * the place, and is as long as `far`. Infinite also where that could not be before `known`. */
+  double time_across(Index v, const Way_in& way, const Vector& d, double far, double radius_at_place,
+                     double known) const {
+    const double never = (std::numeric_limits<double>::infinity)();
+    if (!(way.length > 0) || at_[way.end].time + (far - way.length) / radius_at_place >= known)
+      return never;
+    const double k = way.rise * radius_at_place / way.length;
+    if (k >= 1)
+      return never;
+    double s = 1, from_there = 0;
+    if (k > -1) {
+      const double along = d * way.direction, across2 = (std::max)(0., far * far - along * along);
+      from_there = std::sqrt(across2 / (1 - k * k));
+      s = (along - k * from_there) / way.length;
+    }
+    if (!(s > 0))
+      return never;
+    return s < 1 ? at_[v].time + s * way.rise + from_there / radius_at_place
+                 : at_[way.end].time + std::sqrt((d - way.length * way.direction).squared_length()) / radius_at_place;
   }
 
   void spread_from(Index v) {
@@ -143,18 +187,31 @@ private:
       const Index* const begin = &diagram_.face_vertices[diagram_.face_begin[f]];
       const Index* const end = &diagram_.face_vertices[0] + diagram_.face_begin[f + 1];
       const Index* const here = std::find(begin, end, v);
-      const Index neighbors[2] = {here == begin ? end[-1] : here[-1], here + 1 == end ? *begin : here[1]};
       Index earliest = v; // of the face
+      std::size_t missing = 0;
       for (const Index* w = begin; w != end; ++w)
-        if (has_reached(*w) && rank_[*w] < rank_[earliest])
+        if (!has_reached(*w))
+          ++missing;
+        else if (at_[*w].rank < at_[earliest].rank)
           earliest = *w;
+      if (missing == 0)
+        continue;
+      const Index before = here == begin ? end[-1] : here[-1], after = here + 1 == end ? *begin : here[1];
+      std::array<Way_in, 3> ways;
+      std::size_t n = 0;
+      for (Index u : {before, after, earliest})
+        if (u != v && has_reached(u) &&
+            std::none_of(ways.begin(), ways.begin() + std::ptrdiff_t(n),
+                         [&](const Way_in& way) { return way.end == u; }))
+          ways[n++] = way_in(v, u);
       for (const Index* w = begin; w != end; ++w)
         if (!has_reached(*w)) {
-          lower(*w, time_from(at_vertex(v), point(*w), radius(*w)), v);
-          for (Index u : {neighbors[0], neighbors[1], earliest})
-            if (u != v && has_reached(u))
-              lower(*w, time_from(on_edge(v, u, best_departure(v, u, point(*w), radius(*w))), point(*w), radius(*w)),
-                    v);
+          const Vector d = point(*w) - point(v);
+          const double far = std::sqrt(d.squared_length());
+          double time = (std::min)(at_[*w].time, at_[v].time + far / radius(*w));
+          for (std::size_t i = 0; i < n; ++i)
+            time = (std::min)(time, time_across(v, ways[i], d, far, radius(*w), time));
+          lower(*w, time, v);
         }
     }
   }
@@ -177,11 +234,11 @@ private:
 
   // Of an edge, the end that was reached first; of a vertex, that vertex of its faces: another one but at the source.
   Index earliest_beside(const Place& x) const {
-    Index earliest = rank_[x.a] < rank_[x.b] ? x.a : x.b;
+    Index earliest = at_[x.a].rank < at_[x.b].rank ? x.a : x.b;
     if (x.a == x.b)
       for (Index f : diagram_.faces_of[x.a])
         for (Index i = f == none ? 0 : diagram_.face_begin[f]; f != none && i < diagram_.face_begin[f + 1]; ++i)
-          if (rank_[diagram_.face_vertices[i]] < rank_[earliest])
+          if (at_[diagram_.face_vertices[i]].rank < at_[earliest].rank)
             earliest = diagram_.face_vertices[i];
     return earliest;
   }
@@ -192,7 +249,7 @@ private:
     const double small = 0.01, near = 0.05; // radii
     if (to.a == to.b || distance(from.point, to.point) > small * to.radius)
       return to;
-    const Index earlier = rank_[to.a] < rank_[to.b] ? to.a : to.b;
+    const Index earlier = at_[to.a].rank < at_[to.b].rank ? to.a : to.b;
     return distance(point(earlier), to.point) < near * to.radius ? at_vertex(earlier) : to;
   }
 
@@ -217,9 +274,7 @@ private:
   }
 
   const Diagram& diagram_;
-  std::vector<double> time_;
-  std::vector<Index> rank_; // in the order of arrival
-  std::vector<Index> parent_;
+  std::vector<State> at_;
   typedef std::pair<double, Index> Event;
   std::priority_queue<Event, std::vector<Event>, std::greater<Event>> queue_;
 };

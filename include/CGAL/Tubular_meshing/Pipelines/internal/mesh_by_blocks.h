@@ -121,7 +121,7 @@ private:
     if (ends.size() < 2)
       return false;
     const Build_centerline_graph_options merging;
-    Centerline_computation computation(s.surface, s.patch, ends, true, true);
+    Centerline_computation computation(s.surface, s.patch, ends, true, true, options_.size.number_of_threads);
     Centerline_graph graph;
     computation.make_graph(graph, merging);
     bool is_longer = false;
