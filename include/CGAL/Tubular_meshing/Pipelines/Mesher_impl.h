@@ -390,16 +390,20 @@ private:
     const Centerline_sizing_field& field = size();
     stage("blocks");
     internal::Mesh_by_blocks blocks(*model_, frame_, field, options_);
-    std::optional<Mixed_mesh> mesh = blocks.make(report);
+    std::optional<Mixed_mesh> mesh = blocks.make(report, fallback == Hexahedral_fallback::mixed);
     for (Place_without_blocks& p : report.places_without_blocks)
       p.place = frame_.from_frame(p.place);
     std::string why;
     if (!mesh)
-      why = "There are no blocks of hexahedra along the vessels: " + why_no_blocks(report);
+      why = "There are no blocks of hexahedra along the vessels: " + why_no_blocks(report) +
+            (blocks.why_not_filled().empty() ? ""
+                                             : " Nor can junctions alone be filled: " + blocks.why_not_filled() + ".");
     else {
       try {
         finish(blocks, *mesh);
         structure_ = blocks.take_structure();
+        if (mesh->hexahedra.size() < mesh->number_of_cells())
+          report_.fallbacks.push_back(filled_junctions(report));
         return mesh;
       } catch (const Meshing_error& e) {
         why = std::string("Hexahedra in blocks are not valid: ") + e.what();
@@ -432,6 +436,17 @@ private:
     blocks.optimize_layers(mesh);
     stage("check");
     internal::check_differences(mesh, *model_, frame_.surface().surface);
+  }
+
+  static std::string filled_junctions(const Hexahedral_report& report) {
+    std::size_t pyramids = 0, tetrahedra = 0;
+    for (const Place_without_blocks& p : report.places_without_blocks) {
+      pyramids += p.pyramids;
+      tetrahedra += p.tetrahedra;
+    }
+    return "Where there are no blocks, which is at " + std::to_string(report.places_without_blocks.size()) +
+           " of the junctions, " + std::to_string(pyramids) + " pyramids and " + std::to_string(tetrahedra) +
+           " tetrahedra fill the lumen.";
   }
 
   static std::string why_no_blocks(const Hexahedral_report& report) {

@@ -13,6 +13,7 @@
 #include <CGAL/Tubular_meshing/Layers/boundary_layer_heights.h>
 #include <CGAL/Tubular_meshing/Pipelines/Hexahedral_report.h>
 #include <CGAL/Tubular_meshing/Pipelines/Mesher_options.h>
+#include <CGAL/Tubular_meshing/Pipelines/internal/Blocks_round_junctions.h>
 #include <CGAL/Tubular_meshing/Pipelines/internal/Model_in_its_frame.h>
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
@@ -44,11 +45,15 @@ public:
       blocks_options_.layer_thickness = (std::min)(Boundary_layer_heights(options.boundary_layer).total(), 0.8);
   }
 
-  // None where blocks cannot be had: the report says why.
-  std::optional<Mixed_mesh> make(Hexahedral_report& report) {
+  /* None where blocks cannot be had: the report says why. Junctions that have none may be filled in another way, if
+   * that is wanted. */
+  std::optional<Mixed_mesh> make(Hexahedral_report& report, bool may_fill_junctions) {
     Hexahedral_blocks blocks = made();
     for (int generation = 0; generation < most_generations && add_lines(blocks); ++generation)
       blocks = made();
+    if (!blocks.refused.empty() && may_fill_junctions)
+      if (std::optional<Mixed_mesh> mesh = with_junctions_filled(blocks, report))
+        return mesh;
     report.number_of_junctions = blocks.junctions;
     if (!blocks.refused.empty()) {
       for (const Refused_blocks& r : blocks.refused)
@@ -66,7 +71,10 @@ public:
     return std::move(blocks.mesh);
   }
 
-  // Of the mesh that was made.
+  // Why junctions could not be filled, if that was wanted: part of a sentence.
+  const std::string& why_not_filled() const { return why_not_filled_; }
+
+  // Of the mesh that was made; empty where junctions are filled.
   Block_structure take_structure() { return std::move(structure_); }
 
   /* Improves what is inside of a boundary that has been moved, and stays. */
@@ -98,12 +106,32 @@ private:
     internal::optimize_hexahedra(mesh, frame_.surface().surface, frame_.surface().patch, optimization);
   }
 
+  // The size of N as blocks have it.
+  double factor_of_size() const {
+    const double points = options_.size.points_per_circumference;
+    return points / double(blocks_points(points));
+  }
+
   Hexahedral_blocks made() const {
     const Labelled_surface& s = frame_.surface();
-    const double rounded = double(blocks_points(options_.size.points_per_circumference));
-    const double factor = options_.size.points_per_circumference / rounded;
-    const auto size = [&](const Point_3& p) { return factor * size_(p); };
+    const auto size = [&, factor = factor_of_size()](const Point_3& p) { return factor * size_(p); };
     return internal::make_hexahedral_blocks(s.surface, s.patch, graph_, size, blocks_options_);
+  }
+
+  // None where that cannot be done: why_not_filled() says why.
+  std::optional<Mixed_mesh> with_junctions_filled(const Hexahedral_blocks& blocks, Hexahedral_report& report) {
+    const auto size = [&, factor = factor_of_size()](const Point_3& p) { return factor * size_(p); };
+    try {
+      Mixed_mesh mesh =
+          Blocks_round_junctions(frame_, graph_, size, blocks_options_, options_).make(blocks.refused, report);
+      report.method = Hexahedral_method::blocks;
+      mesh.region_names = {{labels::lumen, "lumen"}};
+      return mesh;
+    } catch (const Error& e) {
+      why_not_filled_ = e.what();
+      report = Hexahedral_report();
+      return std::nullopt;
+    }
   }
 
   // Adds lines to the tips that were missed. False if there are none, or no line leads there.
@@ -142,6 +170,7 @@ private:
   Hexahedral_blocks_options blocks_options_;
   std::vector<Vertex> tips_;
   Block_structure structure_;
+  std::string why_not_filled_;
 };
 
 } // namespace CGAL::Tubular_meshing::internal
