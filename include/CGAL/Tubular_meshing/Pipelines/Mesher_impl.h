@@ -431,7 +431,7 @@ private:
     if (!options_.has_boundary_layer())
       return;
     stage("boundary layer");
-    report_.boundary_layer = blocks.insert_layers(mesh, radius());
+    report_.boundary_layer = blocks.insert_layers(mesh, radius(), report_.hexahedral);
     report_.boundary_layer.worst_place = frame_.from_frame(report_.boundary_layer.worst_place);
     blocks.optimize_layers(mesh);
     stage("check");

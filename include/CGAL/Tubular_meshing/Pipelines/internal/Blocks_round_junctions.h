@@ -34,15 +34,14 @@ namespace CGAL::Tubular_meshing::internal {
  * The lumen is divided by the cuts that patches of the wall have across the vessels. */
 class Blocks_round_junctions {
 public:
-  Blocks_round_junctions(const Model_in_its_frame& frame, const Centerline_graph& graph, Length_function size,
+  Blocks_round_junctions(const Model_in_its_frame& frame, const Centerline_graph& graph,
                          const Hexahedral_blocks_options& blocks, const Mesher_options& options)
       : frame_(frame)
       , surface_(frame.copy_of_surface())
       , graph_(graph)
-      , size_(size)
       , blocks_(blocks)
       , options_(options)
-      , cut_(internal::cut_by_centerlines(surface_.surface, graph, surface_.patch, options.cut))
+      , cut_(internal::cut_by_centerlines(surface_.surface, graph, surface_.patch, options.cut, clearance))
       , is_filled_(cut_.patches.size(), 0) {
     int largest = labels::wall;
     for (Face f : surface_.surface.faces())
@@ -52,17 +51,29 @@ public:
 
   /* Of what is refused, in the whole lumen. Further junctions without blocks are found then. Throws Meshing_error if a
    * place is no junction and no vessel's end, or cannot be filled. The report gets the places, and what fills them. */
-  Mixed_mesh make(const std::vector<Refused_blocks>& refused, Hexahedral_report& report) {
+  Mixed_mesh make(const std::vector<Refused_blocks>& refused, Length_function size, Hexahedral_report& report) {
     constexpr int most_rounds = 6;
     leave_out(surface_.surface, cut_, {}, refused);
     for (int round = 0; round < most_rounds; ++round) {
       const Lumen_divider divider(surface_, cut_, graph_, is_filled_, first_cap_);
-      if (std::optional<Mixed_mesh> mesh = blocks_of(divider, report)) {
-        fill(divider, *mesh, report);
+      if (std::optional<Mixed_mesh> mesh = blocks_of(divider, size, report)) {
+        fill(divider, size, *mesh, report);
         return std::move(*mesh);
       }
     }
     throw Meshing_error("there are always more junctions without blocks");
+  }
+
+  /* Puts layers along the wall of the mesh that was made; the report gets what fills junctions within them. */
+  Layer_report insert_layers(Mixed_mesh& mesh, Length_function radius, Length_function size,
+                             Hexahedral_report& report) const {
+    std::vector<Junction_filler::Number_of_cells> numbers;
+    const Layer_report result = filler_->insert_layers(radius, size, mesh, numbers);
+    for (std::size_t k = 0; k < numbers.size(); ++k) {
+      report.places_without_blocks[k].pyramids = numbers[k].pyramids;
+      report.places_without_blocks[k].tetrahedra = numbers[k].tetrahedra;
+    }
+    return result;
   }
 
 private:
@@ -97,7 +108,7 @@ private:
   }
 
   // Of the parts that are not filled; none if there are others that must be.
-  std::optional<Mixed_mesh> blocks_of(const Lumen_divider& divider, Hexahedral_report& report) {
+  std::optional<Mixed_mesh> blocks_of(const Lumen_divider& divider, Length_function size, Hexahedral_report& report) {
     Mixed_mesh mesh;
     report.number_of_blocks = report.number_of_junctions = report.irregular_edges = 0;
     report.twist.clear();
@@ -108,7 +119,7 @@ private:
         continue;
       const Lumen_part part = divider.part(k);
       const Hexahedral_blocks blocks =
-          internal::make_hexahedral_blocks(part.surface.surface, part.surface.patch, part.graph, size_, blocks_);
+          internal::make_hexahedral_blocks(part.surface.surface, part.surface.patch, part.graph, size, blocks_);
       if (!blocks.refused.empty()) {
         leave_out(part.surface.surface, part.cut, part.whole_patch, blocks.refused);
         is_complete = false;
@@ -139,8 +150,8 @@ private:
     all.inverted += part.inverted;
   }
 
-  void fill(const Lumen_divider& divider, Mixed_mesh& mesh, Hexahedral_report& report) {
-    Junction_filler filler(mesh, first_cap_, size_, options_);
+  void fill(const Lumen_divider& divider, Length_function size, Mixed_mesh& mesh, Hexahedral_report& report) {
+    filler_.emplace(mesh, first_cap_, options_);
     for (std::size_t k = 0; k < divider.number_of_parts(); ++k) {
       if (divider.kind_of(k) == 0)
         continue;
@@ -150,7 +161,7 @@ private:
       };
       const Reason& reason = *std::find_if(reasons_.begin(), reasons_.end(), is_here);
       try {
-        const Junction_filler::Number_of_cells n = filler.fill(part);
+        const Junction_filler::Number_of_cells n = filler_->fill(part, size, mesh);
         report.places_without_blocks.push_back({reason.place, reason.reason, n.pyramids, n.tetrahedra});
       } catch (Error& e) {
         e.transform_places([&](const Place& p) { return frame_.from_frame(p); });
@@ -161,17 +172,19 @@ private:
   }
 
   static constexpr int no_interface = 0; // no facet has this label
+  // Of cuts from junctions, in radii: where two vessels leave each other, layers need room between their cuts.
+  static constexpr double clearance = 1;
 
   const Model_in_its_frame& frame_;
   Labelled_surface surface_;
   const Centerline_graph& graph_;
-  Length_function size_;
   const Hexahedral_blocks_options& blocks_;
   const Mesher_options& options_;
   Surface_cut cut_;
   std::vector<char> is_filled_; // of each patch
   std::vector<Reason> reasons_;
   int first_cap_ = 0;
+  std::optional<Junction_filler> filler_;
 };
 
 } // namespace CGAL::Tubular_meshing::internal

@@ -4,12 +4,13 @@
 #ifndef CGAL_TUBULAR_MESHING_PIPELINES_INTERNAL_JUNCTION_FILLER_H
 #define CGAL_TUBULAR_MESHING_PIPELINES_INTERNAL_JUNCTION_FILLER_H
 
+#include <CGAL/Tubular_meshing/Hexahedra/insert_wall_layers.h>
 #include <CGAL/Tubular_meshing/Layers/append_mesh.h>
+#include <CGAL/Tubular_meshing/Layers/extrude_boundary_layer.h>
 #include <CGAL/Tubular_meshing/Patches/parameterize_patch.h>
 #include <CGAL/Tubular_meshing/Patches/pieces/Curve_divider.h>
 #include <CGAL/Tubular_meshing/Pipelines/Mesher_options.h>
 #include <CGAL/Tubular_meshing/Pipelines/internal/Lumen_divider.h>
-#include <CGAL/Tubular_meshing/Pipelines/internal/Wall_crown.h>
 #include <CGAL/Tubular_meshing/Quads/quadrangulate_patches.h>
 #include <CGAL/Tubular_meshing/Volume/fill_with_pyramids_and_tetrahedra.h>
 #include <CGAL/Tubular_meshing/base/Function_view.h>
@@ -33,8 +34,7 @@
 namespace CGAL::Tubular_meshing::internal {
 
 /* Fills parts of the lumen between hexahedra that end on caps across the vessels there: quads on the wall, from rim to
- * rim of these caps, and pyramids and tetrahedra between them and the caps; where layers are wanted, between hexahedra
- * on the wall's quads, in which the rings of the vessels go on, and the caps. */
+ * rim of these caps, and pyramids and tetrahedra between them and the caps. */
 class Junction_filler {
 public:
   typedef std::uint32_t Index;
@@ -44,94 +44,124 @@ public:
     std::size_t pyramids, tetrahedra;
   };
 
-  /* `mesh`: of hexahedra whose caps have labels from `first_cap` on, as Lumen_divider has made them. */
-  Junction_filler(Mixed_mesh& mesh, int first_cap, Length_function size, const Mesher_options& options)
-      : mesh_(mesh)
-      , first_cap_(first_cap)
-      , size_(size)
-      , options_(options) {
-    take_caps();
+  /* `mesh`: of hexahedra and quads alone. Caps have labels from `first_cap` on, as Lumen_divider has made them; they are
+   * taken out of its quads. */
+  Junction_filler(Mixed_mesh& mesh, int first_cap, const Mesher_options& options)
+      : first_cap_(first_cap)
+      , options_(options)
+      , points_of_blocks_(mesh.points.size()) {
+    Element_block<4> others;
+    for (std::size_t k = 0; k < mesh.quads.size(); ++k) {
+      const int label = mesh.quads.label[k];
+      if (label < first_cap_)
+        others.push_back(mesh.quads.vertices[k], label);
+      else
+        caps_[label].push_back(mesh.quads.vertices[k]);
+    }
+    quads_of_blocks_ = others.size();
+    mesh.quads = std::move(others);
   }
 
-  /* Throws Meshing_error if it cannot be filled. */
-  Number_of_cells fill(const Lumen_part& part) {
-    std::vector<Cap> caps;
+  /* Throws Meshing_error if the part cannot be filled. */
+  Number_of_cells fill(const Lumen_part& part, Length_function size, Mixed_mesh& mesh) {
+    Junction junction;
+    std::vector<std::vector<Index>> rims;
     std::vector<std::vector<Curve_position>> given;
     for (const Cut_curve& c : part.cut.curves) {
-      caps.push_back(c.opening < first_cap_ ? Cap() : cap_of(c.opening));
-      given.push_back(positions_on(part.surface.surface, c, caps.back()));
+      const bool is_cap = c.opening >= first_cap_;
+      if (is_cap)
+        junction.caps.push_back(c.opening);
+      rims.push_back(is_cap ? rim_of(caps_.at(c.opening)) : std::vector<Index>());
+      given.push_back(positions_on(part.surface.surface, c, mesh.points, rims.back()));
     }
     const auto maps = parameterize_patches(part.surface.surface, part.cut, options_.parameterization);
     const Remeshed_surface wall =
-        internal::quadrangulate_patches(part.surface.surface, part.cut, maps, size_, options_.quads, given);
-    const Facets facets = facets_of(wall, caps);
-    return options_.has_boundary_layer() ? fill_within_crown(facets, caps) : fill_all(facets, caps);
+        internal::quadrangulate_patches(part.surface.surface, part.cut, maps, size, options_.quads, given);
+    junction.facets = facets_of(wall, rims, mesh);
+    Facets closed = junction.facets;
+    for (int label : junction.caps)
+      for (const Quad& q : caps_.at(label))
+        closed.quads.push_back(turned(q), inside);
+    junctions_.push_back(std::move(junction));
+    return fill_between(closed, size, mesh);
+  }
+
+  /* Puts layers along the wall, of the blocks and of what has been filled, which is filled again within them, in the
+   * order in which it was; points may have moved since then. The layers on both sides of a cap have the same points. */
+  Layer_report insert_layers(Length_function radius, Length_function size, Mixed_mesh& mesh,
+                             std::vector<Number_of_cells>& numbers) const {
+    Mixed_mesh result = blocks_of(mesh);
+    Layer_report report = internal::insert_wall_layers(result, radius, options_.boundary_layer);
+    std::map<int, std::vector<Quad>> cut_caps;
+    Element_block<4> others;
+    for (std::size_t k = 0; k < result.quads.size(); ++k)
+      if (result.quads.label[k] < first_cap_)
+        others.push_back(result.quads.vertices[k], result.quads.label[k]);
+      else
+        cut_caps[result.quads.label[k]].push_back(result.quads.vertices[k]);
+    result.quads = std::move(others);
+    for (const Junction& j : junctions_) {
+      Facets closed;
+      report = sum(report, add_layers(j, radius, cut_caps, mesh, result, closed));
+      numbers.push_back(fill_between(closed, size, result));
+    }
+    result.region_names = mesh.region_names;
+    result.patch_names = mesh.patch_names;
+    mesh = std::move(result);
+    return report;
   }
 
 private:
   static constexpr int inside = 0; // the label of facets that are none of the mesh's boundary
 
-  // Quads across a vessel, in points of the mesh, counterclockwise seen from the part that is to be filled.
-  struct Cap {
-    std::vector<Quad> quads;
-    std::vector<Index> rim;              // in order, with the cap on the left
-    std::map<Index, Index> inner_of_rim; // the ends of the edges that lead from the rim into the cap
-  };
-  // Of the part's boundary, but for the caps between it and the hexahedra, in points of the mesh.
+  // In points of a mesh, counterclockwise from outside.
   struct Facets {
     Element_block<3> triangles;
     Element_block<4> quads;
   };
+  struct Junction {
+    Facets facets;         // those of the mesh's boundary
+    std::vector<int> caps; // labels of those between it and blocks
+  };
 
-  void take_caps() {
-    Element_block<4> others;
-    for (std::size_t k = 0; k < mesh_.quads.size(); ++k) {
-      const int label = mesh_.quads.label[k];
-      if (label < first_cap_)
-        others.push_back(mesh_.quads.vertices[k], label);
-      else
-        quads_of_cap_[label].push_back(mesh_.quads.vertices[k]);
-    }
-    mesh_.quads = std::move(others);
-  }
+  // --- the wall ---
 
-  Cap cap_of(int label) const {
-    Cap cap;
-    cap.quads = quads_of_cap_.at(label);
-    std::map<Index, Index> next;
+  /* The points round a cap, in order, with the cap on the left. Caps are counterclockwise seen from the part that is to
+   * be filled. */
+  static std::vector<Index> rim_of(const std::vector<Quad>& cap) {
     std::set<std::pair<Index, Index>> edges;
-    for (const Quad& q : cap.quads)
+    for (const Quad& q : cap)
       for (std::size_t i = 0; i < 4; ++i)
         edges.emplace(q[i], q[(i + 1) % 4]);
+    std::map<Index, Index> next;
     for (const auto& e : edges)
       if (edges.count({e.second, e.first}) == 0)
         next[e.first] = e.second;
+    std::vector<Index> rim;
     const Index first = next.begin()->first;
     Index v = first;
     do {
-      cap.rim.push_back(v);
+      rim.push_back(v);
       v = next.at(v);
     } while (v != first);
-    for (const auto& e : edges)
-      if (next.count(e.first) > 0 && next.count(e.second) == 0)
-        cap.inner_of_rim[e.first] = e.second;
-    return cap;
+    return rim;
   }
 
   /* Where the points of a cap's rim are on the curve, in its order, with which the rim is made to begin: as the cap is
    * seen from inside, both have the same direction. */
-  std::vector<Curve_position> positions_on(const Surface& surface, const Cut_curve& curve, Cap& cap) const {
+  static std::vector<Curve_position> positions_on(const Surface& surface, const Cut_curve& curve,
+                                                  const std::vector<Point_3>& points, std::vector<Index>& rim) {
     std::vector<Curve_position> result;
-    if (cap.rim.empty())
+    if (rim.empty())
       return result;
-    for (Index v : cap.rim)
-      result.push_back(nearest_on(surface, curve, mesh_.points[v]));
+    for (Index v : rim)
+      result.push_back(nearest_on(surface, curve, points[v]));
     const auto is_before = [](const Curve_position& a, const Curve_position& b) {
       return std::make_pair(a.edge, a.t) < std::make_pair(b.edge, b.t);
     };
     const auto first = std::min_element(result.begin(), result.end(), is_before) - result.begin();
     std::rotate(result.begin(), result.begin() + first, result.end());
-    std::rotate(cap.rim.begin(), cap.rim.begin() + first, cap.rim.end());
+    std::rotate(rim.begin(), rim.begin() + first, rim.end());
     for (std::size_t i = 1; i < result.size(); ++i)
       if (!is_before(result[i - 1], result[i]))
         throw Meshing_error("the ends of the vessels' blocks are folded there");
@@ -154,12 +184,12 @@ private:
     return best;
   }
 
-  // The quads' points on caps are those of the mesh; the others are added to it.
-  Facets facets_of(const Remeshed_surface& wall, const std::vector<Cap>& caps) {
+  // The points on the rims of caps are those of the mesh; the others are added to it.
+  Facets facets_of(const Remeshed_surface& wall, const std::vector<std::vector<Index>>& rims, Mixed_mesh& mesh) const {
     std::vector<Index> index(wall.surface.number_of_vertices(), no_point);
-    for (std::size_t c = 0; c < caps.size(); ++c)
-      for (std::size_t i = 0; i < caps[c].rim.size(); ++i)
-        index[std::size_t(wall.curves[c][i])] = caps[c].rim[i];
+    for (std::size_t c = 0; c < rims.size(); ++c)
+      for (std::size_t i = 0; i < rims[c].size(); ++i)
+        index[std::size_t(wall.curves[c][i])] = rims[c][i];
     Facets result;
     for (Face f : wall.surface.faces()) {
       const int label = wall.patch[f];
@@ -169,8 +199,8 @@ private:
       for (Vertex v : wall.surface.vertices_around_face(wall.surface.halfedge(f))) {
         Index& k = index[std::size_t(v)];
         if (k == no_point) {
-          k = Index(mesh_.points.size());
-          mesh_.points.push_back(wall.surface.point(v));
+          k = Index(mesh.points.size());
+          mesh.points.push_back(wall.surface.point(v));
         }
         corners.push_back(k);
       }
@@ -182,74 +212,173 @@ private:
     return result;
   }
 
-  Number_of_cells fill_all(Facets facets, const std::vector<Cap>& caps) {
-    for (const Cap& cap : caps)
-      for (const Quad& q : cap.quads)
-        facets.quads.push_back(turned(q), inside);
-    return fill_between(facets);
-  }
-
-  Number_of_cells fill_within_crown(const Facets& facets, const std::vector<Cap>& caps) {
-    if (!facets.triangles.empty() ||
-        std::any_of(facets.quads.label.begin(), facets.quads.label.end(), [](int l) { return l != labels::wall; }))
-      throw Meshing_error(facets.triangles.empty()
-                              ? "an opening is too near for layers"
-                              : "the wall there has triangles, on which there are no layers of hexahedra");
-    std::map<Index, Index> inner_of_rim;
-    std::vector<Quad> cores;
-    for (const Cap& cap : caps) {
-      inner_of_rim.insert(cap.inner_of_rim.begin(), cap.inner_of_rim.end());
-      for (const Quad& q : cap.quads)
-        if (std::none_of(q.begin(), q.end(), [&](Index v) { return cap.inner_of_rim.count(v) > 0; }))
-          cores.push_back(turned(q));
-    }
-    Facets cavity;
-    for (const Quad& q : Wall_crown(mesh_, facets.quads.vertices, inner_of_rim, size_).add(cores))
-      cavity.quads.push_back(q, inside);
-    for (const Quad& q : cores)
-      cavity.quads.push_back(q, inside);
-    mesh_.quads.vertices.insert(mesh_.quads.vertices.end(), facets.quads.vertices.begin(), facets.quads.vertices.end());
-    mesh_.quads.label.insert(mesh_.quads.label.end(), facets.quads.label.begin(), facets.quads.label.end());
-    return fill_between(cavity);
-  }
+  // --- cells ---
 
   static Quad turned(const Quad& q) { return {{q[0], q[3], q[2], q[1]}}; }
 
-  // Pyramids and tetrahedra within closed facets.
-  Number_of_cells fill_between(const Facets& facets) {
-    Labelled_surface closed;
+  // Closed facets as a surface; `points`: those of its vertices.
+  static Labelled_surface surface_of(const Facets& facets, const std::vector<Point_3>& all,
+                                     std::vector<Index>& points) {
+    Labelled_surface result;
     std::unordered_map<Index, Vertex> vertex_of;
-    std::vector<Index> points;
-    const auto add = [&](const auto& element, int label) {
-      std::vector<Vertex> corners;
-      for (Index v : element) {
-        const auto [found, is_new] = vertex_of.emplace(v, Vertex());
-        if (is_new) {
-          found->second = closed.surface.add_vertex(mesh_.points[v]);
-          points.push_back(v);
+    const auto add = [&](const auto& elements) {
+      for (std::size_t k = 0; k < elements.size(); ++k) {
+        std::vector<Vertex> corners;
+        for (Index v : elements.vertices[k]) {
+          const auto [found, is_new] = vertex_of.emplace(v, Vertex());
+          if (is_new) {
+            found->second = result.surface.add_vertex(all[v]);
+            points.push_back(v);
+          }
+          corners.push_back(found->second);
         }
-        corners.push_back(found->second);
+        const Face f = result.surface.add_face(corners);
+        if (f == Surface::null_face())
+          throw Meshing_error("the facets of its boundary meet each other");
+        result.patch[f] = elements.label[k];
       }
-      const Face f = closed.surface.add_face(corners);
-      if (f == Surface::null_face())
-        throw Meshing_error("the quads on its wall meet themselves");
-      closed.patch[f] = label;
     };
-    for (std::size_t i = 0; i < facets.triangles.size(); ++i)
-      add(facets.triangles.vertices[i], facets.triangles.label[i]);
-    for (std::size_t i = 0; i < facets.quads.size(); ++i)
-      add(facets.quads.vertices[i], facets.quads.label[i]);
+    add(facets.triangles);
+    add(facets.quads);
+    return result;
+  }
+
+  Number_of_cells fill_between(const Facets& closed, Length_function size, Mixed_mesh& mesh) const {
+    std::vector<Index> points;
+    const Labelled_surface surface = surface_of(closed, mesh.points, points);
     Mixed_mesh filling;
-    internal::fill_with_pyramids_and_tetrahedra(closed.surface, closed.patch, size_, filling, options_.pyramids);
-    append_mesh(mesh_, filling, points, inside);
+    internal::fill_with_pyramids_and_tetrahedra(surface.surface, surface.patch, size, filling, options_.pyramids);
+    append_mesh(mesh, filling, points, inside);
     return {filling.pyramids.size(), filling.tetrahedra.size()};
   }
 
-  Mixed_mesh& mesh_;
+  // --- layers ---
+
+  // Caps included. Its points are the first of the mesh's, with their numbers.
+  Mixed_mesh blocks_of(const Mixed_mesh& mesh) const {
+    Mixed_mesh blocks;
+    blocks.points.assign(mesh.points.begin(), mesh.points.begin() + std::ptrdiff_t(points_of_blocks_));
+    blocks.hexahedra = mesh.hexahedra;
+    for (std::size_t k = 0; k < quads_of_blocks_; ++k)
+      blocks.quads.push_back(mesh.quads.vertices[k], mesh.quads.label[k]);
+    for (const auto& [label, quads] : caps_)
+      for (const Quad& q : quads)
+        blocks.quads.push_back(q, label);
+    return blocks;
+  }
+
+  /* Adds the layers in a junction to blocks that have theirs; `closed` becomes the boundary of what they leave. */
+  Layer_report add_layers(const Junction& junction, Length_function radius,
+                          const std::map<int, std::vector<Quad>>& cut_caps, const Mixed_mesh& mesh, Mixed_mesh& result,
+                          Facets& closed) const {
+    Facets before = junction.facets;
+    for (int label : junction.caps)
+      for (const Quad& q : caps_.at(label))
+        before.quads.push_back(turned(q), label);
+    std::vector<Index> points;
+    const Labelled_surface surface = surface_of(before, mesh.points, points);
+    Boundary_layer layer =
+        internal::extrude_boundary_layer(surface.surface, surface.patch, radius, options_.boundary_layer);
+
+    std::map<Point_3, Index> numbers; // of the wall's points, in the mesh
+    for (Index v : points)
+      numbers[mesh.points[v]] = v;
+    std::vector<Index> known(layer.layers.points.size(), no_point); // in the result
+    Columns own, of_blocks;
+    for (std::size_t k = 0; k < layer.layers.quads.size(); ++k)
+      if (layer.layers.quads.label[k] >= first_cap_)
+        own.add(layer.layers.quads.vertices[k]);
+    for (int label : junction.caps)
+      for (const Quad& q : cut_caps.at(label))
+        of_blocks.add(q);
+    std::set<Index> in_layers; // points of caps that are no longer on what is left
+    for (Index i = 0; i < known.size(); ++i) {
+      const auto found = numbers.find(layer.layers.points[i]);
+      if (found == numbers.end() || found->second >= points_of_blocks_)
+        continue;
+      Index a = i, b = found->second;
+      for (known[a] = b; own.goes_on(a); known[a] = b) {
+        in_layers.insert(b);
+        a = own.next(a);
+        b = of_blocks.next(b);
+      }
+    }
+    for (std::size_t i = 0; i < known.size(); ++i)
+      if (known[i] == no_point) {
+        known[i] = Index(result.points.size());
+        result.points.push_back(layer.layers.points[i]);
+      }
+    for (int& label : layer.layers.quads.label)
+      label = label >= first_cap_ ? inside : label;
+    append_mesh(result, layer.layers, known, inside);
+
+    std::vector<Index> inner;
+    for (Vertex v : layer.inner.vertices()) {
+      const Index p = layer.mesh_points[std::size_t(v)];
+      inner.push_back(p == no_point ? no_point : known[p]);
+    }
+    for (Face f : layer.inner.faces())
+      if (layer.patch[f] < first_cap_)
+        add_inner(layer, f, inner, result, closed);
+    for (int label : junction.caps)
+      for (const Quad& q : cut_caps.at(label))
+        if (std::none_of(q.begin(), q.end(), [&](Index v) { return in_layers.count(v) > 0; }))
+          closed.quads.push_back(turned(q), inside);
+    return layer.report;
+  }
+
+  // From layer to layer along the rim of a cap: quads there begin with an edge along the rim.
+  class Columns {
+  public:
+    void add(const Quad& q) {
+      next_.emplace(q[0], q[3]);
+      next_.emplace(q[1], q[2]);
+    }
+    bool goes_on(Index v) const { return next_.count(v) > 0; }
+    Index next(Index v) const { return next_.at(v); }
+
+  private:
+    std::unordered_map<Index, Index> next_;
+  };
+
+  // A face of what layers leave: on their far side, or of an opening.
+  static void add_inner(const Boundary_layer& layer, Face f, std::vector<Index>& inner, Mixed_mesh& result,
+                        Facets& closed) {
+    const int label = layer.patch[f] == labels::wall ? inside : layer.patch[f];
+    std::vector<Index> corners;
+    for (Vertex v : layer.inner.vertices_around_face(layer.inner.halfedge(f))) {
+      Index& k = inner[std::size_t(v)];
+      if (k == no_point) {
+        k = Index(result.points.size());
+        result.points.push_back(layer.inner.point(v));
+      }
+      corners.push_back(k);
+    }
+    if (corners.size() == 3)
+      closed.triangles.push_back({{corners[0], corners[1], corners[2]}}, label);
+    else
+      closed.quads.push_back({{corners[0], corners[1], corners[2], corners[3]}}, label);
+  }
+
+  static Layer_report sum(const Layer_report& a, const Layer_report& b) {
+    Layer_report result = a.min_ratio <= b.min_ratio ? a : b;
+    result.vertices = a.vertices + b.vertices;
+    result.reduced_vertices = a.reduced_vertices + b.reduced_vertices;
+    result.prisms = a.prisms + b.prisms;
+    result.hexahedra = a.hexahedra + b.hexahedra;
+    result.relabelled_facets = a.relabelled_facets + b.relabelled_facets;
+    if (result.vertices > 0)
+      result.mean_ratio =
+          (a.mean_ratio * double(a.vertices) + b.mean_ratio * double(b.vertices)) / double(result.vertices);
+    result.rounds = (std::max)(a.rounds, b.rounds);
+    return result;
+  }
+
   const int first_cap_;
-  Length_function size_;
   const Mesher_options& options_;
-  std::map<int, std::vector<Quad>> quads_of_cap_; // by its label
+  std::size_t points_of_blocks_, quads_of_blocks_; // those of the mesh that come first
+  std::map<int, std::vector<Quad>> caps_;          // by their labels
+  std::vector<Junction> junctions_;
 };
 
 } // namespace CGAL::Tubular_meshing::internal

@@ -88,8 +88,10 @@ public:
     optimize_inside(mesh, optimization);
   }
 
-  // Cuts the hexahedra along the wall.
-  Layer_report insert_layers(Mixed_mesh& mesh, Length_function radius) const {
+  // Cuts the hexahedra along the wall; junctions that are filled get layers, too, and the report what is left of them.
+  Layer_report insert_layers(Mixed_mesh& mesh, Length_function radius, Hexahedral_report& report) const {
+    if (round_junctions_)
+      return round_junctions_->insert_layers(mesh, radius, scaled_size(), report);
     return internal::insert_wall_layers(mesh, radius, options_.boundary_layer);
   }
 
@@ -106,29 +108,33 @@ private:
     internal::optimize_hexahedra(mesh, frame_.surface().surface, frame_.surface().patch, optimization);
   }
 
-  // The size of N as blocks have it.
-  double factor_of_size() const {
+  /* The mesh size of N as blocks have it. */
+  struct Scaled_size {
+    const Centerline_sizing_field& size;
+    double factor;
+    double operator()(const Point_3& p) const { return factor * size(p); }
+  };
+  Scaled_size scaled_size() const {
     const double points = options_.size.points_per_circumference;
-    return points / double(blocks_points(points));
+    return {size_, points / double(blocks_points(points))};
   }
 
   Hexahedral_blocks made() const {
     const Labelled_surface& s = frame_.surface();
-    const auto size = [&, factor = factor_of_size()](const Point_3& p) { return factor * size_(p); };
-    return internal::make_hexahedral_blocks(s.surface, s.patch, graph_, size, blocks_options_);
+    return internal::make_hexahedral_blocks(s.surface, s.patch, graph_, scaled_size(), blocks_options_);
   }
 
   // None where that cannot be done: why_not_filled() says why.
   std::optional<Mixed_mesh> with_junctions_filled(const Hexahedral_blocks& blocks, Hexahedral_report& report) {
-    const auto size = [&, factor = factor_of_size()](const Point_3& p) { return factor * size_(p); };
     try {
-      Mixed_mesh mesh =
-          Blocks_round_junctions(frame_, graph_, size, blocks_options_, options_).make(blocks.refused, report);
+      round_junctions_.emplace(frame_, graph_, blocks_options_, options_);
+      Mixed_mesh mesh = round_junctions_->make(blocks.refused, scaled_size(), report);
       report.method = Hexahedral_method::blocks;
       mesh.region_names = {{labels::lumen, "lumen"}};
       return mesh;
     } catch (const Error& e) {
       why_not_filled_ = e.what();
+      round_junctions_.reset();
       report = Hexahedral_report();
       return std::nullopt;
     }
@@ -170,6 +176,7 @@ private:
   Hexahedral_blocks_options blocks_options_;
   std::vector<Vertex> tips_;
   Block_structure structure_;
+  std::optional<Blocks_round_junctions> round_junctions_; // if some are filled in another way
   std::string why_not_filled_;
 };
 
