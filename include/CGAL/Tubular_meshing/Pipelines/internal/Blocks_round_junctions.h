@@ -50,14 +50,16 @@ public:
   }
 
   /* Of what is refused, in the whole lumen. Further junctions without blocks are found then. Throws Meshing_error if a
-   * place is no junction and no vessel's end, or cannot be filled. The report gets the places, and what fills them. */
-  Mixed_mesh make(const std::vector<Refused_blocks>& refused, Length_function size, Hexahedral_report& report) {
+   * place is no junction and no vessel's end, or cannot be filled, with the size inside. The report gets the places, and
+   * what fills them. */
+  Mixed_mesh make(const std::vector<Refused_blocks>& refused, Length_function size, Length_function size_inside,
+                  Hexahedral_report& report) {
     constexpr int most_rounds = 6;
     leave_out(surface_.surface, cut_, {}, refused);
     for (int round = 0; round < most_rounds; ++round) {
       const Lumen_divider divider(surface_, cut_, graph_, is_filled_, first_cap_);
       if (std::optional<Mixed_mesh> mesh = blocks_of(divider, size, report)) {
-        fill(divider, size, *mesh, report);
+        fill(divider, size_inside, *mesh, report);
         return std::move(*mesh);
       }
     }
@@ -65,10 +67,10 @@ public:
   }
 
   /* Puts layers along the wall of the mesh that was made; the report gets what fills junctions within them. */
-  Layer_report insert_layers(Mixed_mesh& mesh, Length_function radius, Length_function size,
+  Layer_report insert_layers(Mixed_mesh& mesh, Length_function radius, Length_function size_inside,
                              Hexahedral_report& report) const {
     std::vector<Junction_filler::Number_of_cells> numbers;
-    const Layer_report result = filler_->insert_layers(radius, size, mesh, numbers);
+    const Layer_report result = filler_->insert_layers(radius, size_inside, mesh, numbers);
     for (std::size_t k = 0; k < numbers.size(); ++k) {
       report.places_without_blocks[k].pyramids = numbers[k].pyramids;
       report.places_without_blocks[k].tetrahedra = numbers[k].tetrahedra;

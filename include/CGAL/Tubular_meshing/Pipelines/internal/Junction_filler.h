@@ -112,7 +112,7 @@ public:
   }
 
 private:
-  static constexpr int inside = 0; // the label of facets that are none of the mesh's boundary
+  static constexpr int inside = -1; // the label of facets that are none of the mesh's boundary; 0 would be no label
 
   // In points of a mesh, counterclockwise from outside.
   struct Facets {

@@ -51,9 +51,11 @@ public:
     Hexahedral_blocks blocks = made();
     for (int generation = 0; generation < most_generations && add_lines(blocks); ++generation)
       blocks = made();
-    if (!blocks.refused.empty() && may_fill_junctions)
-      if (std::optional<Mixed_mesh> mesh = with_junctions_filled(blocks, report))
+    if (!blocks.refused.empty() && may_fill_junctions) {
+      refused_ = blocks.refused;
+      if (std::optional<Mixed_mesh> mesh = with_junctions_filled(report))
         return mesh;
+    }
     report.number_of_junctions = blocks.junctions;
     if (!blocks.refused.empty()) {
       for (const Refused_blocks& r : blocks.refused)
@@ -69,6 +71,14 @@ public:
     structure_ = std::move(blocks.structure);
     blocks.mesh.region_names = {{labels::lumen, "lumen"}};
     return std::move(blocks.mesh);
+  }
+
+  bool has_filled_junctions() const { return round_junctions_.has_value(); }
+
+  // The same as before, with finer cells in the junctions that are filled; none if that cannot be done.
+  std::optional<Mixed_mesh> make_finer(Hexahedral_report& report) {
+    fineness_ *= finer;
+    return with_junctions_filled(report);
   }
 
   // Why junctions could not be filled, if that was wanted: part of a sentence.
@@ -91,11 +101,17 @@ public:
   // Cuts the hexahedra along the wall; junctions that are filled get layers, too, and the report what is left of them.
   Layer_report insert_layers(Mixed_mesh& mesh, Length_function radius, Hexahedral_report& report) const {
     if (round_junctions_)
-      return round_junctions_->insert_layers(mesh, radius, scaled_size(), report);
+      try {
+        return round_junctions_->insert_layers(mesh, radius, scaled_size(fineness_), report);
+      } catch (Input_error& e) { // of quads that have been made here
+        e.transform_places([&](const Place& p) { return frame_.from_frame(p); });
+        throw Meshing_error(std::string(e.what()));
+      }
     return internal::insert_wall_layers(mesh, radius, options_.boundary_layer);
   }
 
 private:
+  static constexpr double finer = 0.7, finest = 0.4;
   static constexpr int most_generations = 2; // vessels without a centerline may leave others
 
   void optimize_inside(Mixed_mesh& mesh, Optimize_hexahedra_options optimization) const {
@@ -114,9 +130,9 @@ private:
     double factor;
     double operator()(const Point_3& p) const { return factor * size(p); }
   };
-  Scaled_size scaled_size() const {
+  Scaled_size scaled_size(double factor = 1) const {
     const double points = options_.size.points_per_circumference;
-    return {size_, points / double(blocks_points(points))};
+    return {size_, factor * points / double(blocks_points(points))};
   }
 
   Hexahedral_blocks made() const {
@@ -124,20 +140,22 @@ private:
     return internal::make_hexahedral_blocks(s.surface, s.patch, graph_, scaled_size(), blocks_options_);
   }
 
-  // None where that cannot be done: why_not_filled() says why.
-  std::optional<Mixed_mesh> with_junctions_filled(const Hexahedral_blocks& blocks, Hexahedral_report& report) {
-    try {
-      round_junctions_.emplace(frame_, graph_, blocks_options_, options_);
-      Mixed_mesh mesh = round_junctions_->make(blocks.refused, scaled_size(), report);
-      report.method = Hexahedral_method::blocks;
-      mesh.region_names = {{labels::lumen, "lumen"}};
-      return mesh;
-    } catch (const Error& e) {
-      why_not_filled_ = e.what();
-      round_junctions_.reset();
-      report = Hexahedral_report();
-      return std::nullopt;
-    }
+  /* Where cells of the mesh size do not fit in sharp crotches, finer ones may. None where that cannot be done:
+   * why_not_filled() says why. */
+  std::optional<Mixed_mesh> with_junctions_filled(Hexahedral_report& report) {
+    for (; fineness_ > finest; fineness_ *= finer)
+      try {
+        report = Hexahedral_report();
+        round_junctions_.emplace(frame_, graph_, blocks_options_, options_);
+        Mixed_mesh mesh = round_junctions_->make(refused_, scaled_size(), scaled_size(fineness_), report);
+        mesh.region_names = {{labels::lumen, "lumen"}};
+        return mesh;
+      } catch (const Error& e) {
+        why_not_filled_ = e.what();
+        round_junctions_.reset();
+        report = Hexahedral_report();
+      }
+    return std::nullopt;
   }
 
   // Adds lines to the tips that were missed. False if there are none, or no line leads there.
@@ -176,7 +194,9 @@ private:
   Hexahedral_blocks_options blocks_options_;
   std::vector<Vertex> tips_;
   Block_structure structure_;
+  std::vector<Refused_blocks> refused_;
   std::optional<Blocks_round_junctions> round_junctions_; // if some are filled in another way
+  double fineness_ = 1;                                   // of what fills them
   std::string why_not_filled_;
 };
 
