@@ -41,7 +41,7 @@ public:
       , graph_(graph)
       , blocks_(blocks)
       , options_(options)
-      , cut_(internal::cut_by_centerlines(surface_.surface, graph, surface_.patch, options.cut, clearance))
+      , cut_(cut())
       , is_filled_(cut_.patches.size(), 0) {
     int largest = labels::wall;
     for (Face f : surface_.surface.faces())
@@ -85,6 +85,13 @@ private:
     Point_3 place;
     std::string reason;
   };
+
+  // A junction may be longer by the clearance than else a patch, for not to be cut again.
+  Surface_cut cut() {
+    Cut_by_centerlines_options options = options_.cut;
+    options.aspect_ratio += 2 * clearance;
+    return internal::cut_by_centerlines(surface_.surface, graph_, surface_.patch, options, clearance);
+  }
 
   /* Chooses the patches nearest to what is refused, of the whole or of a part, that are to be filled. */
   void leave_out(const Surface& surface, const Surface_cut& cut, const std::vector<std::size_t>& whole_patch,

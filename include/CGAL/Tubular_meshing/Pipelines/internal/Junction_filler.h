@@ -204,6 +204,8 @@ private:
         }
         corners.push_back(k);
       }
+      if (corners.size() == 3 && label == labels::wall)
+        throw Meshing_error("the quads on its wall meet each other, however fine they are");
       if (corners.size() == 3)
         result.triangles.push_back({{corners[0], corners[1], corners[2]}}, label);
       else
