@@ -143,6 +143,10 @@ private:
   /* Where cells of the mesh size do not fit in sharp crotches, finer ones may. None where that cannot be done:
    * why_not_filled() says why. */
   std::optional<Mixed_mesh> with_junctions_filled(Hexahedral_report& report) {
+    if (!std::all_of(refused_.begin(), refused_.end(), [](const Refused_blocks& r) { return r.can_be_left_out; })) {
+      why_not_filled_ = "it is not a junction that lacks blocks";
+      return std::nullopt;
+    }
     for (; fineness_ > finest; fineness_ *= finer)
       try {
         report = Hexahedral_report();
