@@ -230,6 +230,28 @@ TEST_F(Tool, Says_where_there_are_no_blocks) {
   EXPECT_EQ(mesh.number_of_cells(), mesh.hexahedra.size());
 }
 
+TEST_F(Tool, Fills_a_junction_without_blocks_and_says_so) {
+  NEEDS_FILLING();
+  const std::string input = make("hub.off", hub());
+  const Outcome outcome = succeed({input, "-t", "hexahedral", "-n", "12", "--hex-fallback", "mixed", "-o",
+                                   out("mesh.vtu"), "--report", out("r.json")});
+  const Json r = json_in(out("r.json")), h = r["hexahedral"];
+  EXPECT_EQ(h["method"], "blocks");
+  ASSERT_EQ(h["places_without_blocks"].size(), 1u);
+  const Json place = h["places_without_blocks"][0];
+  const Mesh mesh = mesh_in(out("mesh.vtu"));
+  expect_valid(mesh);
+  EXPECT_GT(mesh.hexahedra.size(), 0u);
+  EXPECT_GT(mesh.pyramids.size(), 0u);
+  EXPECT_EQ(place["pyramids"].get<std::size_t>(), mesh.pyramids.size());
+  EXPECT_EQ(place["tetrahedra"].get<std::size_t>(), mesh.tetrahedra.size());
+  EXPECT_EQ(r["fallbacks"].size(), 1u);
+  EXPECT_NE(outcome.out.find(place["reason"].get<std::string>() + "; " + std::to_string(mesh.pyramids.size()) +
+                             " pyramids and " + std::to_string(mesh.tetrahedra.size()) + " tetrahedra there"),
+            std::string::npos)
+      << outcome.out;
+}
+
 TEST_F(Tool, Writes_nothing_where_blocks_cannot_be_had_and_nothing_else_is_wanted) {
   const std::string input = make("hub.off", hub());
   const Outcome outcome = run({input, "-t", "hexahedral", "-n", "12", "--hex-fallback", "none", "-o", out("mesh.vtu"),

@@ -246,7 +246,10 @@ void add_patches(Json& report, const tubular::Remeshed_surface& surface) {
 void add_hexahedral(Json& report, const tubular::Hexahedral_report& h) {
   Json places = Json::array();
   for (const auto& p : h.places_without_blocks)
-    places.push_back({{"place", vector_of(p.place)}, {"reason", p.reason}});
+    places.push_back({{"place", vector_of(p.place)},
+                      {"reason", p.reason},
+                      {"pyramids", p.pyramids},
+                      {"tetrahedra", p.tetrahedra}});
   report["hexahedral"] = {{"method", tubular::name_of(h.method)},
                           {"junctions", h.number_of_junctions},
                           {"places_without_blocks", places},
@@ -279,9 +282,13 @@ void print_hexahedral(const Json& h) {
   std::printf("optimized, scaled Jacobian: %.3f at least, %.3f on average; before, %.3f and %.3f\n",
               o["min_scaled_jacobian"].get<double>(), o["mean_scaled_jacobian"].get<double>(),
               o["min_scaled_jacobian_before"].get<double>(), o["mean_scaled_jacobian_before"].get<double>());
-  for (const auto& p : h["places_without_blocks"])
-    std::printf("note: no blocks near (%g, %g, %g): %s\n", p["place"][0].get<double>(), p["place"][1].get<double>(),
+  for (const auto& p : h["places_without_blocks"]) {
+    std::printf("note: no blocks near (%g, %g, %g): %s", p["place"][0].get<double>(), p["place"][1].get<double>(),
                 p["place"][2].get<double>(), p["reason"].get<std::string>().c_str());
+    if (has_blocks)
+      std::printf("; %ld pyramids and %ld tetrahedra there", p["pyramids"].get<long>(), p["tetrahedra"].get<long>());
+    std::printf("\n");
+  }
   const long off = h["boundary"]["vertices_not_found"].get<long>() + h["boundary"]["vertices_held_back"].get<long>();
   if (off > 0)
     std::printf("note: %ld vertices could not go all of the way to the surface; cells would have turned over, or the "

@@ -65,6 +65,9 @@ void check_cells(const Options& o) {
   if (o.is_mixed())
     throw tubular::Parameter_error(solver + " takes no pyramids, which meshes of type mixed have: choose --type "
                                             "isotropic, anisotropic or hexahedral.");
+  if (o.is_hexahedral() && o.hex_fallback == "mixed")
+    throw tubular::Parameter_error(solver + " takes no pyramids, which --hex-fallback mixed makes: choose subdivision or "
+                                            "none.");
   if (o.boundary_layer_prisms > 0 && !o.is_hexahedral())
     throw tubular::Parameter_error(solver + " takes one kind of cells, not prisms and tetrahedra in one lumen: choose "
                                             "--type anisotropic in place of --boundary-layer-prisms, or --type "

@@ -53,7 +53,11 @@ tubular::Hexahedral_method hexahedral_method(const Options& o) {
 
 tubular::Hexahedral_fallback hexahedral_fallback(const Options& o) {
   typedef tubular::Hexahedral_fallback Fallback;
-  return o.hex_fallback == "subdivision" && o.blocks_output.empty() ? Fallback::subdivision : Fallback::none;
+  if (!o.blocks_output.empty())
+    return Fallback::none;
+  return o.hex_fallback == "subdivision" ? Fallback::subdivision
+         : o.hex_fallback == "mixed"     ? Fallback::mixed
+                                         : Fallback::none;
 }
 
 // The inlet's name, where it is not given by a point.

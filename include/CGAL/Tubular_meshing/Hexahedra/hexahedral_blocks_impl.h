@@ -109,14 +109,19 @@ private:
   void refuse(Hexahedral_blocks& result, const Vector_3d& place, const std::string& reason) const {
     result.refused.push_back({as<Point_3>(place), reason, Surface::null_vertex()});
   }
+  void refuse_node(Hexahedral_blocks& result, std::size_t node, const std::string& reason) const {
+    refuse(result, network_.nodes[node].point, reason);
+    result.refused.back().can_be_left_out = true;
+  }
 
   void check_network(Hexahedral_blocks& result) const {
     for (int label : network_.openings_without_vessel)
       refuse(result, rims_.at(label).center, "no centerline leads to the opening");
-    for (const auto& n : network_.nodes)
-      if (n.ends.size() > most_vessels)
-        refuse(result, n.point,
-               std::to_string(n.ends.size()) + " vessels meet, more than " + std::to_string(most_vessels));
+    for (std::size_t n = 0; n < network_.nodes.size(); ++n) {
+      const std::size_t vessels = network_.nodes[n].ends.size();
+      if (vessels > most_vessels)
+        refuse_node(result, n, std::to_string(vessels) + " vessels meet, more than " + std::to_string(most_vessels));
+    }
     for (const auto& v : network_.vessels)
       if (v.path.points.size() < 2)
         refuse(result, network_.nodes[v.nodes[0]].point, "a vessel has no length");
@@ -171,8 +176,7 @@ private:
           shapes[open[k]] = std::move(tried[k]);
       for (std::size_t i : open)
         if (!shapes[i]) {
-          refuse(result, network_.nodes[i].point,
-                 "the directions of the vessels that meet cannot be divided into regions");
+          refuse_node(result, i, "the directions of the vessels that meet cannot be divided into regions");
           return;
         }
       const std::set<std::size_t> tried_nodes(open.begin(), open.end());
@@ -227,9 +231,9 @@ private:
     result.optimization.min_scaled_jacobian_before = untangled.min_scaled_jacobian_before;
     result.optimization.mean_scaled_jacobian_before = untangled.mean_scaled_jacobian_before;
     for (std::size_t n : tangled(blocks, least))
-      refuse(result, network_.nodes[n].point,
-             network_.nodes[n].is_junction() ? "the hexahedra of a junction do not untangle"
-                                             : "the hexahedra of a vessel's end do not untangle");
+      refuse_node(result, n,
+                  network_.nodes[n].is_junction() ? "the hexahedra of a junction do not untangle"
+                                                  : "the hexahedra of a vessel's end do not untangle");
     if (result.refused.empty())
       check_cover(blocks.mesh, result);
     result.mesh = std::move(blocks.mesh);

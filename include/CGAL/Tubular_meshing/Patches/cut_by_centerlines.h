@@ -22,8 +22,9 @@ struct Cut_by_centerlines_options {
 };
 
 namespace internal {
+/* `clearance`: by how many radii of a branch its cuts are farther from junctions than where its tube begins. */
 Surface_cut cut_by_centerlines(Surface& surface, const Centerline_graph& graph, Face_patch_map patch,
-                               const Cut_by_centerlines_options& options);
+                               const Cut_by_centerlines_options& options, double clearance = 0);
 } // namespace internal
 
 /*! \ingroup PkgTubularMeshingPatches

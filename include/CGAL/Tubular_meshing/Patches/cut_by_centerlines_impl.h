@@ -49,11 +49,12 @@ inline void check_cut_input(const Surface& surface, Face_patch_map patch, const 
 /* The steps of cut_by_centerlines(), on input that has been checked. */
 class Centerline_cut {
 public:
-  Centerline_cut(Surface& surface, const Centerline_graph& graph, Face_patch_map patch, double aspect_ratio)
+  Centerline_cut(Surface& surface, const Centerline_graph& graph, Face_patch_map patch, double aspect_ratio,
+                 double clearance)
       : surface_(surface, patch)
       , graph_(graph)
       , cutter_(surface_, graph)
-      , junctions_(cutter_)
+      , junctions_(cutter_, clearance)
       , tubes_(cutter_, aspect_ratio)
       , pieces_(cutter_, tubes_, aspect_ratio)
       , aspect_ratio_(aspect_ratio) {}
@@ -122,11 +123,12 @@ private:
 
 CGAL_TUBULAR_MESHING_INLINE Surface_cut cut_by_centerlines(Surface& surface, const Centerline_graph& graph,
                                                            Face_patch_map patch,
-                                                           const Cut_by_centerlines_options& options) {
+                                                           const Cut_by_centerlines_options& options,
+                                                           double clearance) {
   if (surface.has_garbage())
     surface.collect_garbage();
   check_cut_input(surface, patch, graph, options.aspect_ratio);
-  return Centerline_cut(surface, graph, patch, options.aspect_ratio).run();
+  return Centerline_cut(surface, graph, patch, options.aspect_ratio, clearance).run();
 }
 
 } // namespace CGAL::Tubular_meshing::internal

@@ -25,6 +25,7 @@ enum class Hexahedral_method {
  * What is done where blocks cannot be had. */
 enum class Hexahedral_fallback {
   subdivision, ///< the whole mesh is made by subdivision
+  mixed,       ///< junctions without blocks are filled with pyramids and tetrahedra; if that cannot be, as subdivision
   none         ///< there is no mesh
 };
 
@@ -39,6 +40,9 @@ inline const char* name_of(Hexahedral_method method) {
 struct Place_without_blocks {
   Point_3 place;
   std::string reason; ///< part of a sentence
+
+  std::size_t pyramids = 0;   ///< that fill it between blocks elsewhere, see Hexahedral_fallback::mixed
+  std::size_t tetrahedra = 0; ///< likewise
 };
 
 /*! \ingroup PkgTubularMeshingPipelines

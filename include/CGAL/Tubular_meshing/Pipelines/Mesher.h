@@ -89,7 +89,8 @@ struct Mesher_report {
  *     \cgalParamDefault{`Hexahedral_method::blocks`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{hexahedral_fallback}
- *     \cgalParamDescription{what is done where there are no blocks to be had}
+ *     \cgalParamDescription{what is done where there are no blocks to be had: subdivision of the whole mesh, pyramids and
+ *       tetrahedra in those junctions alone, or nothing}
  *     \cgalParamType{`Hexahedral_fallback`}
  *     \cgalParamDefault{`Hexahedral_fallback::subdivision`}
  *   \cgalParamNEnd
@@ -182,12 +183,13 @@ public:
    * \throws Meshing_error also if this program was built without LEMON, or with neither TetGen nor CGAL 6.1 */
   Mixed_mesh mixed();
 
-  /*! Hexahedra alone. By `hexahedral_method` these are blocks along the vessels, or tetrahedra and prisms of a coarser
-   * mesh, subdivided. In the second way they come to any shape that isotropic() meshes: the coarser mesh has 1.6 times
-   * the mesh size, so that there are about as many hexahedra as there are tetrahedra in an isotropic mesh of the same N;
-   * each boundary layer of prisms is one of hexahedra, and so is each of the vessel's wall, if one is wanted. New
-   * vertices are brought to the surface, and the hexahedra are improved, see optimize_hexahedra(); then, unless
-   * `preserve_volume` is false, the wall is moved so that the mesh has the surface's volume.
+  /*! Hexahedra alone, but for junctions that Hexahedral_fallback::mixed has filled. By `hexahedral_method` these are
+   * blocks along the vessels, or tetrahedra and prisms of a coarser mesh, subdivided. In the second way they come to any
+   * shape that isotropic() meshes: the coarser mesh has 1.6 times the mesh size, so that there are about as many
+   * hexahedra as there are tetrahedra in an isotropic mesh of the same N; each boundary layer of prisms is one of
+   * hexahedra, and so is each of the vessel's wall, if one is wanted. New vertices are brought to the surface, and the
+   * hexahedra are improved, see optimize_hexahedra(); then, unless `preserve_volume` is false, the wall is moved so that
+   * the mesh has the surface's volume.
    *
    * Where blocks are asked for and cannot be had, `hexahedral_fallback` says what is done, and
    * Mesher_report::hexahedral what was, and why. kept_surface() is empty after a mesh by subdivision.

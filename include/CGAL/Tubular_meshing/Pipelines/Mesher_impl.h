@@ -390,22 +390,39 @@ private:
     const Centerline_sizing_field& field = size();
     stage("blocks");
     internal::Mesh_by_blocks blocks(*model_, frame_, field, options_);
-    std::optional<Mixed_mesh> mesh = blocks.make(report);
-    for (Place_without_blocks& p : report.places_without_blocks)
-      p.place = frame_.from_frame(p.place);
+    std::optional<Mixed_mesh> mesh = blocks.make(report, fallback == Hexahedral_fallback::mixed);
+    bring_back_places(report);
     std::string why;
     if (!mesh)
-      why = "There are no blocks of hexahedra along the vessels: " + why_no_blocks(report);
-    else {
+      why = "There are no blocks of hexahedra along the vessels: " + why_no_blocks(report) +
+            (blocks.why_not_filled().empty() ? "" : " " + why_not_filled(blocks.why_not_filled()));
+    while (mesh) {
       try {
         finish(blocks, *mesh);
         structure_ = blocks.take_structure();
+        if (blocks.has_filled_junctions())
+          report_.fallbacks.push_back(filled_junctions(report));
         return mesh;
-      } catch (const Meshing_error& e) {
-        why = std::string("Hexahedra in blocks are not valid: ") + e.what();
+      } catch (Meshing_error& e) {
+        e.transform_places([&](const Place& p) { return frame_.from_frame(p); });
+        const std::vector<Place_without_blocks> places = std::move(report.places_without_blocks);
         report = Hexahedral_report(); // what it says is of blocks that are not used
         report_.boundary_layer = Layer_report();
         report_.volume = Preserve_volume_report();
+        why = std::string("Hexahedra in blocks are not valid: ") + e.what();
+        mesh.reset();
+        if (blocks.has_filled_junctions()) {
+          for (const Place_without_blocks& p : places)
+            report.places_without_blocks.push_back({p.place, p.reason});
+          why = "There are no blocks of hexahedra along the vessels: " + why_no_blocks(report) + " " +
+                why_not_filled(e.what());
+          const Hexahedral_report without = report;
+          mesh = blocks.make_finer(report);
+          if (!mesh)
+            report = without;
+          else
+            bring_back_places(report);
+        }
       }
     }
     if (fallback == Hexahedral_fallback::none)
@@ -427,11 +444,31 @@ private:
     if (!options_.has_boundary_layer())
       return;
     stage("boundary layer");
-    report_.boundary_layer = blocks.insert_layers(mesh, radius());
+    report_.boundary_layer = blocks.insert_layers(mesh, radius(), report_.hexahedral);
     report_.boundary_layer.worst_place = frame_.from_frame(report_.boundary_layer.worst_place);
     blocks.optimize_layers(mesh);
     stage("check");
     internal::check_differences(mesh, *model_, frame_.surface().surface);
+  }
+
+  void bring_back_places(Hexahedral_report& report) const {
+    for (Place_without_blocks& p : report.places_without_blocks)
+      p.place = frame_.from_frame(p.place);
+  }
+
+  static std::string why_not_filled(const std::string& reason) {
+    return "Nor can junctions alone be filled: " + reason + (reason.back() == '.' ? "" : ".");
+  }
+
+  static std::string filled_junctions(const Hexahedral_report& report) {
+    std::size_t pyramids = 0, tetrahedra = 0;
+    for (const Place_without_blocks& p : report.places_without_blocks) {
+      pyramids += p.pyramids;
+      tetrahedra += p.tetrahedra;
+    }
+    return "Where there are no blocks, which is at " + std::to_string(report.places_without_blocks.size()) +
+           " of the junctions, " + std::to_string(pyramids) + " pyramids and " + std::to_string(tetrahedra) +
+           " tetrahedra fill the lumen.";
   }
 
   static std::string why_no_blocks(const Hexahedral_report& report) {

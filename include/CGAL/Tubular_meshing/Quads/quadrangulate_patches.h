@@ -13,6 +13,7 @@
 #include <CGAL/Tubular_meshing/Patches/Surface_patch.h>
 #include <CGAL/Tubular_meshing/Patches/cut_by_centerlines.h>
 #include <CGAL/Tubular_meshing/Patches/parameterize_patch.h>
+#include <CGAL/Tubular_meshing/Patches/pieces/Curve_divider.h>
 #include <CGAL/Tubular_meshing/base/Function_view.h>
 #include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/base/config.h>
@@ -44,6 +45,13 @@ namespace internal {
 Remeshed_surface quadrangulate_patches(const Surface& surface, const Surface_cut& cut,
                                        const std::vector<Patch_parameterization>& maps, Length_function size,
                                        const Quadrangulate_patches_options& options);
+
+/* The same, with the points of some curves as they are given: those of the others are empty. Along the rims among them,
+ * the quads' vertices are these points; each patch needs an even number on its loops. */
+Remeshed_surface quadrangulate_patches(const Surface& surface, const Surface_cut& cut,
+                                       const std::vector<Patch_parameterization>& maps, Length_function size,
+                                       const Quadrangulate_patches_options& options,
+                                       const std::vector<std::vector<Curve_position>>& given);
 
 /* Measures the shapes of the wall's quads in the surface's report, as when they have moved. */
 void measure_quads(Remeshed_surface& surface);

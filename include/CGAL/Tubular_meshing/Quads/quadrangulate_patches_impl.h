@@ -54,7 +54,14 @@ CGAL_TUBULAR_MESHING_INLINE Remeshed_surface quadrangulate_patches(const Surface
                                                                    const std::vector<Patch_parameterization>& maps,
                                                                    Length_function size,
                                                                    const Quadrangulate_patches_options& options) {
-  Quad_piece_mesher mesher(surface, cut, maps, size, options.quad_caps, options.number_of_threads);
+  return quadrangulate_patches(surface, cut, maps, size, options, {});
+}
+
+CGAL_TUBULAR_MESHING_INLINE Remeshed_surface
+quadrangulate_patches(const Surface& surface, const Surface_cut& cut, const std::vector<Patch_parameterization>& maps,
+                      Length_function size, const Quadrangulate_patches_options& options,
+                      const std::vector<std::vector<Curve_position>>& given) {
+  Quad_piece_mesher mesher(surface, cut, maps, size, options.quad_caps, options.number_of_threads, given);
   Remeshed_surface result = mesh_by_pieces(mesher);
   result.quads = make_quad_report(result, mesher.kinds());
   measure_quads(result);

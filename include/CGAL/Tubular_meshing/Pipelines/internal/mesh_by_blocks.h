@@ -13,6 +13,7 @@
 #include <CGAL/Tubular_meshing/Layers/boundary_layer_heights.h>
 #include <CGAL/Tubular_meshing/Pipelines/Hexahedral_report.h>
 #include <CGAL/Tubular_meshing/Pipelines/Mesher_options.h>
+#include <CGAL/Tubular_meshing/Pipelines/internal/Blocks_round_junctions.h>
 #include <CGAL/Tubular_meshing/Pipelines/internal/Model_in_its_frame.h>
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
@@ -44,11 +45,17 @@ public:
       blocks_options_.layer_thickness = (std::min)(Boundary_layer_heights(options.boundary_layer).total(), 0.8);
   }
 
-  // None where blocks cannot be had: the report says why.
-  std::optional<Mixed_mesh> make(Hexahedral_report& report) {
+  /* None where blocks cannot be had: the report says why. Junctions that have none may be filled in another way, if
+   * that is wanted. */
+  std::optional<Mixed_mesh> make(Hexahedral_report& report, bool may_fill_junctions) {
     Hexahedral_blocks blocks = made();
     for (int generation = 0; generation < most_generations && add_lines(blocks); ++generation)
       blocks = made();
+    if (!blocks.refused.empty() && may_fill_junctions) {
+      refused_ = blocks.refused;
+      if (std::optional<Mixed_mesh> mesh = with_junctions_filled(report))
+        return mesh;
+    }
     report.number_of_junctions = blocks.junctions;
     if (!blocks.refused.empty()) {
       for (const Refused_blocks& r : blocks.refused)
@@ -66,7 +73,18 @@ public:
     return std::move(blocks.mesh);
   }
 
-  // Of the mesh that was made.
+  bool has_filled_junctions() const { return round_junctions_.has_value(); }
+
+  // The same as before, with finer cells in the junctions that are filled; none if that cannot be done.
+  std::optional<Mixed_mesh> make_finer(Hexahedral_report& report) {
+    fineness_ *= finer;
+    return with_junctions_filled(report);
+  }
+
+  // Why junctions could not be filled, if that was wanted: part of a sentence.
+  const std::string& why_not_filled() const { return why_not_filled_; }
+
+  // Of the mesh that was made; empty where junctions are filled.
   Block_structure take_structure() { return std::move(structure_); }
 
   /* Improves what is inside of a boundary that has been moved, and stays. */
@@ -80,12 +98,20 @@ public:
     optimize_inside(mesh, optimization);
   }
 
-  // Cuts the hexahedra along the wall.
-  Layer_report insert_layers(Mixed_mesh& mesh, Length_function radius) const {
+  // Cuts the hexahedra along the wall; junctions that are filled get layers, too, and the report what is left of them.
+  Layer_report insert_layers(Mixed_mesh& mesh, Length_function radius, Hexahedral_report& report) const {
+    if (round_junctions_)
+      try {
+        return round_junctions_->insert_layers(mesh, radius, scaled_size(fineness_), report);
+      } catch (Input_error& e) { // of quads that have been made here
+        e.transform_places([&](const Place& p) { return frame_.from_frame(p); });
+        throw Meshing_error(std::string(e.what()));
+      }
     return internal::insert_wall_layers(mesh, radius, options_.boundary_layer);
   }
 
 private:
+  static constexpr double finer = 0.7, finest = 0.4;
   static constexpr int most_generations = 2; // vessels without a centerline may leave others
 
   void optimize_inside(Mixed_mesh& mesh, Optimize_hexahedra_options optimization) const {
@@ -98,12 +124,42 @@ private:
     internal::optimize_hexahedra(mesh, frame_.surface().surface, frame_.surface().patch, optimization);
   }
 
+  /* The mesh size of N as blocks have it. */
+  struct Scaled_size {
+    const Centerline_sizing_field& size;
+    double factor;
+    double operator()(const Point_3& p) const { return factor * size(p); }
+  };
+  Scaled_size scaled_size(double factor = 1) const {
+    const double points = options_.size.points_per_circumference;
+    return {size_, factor * points / double(blocks_points(points))};
+  }
+
   Hexahedral_blocks made() const {
     const Labelled_surface& s = frame_.surface();
-    const double rounded = double(blocks_points(options_.size.points_per_circumference));
-    const double factor = options_.size.points_per_circumference / rounded;
-    const auto size = [&](const Point_3& p) { return factor * size_(p); };
-    return internal::make_hexahedral_blocks(s.surface, s.patch, graph_, size, blocks_options_);
+    return internal::make_hexahedral_blocks(s.surface, s.patch, graph_, scaled_size(), blocks_options_);
+  }
+
+  /* Where cells of the mesh size do not fit in sharp crotches, finer ones may. None where that cannot be done:
+   * why_not_filled() says why. */
+  std::optional<Mixed_mesh> with_junctions_filled(Hexahedral_report& report) {
+    if (!std::all_of(refused_.begin(), refused_.end(), [](const Refused_blocks& r) { return r.can_be_left_out; })) {
+      why_not_filled_ = "it is not a junction that lacks blocks";
+      return std::nullopt;
+    }
+    for (; fineness_ > finest; fineness_ *= finer)
+      try {
+        report = Hexahedral_report();
+        round_junctions_.emplace(frame_, graph_, blocks_options_, options_);
+        Mixed_mesh mesh = round_junctions_->make(refused_, scaled_size(), scaled_size(fineness_), report);
+        mesh.region_names = {{labels::lumen, "lumen"}};
+        return mesh;
+      } catch (const Error& e) {
+        why_not_filled_ = e.what();
+        round_junctions_.reset();
+        report = Hexahedral_report();
+      }
+    return std::nullopt;
   }
 
   // Adds lines to the tips that were missed. False if there are none, or no line leads there.
@@ -142,6 +198,10 @@ private:
   Hexahedral_blocks_options blocks_options_;
   std::vector<Vertex> tips_;
   Block_structure structure_;
+  std::vector<Refused_blocks> refused_;
+  std::optional<Blocks_round_junctions> round_junctions_; // if some are filled in another way
+  double fineness_ = 1;                                   // of what fills them
+  std::string why_not_filled_;
 };
 
 } // namespace CGAL::Tubular_meshing::internal

@@ -20,9 +20,11 @@ namespace CGAL::Tubular_meshing::internal {
  * whose perimeter is hardly greater than those of the disks behind it: before, the disk widens into the junction. */
 class Junction_cutter {
 public:
-  explicit Junction_cutter(Disk_cutter& cutter)
+  // `clearance`: how much farther from junctions than they need be disks are, in radii, where the branch is long enough.
+  explicit Junction_cutter(Disk_cutter& cutter, double clearance)
       : cutter_(cutter)
-      , graph_(cutter.graph()) {}
+      , graph_(cutter.graph())
+      , clearance_(clearance) {}
 
   const std::vector<size_type>& merged() const { return merged_; } // too short to be cut off, or no disk closes
   size_type number_of_moved() const { return moved_; }
@@ -104,9 +106,22 @@ private:
       for (size_type j = i + 1; j < disks.size() && way[j] <= end; ++j)
         least = (std::min)(least, disks[j]);
       if (disks[i].perimeter <= hardly_greater * least.perimeter)
-        return disks[i];
+        return farther(branch, disks[i], from, to);
     }
     return Disk();
+  }
+
+  // A disk that is farther on the way, by the clearance if there is a disk and the way is so long, or by a part of it.
+  Disk farther(size_type branch, const Disk& disk, double from, double to) {
+    constexpr double most = 0.4; // of the way: there may be a cut at its other end
+    const double way = disk.abscissa - from, room = most * std::abs(to - from) - std::abs(way);
+    const double wanted = (std::min)(clearance_ * disk.perimeter / (2 * CGAL_PI), room);
+    for (double part = 1; wanted > 0 && part > 0.2; part -= 0.25) {
+      const Disk result = cutter_.probe(branch, disk.abscissa + (to >= from ? part : -part) * wanted);
+      if (result.is_cuttable() && result.perimeter <= hardly_greater * disk.perimeter)
+        return result;
+    }
+    return disk;
   }
 
   // Where no disk across the branch closes, one that is tilted may.
@@ -140,6 +155,7 @@ private:
 
   Disk_cutter& cutter_;
   const Centerline_graph& graph_;
+  const double clearance_;
   std::vector<size_type> merged_;
   size_type moved_ = 0;
 };

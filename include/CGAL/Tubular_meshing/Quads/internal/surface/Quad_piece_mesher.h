@@ -35,14 +35,16 @@ namespace CGAL::Tubular_meshing::internal {
 /* How a piece got its faces. */
 enum class Quad_piece_kind { grid, unstructured, unstructured_for_grid, cap };
 
-/* Meshes the pieces of a cut surface with quads; the caps with triangles unless quads are wanted. */
+/* Meshes the pieces of a cut surface with quads; the caps with triangles unless quads are wanted. The points of some
+ * curves may be given. */
 class Quad_piece_mesher final : public Piece_mesher {
 public:
   Quad_piece_mesher(const Surface& surface, const Surface_cut& cut, const std::vector<Map>& maps, Length_function size,
-                    bool quad_caps, int threads)
+                    bool quad_caps, int threads, std::vector<Curve_points> given = {})
       : Piece_mesher(surface, cut, maps, threads)
       , size_(size)
       , quad_caps_(quad_caps)
+      , given_(std::move(given))
       , chains_(surface, cut, maps, size)
       , kinds_(pieces_.size(), Quad_piece_kind::cap) {}
 
@@ -61,6 +63,9 @@ protected:
     for (size_type c = 0; c < cut_.curves.size(); ++c)
       fineness.push_back(fineness_of_curve(c));
     std::vector<Curve_points> points = chains_.divide(fineness);
+    for (size_type c = 0; c < given_.size(); ++c)
+      if (!given_[c].empty())
+        points[c] = given_[c];
     for (size_type c = 0; c < points.size(); ++c)
       if (points[c].size() != curve_points_[c].size()) {
         curve_points_[c] = std::move(points[c]);
@@ -227,6 +232,7 @@ private:
 
   const Length_function size_;
   const bool quad_caps_;
+  const std::vector<Curve_points> given_; // of each curve; empty where it is to be divided
   const Curve_chains chains_;
   std::vector<Quad_piece_kind> kinds_;
 };
