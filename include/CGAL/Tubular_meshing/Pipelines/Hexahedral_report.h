@@ -41,8 +41,8 @@ struct Place_without_blocks {
   Point_3 place;
   std::string reason; ///< part of a sentence
 
-  std::size_t pyramids = 0;   ///< that fill it between blocks elsewhere, see Hexahedral_fallback::mixed
-  std::size_t tetrahedra = 0; ///< likewise
+  /// That fill it, see Hexahedral_fallback::mixed. Of neighbors that are filled together, the first has them all.
+  std::size_t pyramids = 0, tetrahedra = 0;
 };
 
 /*! \ingroup PkgTubularMeshingPipelines

@@ -161,14 +161,18 @@ private:
 
   void fill(const Lumen_divider& divider, Length_function size, Mixed_mesh& mesh, Hexahedral_report& report) {
     filler_.emplace(mesh, first_cap_, options_);
+    std::vector<Place_without_blocks> others; // that are filled together with one before
     for (std::size_t k = 0; k < divider.number_of_parts(); ++k) {
       if (divider.kind_of(k) == 0)
         continue;
       const Lumen_part part = divider.part(k);
-      const auto is_here = [&](const Reason& r) {
-        return std::find(part.whole_patch.begin(), part.whole_patch.end(), r.patch) != part.whole_patch.end();
-      };
-      const Reason& reason = *std::find_if(reasons_.begin(), reasons_.end(), is_here);
+      std::vector<Reason> here;
+      for (const Reason& r : reasons_)
+        if (std::find(part.whole_patch.begin(), part.whole_patch.end(), r.patch) != part.whole_patch.end())
+          here.push_back(r);
+      const Reason& reason = here.front();
+      for (std::size_t i = 1; i < here.size(); ++i)
+        others.push_back({here[i].place, here[i].reason});
       try {
         const Junction_filler::Number_of_cells n = filler_->fill(part, size, mesh);
         report.places_without_blocks.push_back({reason.place, reason.reason, n.pyramids, n.tetrahedra});
@@ -177,6 +181,7 @@ private:
         throw Meshing_error(reason.reason + ", and what it leaves cannot be filled: " + e.what());
       }
     }
+    report.places_without_blocks.insert(report.places_without_blocks.end(), others.begin(), others.end());
     report.number_of_junctions += report.places_without_blocks.size();
   }
 
