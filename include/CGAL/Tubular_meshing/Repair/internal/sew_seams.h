@@ -116,9 +116,11 @@ private:
       CGAL::box_intersection_d(
           points.begin(), points.end(), edges.begin(), edges.end(), [&](const Box& p, const Box& e) {
             const Free_edge& edge = free_[e.info()];
-            const Index_triangle& t = soup_.triangles[edge.side / 3];
             const double tolerance = reach * (std::min)(length_[p.info()], edge.length);
-            if (std::find(t.begin(), t.end(), p.info()) != t.end() || !(project(p.info(), edge).second <= tolerance))
+            if (!(project(p.info(), edge).second <= tolerance)) // most are not; so this comes first
+              return;
+            const Index_triangle& t = soup_.triangles[edge.side / 3];
+            if (std::find(t.begin(), t.end(), p.info()) != t.end())
               return;
             near_.push_back(Near_pair{p.info(), e.info(), tolerance});
             if (near_.size() > most)
