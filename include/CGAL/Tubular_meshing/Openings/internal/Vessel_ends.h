@@ -225,7 +225,7 @@ private:
     for (const Blind_leaves::Leaf& leaf : Blind_leaves(graph_, at_openings).leaves()) {
       const auto tip = tips.find(leaf.node);
       ends_.push_back(End{tip == tips.end() ? Surface::null_vertex() : originals_[std::size_t(tip->second)], leaf.shape,
-                          leaf.kind == Blind_end_kind::sac, false, false, Point_3()});
+                          leaf.kind == Blind_end_kind::sac, false, false, Point_3(0, 0, 0)});
     }
   }
 
