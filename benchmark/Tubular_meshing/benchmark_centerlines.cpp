@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Time and memory of compute_centerlines(), without input and output: on generated trees of 10^3 to 10^6 triangles,
-// which is to grow as n log n, and on the surfaces named on the command line (with --loops before them: all branches; with --threads N: by so many, not all there are).
+// which is to grow as n log n, and on the surfaces named on the command line (with --loops before them: all branches;
+// with --threads N: by so many, not all there are).
 // Peak memory is the process': to have that of one surface, run it alone, with --benchmark_filter.
 
 #include <CGAL/Tubular_meshing/Centerlines/compute_centerlines.h>

@@ -240,6 +240,7 @@ TEST(Filled_junctions, Are_no_larger_than_they_must_be) {
   NEEDS_QUADS();
   const double crotch = 0.8 / std::sin(7.5 * CGAL_PI / 180);
   const Mixed_mesh mesh = Mesher(model_of(sharp_y(15)), filled()).hexahedral();
+  ASSERT_GT(mesh.tetrahedra.size(), 0u);
   for (const auto& t : mesh.tetrahedra.vertices)
     for (const Vector_3d& p : corners(mesh, t)) {
       EXPECT_GT(p.y, -3);

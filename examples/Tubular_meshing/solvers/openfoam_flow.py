@@ -145,6 +145,8 @@ def parabola(faces, points, reynolds, viscosity):
     flow = reynolds * viscosity / diameter * total
     # By the areas' components along the mean normal: the flow is the same however the inlet's facets lie.
     through = -sum(h * dot(a, inward) for h, a in zip(shape, areas))
+    if through <= 0:
+        raise ValueError('The inlet has too few faces for a parabola of the velocity.')
     return [tuple(h * flow / through * x for x in inward) for h in shape], flow, diameter
 
 
@@ -242,14 +244,32 @@ def last_value(case, function):
     return float(lines[-1].split()[1])
 
 
-def wall_shear_stress(case, patch):
+def results(case):
+    """What a run leaves in the folder of a case."""
+    return [d for d in os.listdir(case) if (d.isdigit() and d != '0') or d == 'postProcessing']
+
+
+def make_way(case, overwrite):
+    """A case that is there already is replaced only if that is wanted, and results of earlier runs are removed then."""
+    present = [d for d in ('0', 'system') if os.path.exists(os.path.join(case, d))] + results(case)
+    if present and not overwrite:
+        raise ValueError('There is a case in %s already (%s); give another folder, or --overwrite.' %
+                         (case, ', '.join(sorted(present))))
+    for d in results(case):
+        shutil.rmtree(os.path.join(case, d))
+
+
+def wall_shear_stress(case, patch, faces):
     """The vectors at a patch's faces, at the last time."""
-    times = [d for d in os.listdir(case) if d.isdigit() and d != '0']
+    times = [d for d in results(case) if d.isdigit()]
     with open(os.path.join(case, max(times, key=int), 'wallShearStress')) as file:
         text = file.read()
     patch_entry = re.search(r'\n\s*%s\s*\{[^}]*?nonuniform List<vector>\s*\d+\s*\(\n(.*?)\n\)' % re.escape(patch),
                             text[text.index('boundaryField'):], re.S)
-    return [tuple(float(x) for x in line.strip('()').split()) for line in patch_entry.group(1).split('\n')]
+    lines = patch_entry.group(1).split('\n') if patch_entry else []
+    if len(lines) != faces:
+        raise ValueError('%s has no list of the shear stress at %d faces of %s.' % (file.name, faces, patch))
+    return [tuple(float(x) for x in line.strip('()').split()) for line in lines]
 
 
 def wall_faces(case, patches):
@@ -258,7 +278,7 @@ def wall_faces(case, patches):
     for name, count, start in patches:
         if kind_of(name) == 'wall':
             faces, points = read_faces(mesh, count, start)
-            for face, stress in zip(faces, wall_shear_stress(case, name)):
+            for face, stress in zip(faces, wall_shear_stress(case, name, count)):
                 area, center = area_and_center(face, points)
                 yield math.sqrt(dot(area, area)), center, math.sqrt(dot(stress, stress))
 
@@ -281,11 +301,34 @@ def compare_with_poiseuille(case, patches, walls, viscosity, flow):
     radius = math.sqrt(sum(areas) / 2 / math.pi)
     exact = 4 * viscosity * flow / (math.pi * radius ** 3)
     middle = [(s, t) for s, c, t in walls if .4 * length < dot(sub(c, ends[0]), axis) < .6 * length]
+    if not middle:
+        raise ValueError('The tube is too short to compare its middle.')
     size = sum(s for s, _ in middle)
     mean = sum(s * t for s, t in middle) / size
     deviation = math.sqrt(sum(s * (t - exact) ** 2 for s, t in middle) / size)
     drop = 2 * exact * length / radius
     return mean / exact, deviation / exact, last_value(case, 'p_' + inlet) / drop
+
+
+def report(a, text, patches, flow):
+    """Prints what has come out; returns the status of the program."""
+    converged = re.search(r'SIMPLE solution converged in (\d+) iterations', text)
+    seconds = re.findall(r'ExecutionTime = (\S+) s', text)
+    print('%s, %s s of processor time' % ('%s iterations' % converged.group(1) if converged else
+                                            'not converged after %d iterations' % a.iterations, seconds[-1] if seconds else 'some'))
+    for name, _, _ in patches:
+        if kind_of(name) == 'inlet':
+            print('%s: pressure %.5g Pa' % (name, a.density * last_value(a.case, 'p_' + name)))
+        elif kind_of(name) == 'outlet':
+            print('%s: %.2f %% of the flow' % (name, 100 * last_value(a.case, 'phi_' + name) / flow))
+    walls = list(wall_faces(a.case, patches))
+    print('wall shear stress: %.5g Pa on average' % (a.density * sum(s * t for s, _, t in walls) / sum(s for s, _, _ in walls)))
+    if a.poiseuille:
+        mean, deviation, drop = compare_with_poiseuille(a.case, patches, walls, a.viscosity, flow)
+        print('of that of a straight tube: %.4f, with a deviation of %.4f; of its pressure drop: %.4f' % (mean, deviation, drop))
+        if abs(mean - 1) > 0.03 or abs(drop - 1) > 0.03:
+            return 1
+    return 0 if converged else 1
 
 
 def main():
@@ -299,10 +342,12 @@ def main():
     arguments.add_argument('--relaxation', type=float, default=0.9, help='of the velocity')
     arguments.add_argument('--poiseuille', action='store_true')
     arguments.add_argument('--dry', action='store_true', help='write the case and do not run it')
+    arguments.add_argument('--overwrite', action='store_true', help='a case that is there, and its results')
     a = arguments.parse_args()
     mesh = os.path.join(a.case, 'constant', 'polyMesh')
     try:
         patches = read_patches(mesh)
+        make_way(a.case, a.overwrite)
         velocity, flow = {}, 0.
         for name, count, start in patches:
             if kind_of(name) == 'inlet':
@@ -332,23 +377,11 @@ def main():
     if run.returncode != 0:
         print('simpleFoam failed:\n' + '\n'.join(text.splitlines()[-12:]))
         return 2
-    converged = re.search(r'SIMPLE solution converged in (\d+) iterations', text)
-    seconds = float(re.findall(r'ExecutionTime = (\S+) s', text)[-1])
-    print('%s, %.1f s of processor time' % ('%s iterations' % converged.group(1) if converged else
-                                            'not converged after %d iterations' % a.iterations, seconds))
-    for name, _, _ in patches:
-        if kind_of(name) == 'inlet':
-            print('%s: pressure %.5g Pa' % (name, a.density * last_value(a.case, 'p_' + name)))
-        elif kind_of(name) == 'outlet':
-            print('%s: %.2f %% of the flow' % (name, 100 * last_value(a.case, 'phi_' + name) / flow))
-    walls = list(wall_faces(a.case, patches))
-    print('wall shear stress: %.5g Pa on average' % (a.density * sum(s * t for s, _, t in walls) / sum(s for s, _, _ in walls)))
-    if a.poiseuille:
-        mean, deviation, drop = compare_with_poiseuille(a.case, patches, walls, a.viscosity, flow)
-        print('of that of a straight tube: %.4f, with a deviation of %.4f; of its pressure drop: %.4f' % (mean, deviation, drop))
-        if abs(mean - 1) > 0.03 or abs(drop - 1) > 0.03:
-            return 1
-    return 0 if converged else 1
+    try:
+        return report(a, text, patches, flow)
+    except (OSError, ValueError) as error:
+        print(error)
+        return 2
 
 
 if __name__ == '__main__':

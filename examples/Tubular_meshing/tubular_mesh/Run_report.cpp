@@ -246,10 +246,8 @@ void add_patches(Json& report, const tubular::Remeshed_surface& surface) {
 void add_hexahedral(Json& report, const tubular::Hexahedral_report& h) {
   Json places = Json::array();
   for (const auto& p : h.places_without_blocks)
-    places.push_back({{"place", vector_of(p.place)},
-                      {"reason", p.reason},
-                      {"pyramids", p.pyramids},
-                      {"tetrahedra", p.tetrahedra}});
+    places.push_back(
+        {{"place", vector_of(p.place)}, {"reason", p.reason}, {"pyramids", p.pyramids}, {"tetrahedra", p.tetrahedra}});
   report["hexahedral"] = {{"method", tubular::name_of(h.method)},
                           {"junctions", h.number_of_junctions},
                           {"places_without_blocks", places},
@@ -285,8 +283,11 @@ void print_hexahedral(const Json& h) {
   for (const auto& p : h["places_without_blocks"]) {
     std::printf("note: no blocks near (%g, %g, %g): %s", p["place"][0].get<double>(), p["place"][1].get<double>(),
                 p["place"][2].get<double>(), p["reason"].get<std::string>().c_str());
-    if (has_blocks)
-      std::printf("; %ld pyramids and %ld tetrahedra there", p["pyramids"].get<long>(), p["tetrahedra"].get<long>());
+    const long pyramids = p["pyramids"].get<long>(), tetrahedra = p["tetrahedra"].get<long>();
+    if (has_blocks && pyramids + tetrahedra > 0)
+      std::printf("; %ld pyramids and %ld tetrahedra there", pyramids, tetrahedra);
+    else if (has_blocks)
+      std::printf("; filled together with the place before");
     std::printf("\n");
   }
   const long off = h["boundary"]["vertices_not_found"].get<long>() + h["boundary"]["vertices_held_back"].get<long>();

@@ -43,6 +43,7 @@ struct Refused_blocks {
   Point_3 place;
   std::string reason;           ///< a sentence
   Surface::Vertex_index missed; ///< of the surface: the tip of a vessel without a centerline; else null
+  bool is_junction = false;
   bool can_be_left_out = false; ///< it is a junction, or a vessel's end: the vessels may have blocks up to there
 };
 

@@ -111,6 +111,7 @@ private:
   }
   void refuse_node(Hexahedral_blocks& result, std::size_t node, const std::string& reason) const {
     refuse(result, network_.nodes[node].point, reason);
+    result.refused.back().is_junction = network_.nodes[node].is_junction();
     result.refused.back().can_be_left_out = true;
   }
 

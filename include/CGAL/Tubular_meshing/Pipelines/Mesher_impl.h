@@ -21,6 +21,7 @@
 #include <CGAL/Tubular_meshing/Pipelines/internal/check_mesh_of_model.h>
 #include <CGAL/Tubular_meshing/Pipelines/internal/check_requests.h>
 #include <CGAL/Tubular_meshing/Pipelines/internal/mesh_by_blocks.h>
+#include <CGAL/Tubular_meshing/base/element_measures.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 
 #include <algorithm>
@@ -401,7 +402,7 @@ private:
         finish(blocks, *mesh);
         structure_ = blocks.take_structure();
         if (blocks.has_filled_junctions())
-          report_.fallbacks.push_back(filled_junctions(report));
+          report_.fallbacks.push_back(filled_junctions(report, blocks.fineness()));
         return mesh;
       } catch (Meshing_error& e) {
         e.transform_places([&](const Place& p) { return frame_.from_frame(p); });
@@ -417,6 +418,7 @@ private:
           why = "There are no blocks of hexahedra along the vessels: " + why_no_blocks(report) + " " +
                 why_not_filled(e.what());
           const Hexahedral_report without = report;
+          stage("blocks");
           mesh = blocks.make_finer(report);
           if (!mesh)
             report = without;
@@ -460,15 +462,21 @@ private:
     return "Nor can junctions alone be filled: " + reason + (reason.back() == '.' ? "" : ".");
   }
 
-  static std::string filled_junctions(const Hexahedral_report& report) {
+  static std::string filled_junctions(const Hexahedral_report& report, double fineness) {
     std::size_t pyramids = 0, tetrahedra = 0;
     for (const Place_without_blocks& p : report.places_without_blocks) {
       pyramids += p.pyramids;
       tetrahedra += p.tetrahedra;
     }
-    return "Where there are no blocks, which is at " + std::to_string(report.places_without_blocks.size()) +
-           " of the junctions, " + std::to_string(pyramids) + " pyramids and " + std::to_string(tetrahedra) +
-           " tetrahedra fill the lumen.";
+    std::ostringstream s;
+    s.precision(2);
+    s << "Where there are no blocks, at " << report.places_without_blocks.size()
+      << " of the vessels' junctions and ends, " << pyramids << " pyramids and " << tetrahedra
+      << " tetrahedra fill the lumen";
+    if (fineness < 1)
+      s << ", of " << fineness << " times the mesh size, as those of the mesh size do not fit";
+    s << ".";
+    return s.str();
   }
 
   static std::string why_no_blocks(const Hexahedral_report& report) {
@@ -526,7 +534,20 @@ private:
     report.mean_scaled_jacobian_before = first.mean_scaled_jacobian_before;
     report.inverted_before = first.inverted_before;
     report.below_wanted_before = first.below_wanted_before;
+    report.below_wanted = number_below(options_.hexahedra.quality_wanted, hexahedra);
+    report.movable_vertices = (std::max)(report.movable_vertices, first.movable_vertices);
     report.sweeps += first.sweeps;
+  }
+
+  static std::size_t number_below(double quality, const Mixed_mesh& mesh) {
+    std::size_t n = 0;
+    for (const auto& h : mesh.hexahedra.vertices) {
+      std::array<internal::Vector_3d, 8> corners;
+      for (std::size_t i = 0; i < 8; ++i)
+        corners[i] = internal::Vector_3d(mesh.points[h[i]]);
+      n += internal::scaled_jacobian<8>(corners) < quality;
+    }
+    return n;
   }
 
   void add_wall(Mixed_mesh& mesh) {

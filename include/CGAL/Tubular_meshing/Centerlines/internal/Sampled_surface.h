@@ -28,8 +28,8 @@ namespace CGAL::Tubular_meshing::internal {
 /* Points on a closed surface with their outward normals, in canonical coordinates and canonical order: all that the
  * Voronoi diagram is made from. Built in O(n log n).
  *
- * The vertices of the wall come first, along a curve that fills space. A cap is sampled again, whatever its triangles are: by its centre, and
- * by copies of its rim shrunk towards it. */
+ * The vertices of the wall come first, along a curve that fills space. A cap is sampled again, whatever its triangles
+ * are: by its centre, and by copies of its rim shrunk towards it. */
 class Sampled_surface {
 public:
   typedef Double_kernel::Point_3 Point;

@@ -11,7 +11,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstddef>
 #include <functional>
 #include <limits>
 #include <queue>

@@ -12,12 +12,13 @@
 namespace CGAL::Tubular_meshing::internal {
 
 /* How far along Morton's curve, which fills space, a point in canonical coordinates is: points that are near each other
- * along it are near each other in space. In memory in this order, what is needed next is mostly at hand. */
+ * along it are near each other in space. In memory in this order, what is needed next is mostly at hand. The planes of
+ * coordinates, where vertices of symmetric vessels are, lie in the middle of its cells: not rounding errors decide. */
 inline std::uint64_t place_on_curve(const Double_kernel::Point_3& p) {
   const double steps = 1 << 21, reach = 8; // extents of the surface, few of which have points that are further out
   std::uint64_t result = 0;
   for (int k = 0; k < 3; ++k) {
-    const double step = (p[k] + reach) * (steps / (2 * reach));
+    const double step = (p[k] + reach) * (steps / (2 * reach)) + 0.5;
     std::uint64_t x = std::uint64_t((std::min)((std::max)(step, 0.), steps - 1));
     x = (x | x << 32) & 0x1f00000000ffff; // two zeros after each bit
     x = (x | x << 16) & 0x1f0000ff0000ff;

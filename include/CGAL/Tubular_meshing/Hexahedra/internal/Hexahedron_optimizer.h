@@ -216,7 +216,9 @@ private:
     });
     sliding_.reset(new Sliding_surface(surface_, patch_));
     locate();
+    active_.clear();
     is_active_.assign(points_.size(), 0);
+    epsilon_ = 1;
     must_visit_ = std::vector<std::atomic<std::uint8_t>>(points_.size());
   }
 

@@ -166,7 +166,7 @@ private:
 
   // False if there are no lines.
   bool trace_lines(const std::vector<std::pair<Point_3, int>>& ends, const std::vector<Vertex>& further) {
-    Centerline_computation computation(closed_.surface, closed_.patch, ends, false, true);
+    Centerline_computation computation(closed_.surface, closed_.patch, ends, false, true, 1);
     for (Vertex v : further)
       add_end(computation, v);
     const double longest = computation.longest_line();

@@ -84,6 +84,7 @@ private:
     std::size_t patch;
     Point_3 place;
     std::string reason;
+    bool is_junction;
   };
 
   // A junction may be longer by the clearance than else a patch, for not to be cut again.
@@ -112,7 +113,7 @@ private:
         throw Meshing_error(r.reason);
       const std::size_t patch = patch_of[tree.nearest(to_double_point(r.place)).index];
       is_filled_[patch] = 1;
-      reasons_.push_back({patch, r.place, r.reason});
+      reasons_.push_back({patch, r.place, r.reason, r.is_junction});
     }
   }
 
@@ -122,7 +123,7 @@ private:
     report.number_of_blocks = report.number_of_junctions = report.irregular_edges = 0;
     report.twist.clear();
     report.optimization = Optimize_hexahedra_report();
-    bool is_complete = true, is_first = true;
+    bool is_complete = true;
     for (std::size_t k = 0; k < divider.number_of_parts(); ++k) {
       if (divider.kind_of(k) != 0)
         continue;
@@ -134,16 +135,16 @@ private:
         is_complete = false;
         continue;
       }
+      add(report, blocks, mesh.hexahedra.size());
       append_mesh(mesh, blocks.mesh, {}, no_interface);
-      add(report, blocks, is_first);
-      is_first = false;
     }
-    if (is_first)
+    if (is_complete && mesh.hexahedra.size() == 0)
       throw Meshing_error("no vessel is left for blocks");
     return is_complete ? std::optional<Mixed_mesh>(std::move(mesh)) : std::nullopt;
   }
 
-  static void add(Hexahedral_report& report, const Hexahedral_blocks& blocks, bool is_first) {
+  // `hexahedra`: how many those have that were added before.
+  static void add(Hexahedral_report& report, const Hexahedral_blocks& blocks, std::size_t hexahedra) {
     report.number_of_junctions += blocks.junctions;
     report.number_of_blocks += blocks.structure.hexahedra.size();
     report.irregular_edges += blocks.irregular_edges;
@@ -152,11 +153,18 @@ private:
     Optimize_hexahedra_report& all = report.optimization;
     const Optimize_hexahedra_report& part = blocks.optimization;
     for (double Optimize_hexahedra_report::*least :
-         {&Optimize_hexahedra_report::min_scaled_jacobian_before, &Optimize_hexahedra_report::min_scaled_jacobian,
-          &Optimize_hexahedra_report::mean_scaled_jacobian_before, &Optimize_hexahedra_report::mean_scaled_jacobian})
-      all.*least = is_first ? part.*least : (std::min)(all.*least, part.*least);
-    all.inverted_before += part.inverted_before;
-    all.inverted += part.inverted;
+         {&Optimize_hexahedra_report::min_scaled_jacobian_before, &Optimize_hexahedra_report::min_scaled_jacobian})
+      all.*least = hexahedra == 0 ? part.*least : (std::min)(all.*least, part.*least);
+    const double share = double(blocks.mesh.hexahedra.size()) / double(hexahedra + blocks.mesh.hexahedra.size());
+    for (double Optimize_hexahedra_report::*mean :
+         {&Optimize_hexahedra_report::mean_scaled_jacobian_before, &Optimize_hexahedra_report::mean_scaled_jacobian})
+      all.*mean += share * (part.*mean - all.*mean);
+    for (std::size_t Optimize_hexahedra_report::*number :
+         {&Optimize_hexahedra_report::inverted_before, &Optimize_hexahedra_report::inverted,
+          &Optimize_hexahedra_report::below_wanted_before, &Optimize_hexahedra_report::below_wanted,
+          &Optimize_hexahedra_report::sweeps})
+      all.*number += part.*number;
+    all.movable_vertices = (std::max)(all.movable_vertices, part.movable_vertices);
   }
 
   void fill(const Lumen_divider& divider, Length_function size, Mixed_mesh& mesh, Hexahedral_report& report) {
@@ -176,13 +184,13 @@ private:
       try {
         const Junction_filler::Number_of_cells n = filler_->fill(part, size, mesh);
         report.places_without_blocks.push_back({reason.place, reason.reason, n.pyramids, n.tetrahedra});
+        report.number_of_junctions += reason.is_junction;
       } catch (Error& e) {
         e.transform_places([&](const Place& p) { return frame_.from_frame(p); });
         throw Meshing_error(reason.reason + ", and what it leaves cannot be filled: " + e.what());
       }
     }
     report.places_without_blocks.insert(report.places_without_blocks.end(), others.begin(), others.end());
-    report.number_of_junctions += report.places_without_blocks.size();
   }
 
   static constexpr int no_interface = 0; // no facet has this label

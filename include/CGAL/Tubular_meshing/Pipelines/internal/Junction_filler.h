@@ -249,7 +249,9 @@ private:
     std::vector<Index> points;
     const Labelled_surface surface = surface_of(closed, mesh.points, points);
     Mixed_mesh filling;
-    internal::fill_with_pyramids_and_tetrahedra(surface.surface, surface.patch, size, filling, options_.pyramids);
+    Fill_with_pyramids_and_tetrahedra_options pyramids = options_.pyramids;
+    pyramids.split_quads = false; // the other sides of hexahedra
+    internal::fill_with_pyramids_and_tetrahedra(surface.surface, surface.patch, size, filling, pyramids);
     append_mesh(mesh, filling, points, inside);
     return {filling.pyramids.size(), filling.tetrahedra.size()};
   }

@@ -47,7 +47,7 @@ public:
       , first_label_(first_label) {
     for (const Cut_curve& c : cut_.curves)
       if (is_between(c) && c.branch == Cut_curve::none)
-        throw Meshing_error("the wall is cut round a handle there");
+        throw Meshing_error("the wall is cut round a handle");
     number_parts();
     for (Face f : surface_.faces())
       if (cut_.patch_of_face[f] < 0)

@@ -73,6 +73,9 @@ public:
     return std::move(blocks.mesh);
   }
 
+  // The size of the cells in junctions that are filled, in mesh sizes.
+  double fineness() const { return fineness_; }
+
   bool has_filled_junctions() const { return round_junctions_.has_value(); }
 
   // The same as before, with finer cells in the junctions that are filled; none if that cannot be done.
