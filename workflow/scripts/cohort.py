@@ -1,6 +1,7 @@
 # Copyright (c) 2026 The Tubular_meshing authors.
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The settings of the workflow, the rows of its folder or table, and what is asked for of each surface."""
+import collections
 import csv
 import fnmatch
 import hashlib
@@ -236,10 +237,9 @@ def rows_of_folder(folder, pattern, output):
         raise Usage_error('the folder "%s" has no surfaces%s: %s'
                           % (folder, "" if pattern == "*" else " of the pattern " + pattern, " ".join(ENDINGS)))
     found.sort()
-    stems = [os.path.splitext(given)[0] for given in found]
-    several = {stem for stem in stems if stems.count(stem) > 1} if len(set(stems)) < len(stems) else ()
-    return [Row(folder, given, name=given if stem in several else "", place=given)
-            for given, stem in zip(found, stems)]
+    number = collections.Counter(os.path.splitext(given)[0] for given in found)
+    return [Row(folder, given, name=given if number[os.path.splitext(given)[0]] > 1 else "", place=given)
+            for given in found]
 
 
 def rows_of_table(path):
