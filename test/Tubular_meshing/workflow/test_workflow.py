@@ -349,6 +349,8 @@ class Cohort(Test):
         for id in os.listdir(os.path.join(folder, ".status")):
             for name in os.listdir(os.path.join(folder, ".status", id)):
                 path = os.path.join(folder, ".status", id, name)
+                if not name.endswith(".json"):
+                    continue # being written
                 times[json.loads(read(path))["name"]] = os.stat(path).st_mtime_ns
         return times
 
