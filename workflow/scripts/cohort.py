@@ -225,10 +225,15 @@ def read_rows(settings):
 
 
 def rows_of_folder(folder, pattern, output):
+    if folder == output:
+        raise Usage_error("the results would be among the surfaces: name another folder by output")
+
+    def is_searched(path):
+        return not (os.path.basename(path).startswith(".") or path == output
+                    or os.path.isdir(os.path.join(path, ".status"))) # the last: of results of another run
     found = []
     for place, folders, files in os.walk(folder):
-        folders[:] = sorted(f for f in folders
-                            if not f.startswith(".") and os.path.abspath(os.path.join(place, f)) != output)
+        folders[:] = [f for f in folders if is_searched(os.path.join(place, f))]
         for name in files:
             given = os.path.relpath(os.path.join(place, name), folder)
             if name.lower().endswith(ENDINGS) and not name.startswith(".") and fnmatch.fnmatch(given, pattern):

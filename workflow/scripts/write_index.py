@@ -82,7 +82,8 @@ class Result:
             values["openings"] = len(report["openings"])
             values["branches"] = len(report["branches"])
             values["points"] = report["points"]
-            values["volume, %"] = 100 * report["volume"]["relative_difference"]
+            if report["volume"]["relative_difference"] is not None: # a number that is not finite
+                values["volume, %"] = 100 * report["volume"]["relative_difference"]
         for measure, worst, name in WORST:
             statistics = report.get("quality", {}).get(measure)
             if statistics and statistics["count"] and statistics[worst] is not None:

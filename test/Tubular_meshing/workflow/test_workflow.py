@@ -46,9 +46,8 @@ def generate(path, *options):
 
 def write(path, content):
     os.makedirs(os.path.dirname(os.path.abspath(path)), exist_ok=True)
-    with open(path, "wb" if isinstance(content, bytes) else "w", **({} if isinstance(content, bytes)
-                                                                     else {"encoding": "utf-8", "newline": ""})) as file:
-        file.write(content)
+    with open(path, "wb") as file:
+        file.write(content if isinstance(content, bytes) else content.encode())
 
 
 def read(path):
@@ -151,7 +150,7 @@ class Scripts(Test):
     def test_Folders_are_searched_but_not_the_results(self):
         import cohort
         for name in ("s/a.stl", "s/b/a.STL", "s/b/notes.txt", "s/.hidden/c.stl", "s/out/meshes/a/a.stl", "s/two.stl",
-                     "s/two.off"):
+                     "s/two.off", "s/old/.status/a/x.json", "s/old/meshes/a/a.vtu"):
             write(name, "")
         settings = self.settings(surfaces="s", output="s/out")
         self.assertEqual([r.name for r in cohort.read_rows(settings)], ["a", "b/a", "two.off", "two.stl"])
@@ -159,6 +158,7 @@ class Scripts(Test):
         self.assertEqual([r.name for r in cohort.read_rows(settings)], ["b/a"])
         settings.pattern = "*.ply"
         self.assertIn("no surfaces of the pattern *.ply", self.refusal(cohort.read_rows, settings))
+        self.assertIn("among the surfaces", self.refusal(cohort.read_rows, self.settings(surfaces="s", output="s/.")))
         os.mkdir("empty")
         self.assertIn("has no surfaces", self.refusal(cohort.read_rows, self.settings(surfaces="empty")))
 
@@ -174,7 +174,8 @@ class Scripts(Test):
 
     def test_Options_of_a_row_replace_those_of_all(self):
         both = 'surface,options\na.stl,"-n12 --inlet -1,2,3 --seeds p.txt"\n'
-        request = self.request(both, options="-t hexahedral --points-per-circumference=20 --smooth")
+        common = "-t hexahedral --points-per-circumference=20 --smooth"
+        request = self.request(both, options=common)
         self.assertEqual(request.data["options"], ["-t", "hexahedral", "--smooth", "-n", "12", "--inlet", "-1,2,3",
                                                    "--seeds", os.path.join(self.folder, "p.txt")])
         self.assertEqual(request.data["problem"], "")
@@ -323,6 +324,8 @@ class Cohort(Test):
                 ("broken.stl", "y"), ("Gefäß.ply", "curved --capped"), ("<i>&amp;.obj", "tube --sag 0.05"),
                 ("$HOME.vtp", "y --noise 0.01 --seed 2"), ("-n.stl", "curved --noise 0.01"), ("arch.stl", "arch"))
 
+    OUT = "the 'meshes' {out} $x"
+
     def setUp(self):
         super().setUp()
         for name, options in self.SURFACES:
@@ -332,7 +335,7 @@ class Cohort(Test):
 
     def command(self, *config):
         return [GIVEN.snakemake, "-s", os.path.join(GIVEN.workflow, "Snakefile"), "-c2", "--nocolor", "--config",
-                "surfaces=in", "output=out", "tool=" + GIVEN.tool, "options=-n 8", *config]
+                "surfaces=in", "output=" + self.OUT, "tool=" + GIVEN.tool, "options=-n 8", *config]
 
     def environment(self):
         return dict(os.environ, XDG_CACHE_HOME=os.path.join(self.folder, "cache"), HOME=self.folder)
@@ -343,12 +346,12 @@ class Cohort(Test):
         self.assertEqual(run.returncode, status, run.stdout)
         return run.stdout
 
-    def made(self, folder="out"):
+    def made(self):
         """When what is known of each surface was written."""
         times = {}
-        for id in os.listdir(os.path.join(folder, ".status")):
-            for name in os.listdir(os.path.join(folder, ".status", id)):
-                path = os.path.join(folder, ".status", id, name)
+        for id in os.listdir(os.path.join(self.OUT, ".status")):
+            for name in os.listdir(os.path.join(self.OUT, ".status", id)):
+                path = os.path.join(self.OUT, ".status", id, name)
                 if not name.endswith(".json"):
                     continue # being written
                 times[json.loads(read(path))["name"]] = os.stat(path).st_mtime_ns
@@ -362,7 +365,7 @@ class Cohort(Test):
 
     def test_Cohort(self):
         self.run_workflow()
-        rows = index_of("out")
+        rows = index_of(self.OUT)
         self.assertEqual(len(rows), 12)
         self.assertEqual([(r["name"], r["status"]) for r in rows if r["status"] != "meshed"], [("broken", "failed")])
         self.assertEqual(rows[0]["name"], "broken")
@@ -370,22 +373,22 @@ class Cohort(Test):
         self.assertEqual(rows[0]["mesh"], "")
         self.assertEqual({r["surface"] for r in rows}, {name for name, options in self.SURFACES})
         for row in rows[1:]:
-            self.assertIn(b"VTKFile", read_bytes(os.path.join("out", row["mesh"]))[:200])
-            report = json.loads(read(os.path.join("out", row["report"])))
+            self.assertIn(b"VTKFile", read_bytes(os.path.join(self.OUT, row["mesh"]))[:200])
+            report = json.loads(read(os.path.join(self.OUT, row["report"])))
             self.assertEqual(int(row["tetrahedra"]), report["cells"]["tetrahedra"])
             self.assertEqual(float(row["min γ_τ"]), report["quality"]["gamma_tau"]["min"])
             self.assertGreater(float(row["seconds"]), 0)
-        self.assertEqual(len(os.listdir("out/meshes")), 11)
-        page = Page("out")
+        self.assertEqual(len(os.listdir(self.OUT + "/meshes")), 11)
+        page = Page(self.OUT)
         self.assertEqual(page.open, [])
         self.assertFalse(page.tags & {"script", "i"})
         self.assertEqual([r["surface"] for r in page.rows[1:]], [r["name"] for r in rows])
-        self.assertIn("12 surfaces: 11 meshed, 1 failed", read("out/index.html"))
+        self.assertIn("12 surfaces: 11 meshed, 1 failed", read(self.OUT + "/index.html"))
         for target in page.links:
-            self.assertTrue(os.path.exists(os.path.join("out", target)), target)
+            self.assertTrue(os.path.exists(os.path.join(self.OUT, target)), target)
 
         self.assertIn("Nothing to be done", self.run_workflow())
-        os.remove(os.path.join("out", next(r["mesh"] for r in rows if r["name"] == "p 2/aorta")))
+        os.remove(os.path.join(self.OUT, next(r["mesh"] for r in rows if r["name"] == "p 2/aorta")))
         self.assertEqual(self.made_by(), {"p 2/aorta"})
         os.utime("in/Gefäß.ply")
         self.assertEqual(self.made_by(), {"Gefäß"})
@@ -393,36 +396,36 @@ class Cohort(Test):
         self.assertIn("Nothing to be done", self.run_workflow())
         write("in/broken.stl", self.good)
         self.assertEqual(self.made_by(), {"broken"})
-        self.assertEqual({r["status"] for r in index_of("out")}, {"meshed"})
+        self.assertEqual({r["status"] for r in index_of(self.OUT)}, {"meshed"})
         os.remove("in/arch.stl")
         generate("in/new.stl", "tube", "--resolution", "12")
         self.assertEqual(self.made_by(), {"new"})
-        self.assertEqual({r["name"] for r in index_of("out")} ^ {r["name"] for r in rows}, {"new", "arch"})
+        self.assertEqual({r["name"] for r in index_of(self.OUT)} ^ {r["name"] for r in rows}, {"new", "arch"})
 
     def test_Interrupted(self):
         process = subprocess.Popen(self.command(), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
                                    env=self.environment(), start_new_session=True)
         end = time.monotonic() + 60
-        while time.monotonic() < end and (not os.path.isdir("out/.status") or len(self.made()) < 3):
+        while time.monotonic() < end and (not os.path.isdir(self.OUT + "/.status") or len(self.made()) < 3):
             time.sleep(0.02)
         os.killpg(process.pid, signal.SIGINT)
         self.assertNotEqual(process.wait(60), 0)
         before = self.made()
         self.assertLess(len(before), 12)
-        for id in os.listdir("out/meshes"):
-            self.assertIn(id + ".json", os.listdir(os.path.join("out", "meshes", id)))
-            self.assertEqual(len(os.listdir(os.path.join("out", "meshes", id))), 2)
+        for id in os.listdir(self.OUT + "/meshes"):
+            self.assertIn(id + ".json", os.listdir(os.path.join(self.OUT, "meshes", id)))
+            self.assertEqual(len(os.listdir(os.path.join(self.OUT, "meshes", id))), 2)
         self.run_workflow()
-        self.assertEqual([r["status"] for r in index_of("out")], ["failed"] + 11 * ["meshed"])
+        self.assertEqual([r["status"] for r in index_of(self.OUT)], ["failed"] + 11 * ["meshed"])
         after = self.made()
         self.assertEqual({name: after[name] for name in before}, before)
 
     def test_Table(self):
-        write("study.csv", 'surface;name;options;age\nin/y.stl;fine;-n 10;40\nin/y.stl;coarse;;41\n'
+        write("study {1}.csv", 'surface;name;options;age\nin/y.stl;fine;-n 10;40\nin/y.stl;coarse;;41\n'
                            'in/nowhere.stl;;;42\nin/tube.stl;hexahedra;-t hexahedral;\n"in/p 1/aorta.stl";;--bogus;\n')
-        table = ("surfaces=study.csv", "format=gmsh")
+        table = ("surfaces=study {1}.csv", "format=gmsh")
         self.run_workflow(*table)
-        rows = {r["name"]: r for r in index_of("out")}
+        rows = {r["name"]: r for r in index_of(self.OUT)}
         self.assertEqual({name: r["status"] for name, r in rows.items()},
                          {"fine": "meshed", "coarse": "meshed", "in/nowhere": "failed", "hexahedra": "meshed",
                           "in/p 1/aorta": "failed"})
@@ -434,13 +437,13 @@ class Cohort(Test):
         self.assertIn("No such file", rows["in/nowhere"]["sentence"])
         self.assertIn("--bogus", rows["in/p 1/aorta"]["sentence"])
 
-        write("study.csv", read("study.csv").replace("--bogus", "").replace(";41", ";43"))
+        write("study {1}.csv", read("study {1}.csv").replace("--bogus", "").replace(";41", ";43"))
         self.assertEqual(self.made_by(*table), {"in/p 1/aorta"})
-        self.assertEqual({r["name"]: r["age"] for r in index_of("out")}["coarse"], "43")
+        self.assertEqual({r["name"]: r["age"] for r in index_of(self.OUT)}["coarse"], "43")
 
-        write("study.csv", "file\nin/y.stl\n")
+        write("study {1}.csv", "file\nin/y.stl\n")
         self.assertIn("has no column surface; its first line is: file",
-                      self.run_workflow("surfaces=study.csv", "output=other", status=1))
+                      self.run_workflow("surfaces=study {1}.csv", "output=other", status=1))
         os.mkdir("empty")
         self.assertIn("has no surfaces", self.run_workflow("surfaces=empty", "output=other", status=1))
         self.assertFalse(os.path.exists("other"))
