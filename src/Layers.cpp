@@ -4,3 +4,4 @@
 #include <CGAL/Tubular_meshing/Layers/append_mesh_impl.h>
 #include <CGAL/Tubular_meshing/Layers/extrude_boundary_layer_impl.h>
 #include <CGAL/Tubular_meshing/Layers/extrude_wall_impl.h>
+#include <CGAL/Tubular_meshing/Layers/unfold_wall_impl.h>

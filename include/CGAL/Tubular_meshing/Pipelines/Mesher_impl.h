@@ -13,6 +13,7 @@
 #include <CGAL/Tubular_meshing/Hexahedra/optimize_hexahedra.h>
 #include <CGAL/Tubular_meshing/Hexahedra/subdivide_into_hexahedra.h>
 #include <CGAL/Tubular_meshing/Layers/append_mesh.h>
+#include <CGAL/Tubular_meshing/Layers/unfold_wall.h>
 #include <CGAL/Tubular_meshing/Volume/move_boundary_to_surface.h>
 #include <CGAL/Tubular_meshing/Volume/preserve_volume.h>
 #include <CGAL/Tubular_meshing/Pipelines/Element_target.h>
@@ -560,13 +561,14 @@ private:
 
   /* Meshes the lumen by fill(surface, patch, mesh): all of it, or, where layers are wanted along the wall, what they
    * leave of it. */
-  template <class Fill> Mixed_mesh fill_within_layers(const Remeshed_surface& surface, const Fill& fill) {
+  template <class Fill> Mixed_mesh fill_within_layers(Remeshed_surface& surface, const Fill& fill) {
     Mixed_mesh mesh;
     if (!options_.has_boundary_layer()) {
       fill(surface.surface, surface.patch, mesh);
       return mesh;
     }
     stage("boundary layer");
+    unfold(surface);
     Boundary_layer layer =
         internal::extrude_boundary_layer(surface.surface, surface.patch, radius(), options_.boundary_layer);
     report_.boundary_layer = layer.report;
@@ -579,6 +581,20 @@ private:
     }
     append_mesh(layer.layers, mesh, layer.mesh_points);
     return std::move(layer.layers);
+  }
+
+  // Folds that leave layers no room.
+  void unfold(Remeshed_surface& surface) {
+    const internal::Unfolded_wall unfolded = internal::unfold_wall(surface.surface, surface.patch);
+    if (unfolded.vertices == 0)
+      return;
+    const Point_3 place = frame_.from_frame(unfolded.place);
+    std::ostringstream s;
+    s.precision(6);
+    s << "To make room for layers in folds of the wall, " << unfolded.vertices << " of its vertices were moved, one by "
+      << frame_.length_from_frame(unfolded.distance) << " near (" << place.x() << ", " << place.y() << ", " << place.z()
+      << ").";
+    report_.fallbacks.push_back(s.str());
   }
 
   // --- the volume of the surface ---

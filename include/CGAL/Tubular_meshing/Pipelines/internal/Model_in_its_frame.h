@@ -96,6 +96,7 @@ public:
     return Point_3(q.x(), q.y(), q.z());
   }
 
+  double length_from_frame(double length) const { return length * frame_.scale(); }
   Point_3 from_frame(const Point_3& p) const {
     const auto q = frame_.from_canonical(to_double_point(p));
     return Point_3(q.x(), q.y(), q.z());
