@@ -63,11 +63,11 @@ void check_cells(const Options& o) {
     return;
   const std::string solver = is_svmultiphysics ? "svMultiPhysics" : "FEniCSx";
   if (o.is_mixed())
-    throw tubular::Parameter_error(solver + " takes no pyramids, which meshes of type mixed have: choose --type "
-                                            "isotropic, anisotropic or hexahedral.");
+    throw tubular::Parameter_error("No pyramids, which meshes of type mixed have, can be written for " + solver +
+                                   ": choose --type isotropic, anisotropic or hexahedral.");
   if (o.is_hexahedral() && o.hex_fallback == "mixed")
-    throw tubular::Parameter_error(solver + " takes no pyramids, which --hex-fallback mixed makes: choose subdivision or "
-                                            "none.");
+    throw tubular::Parameter_error("No pyramids, which --hex-fallback mixed makes, can be written for " + solver +
+                                   ": choose subdivision or none.");
   if (o.boundary_layer_prisms > 0 && !o.is_hexahedral())
     throw tubular::Parameter_error(solver + " takes one kind of cells, not prisms and tetrahedra in one lumen: choose "
                                             "--type anisotropic in place of --boundary-layer-prisms, or --type "

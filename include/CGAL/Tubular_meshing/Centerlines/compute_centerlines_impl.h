@@ -125,10 +125,9 @@ struct Centerline_computation::Impl {
       for (const Line_point& p : line) {
         polylines.lines.back().push_back(polylines.points.size());
         polylines.points.push_back(to_core(p.point));
-        polylines.radius.push_back(p.radius);
       }
     }
-    // the radii of the spheres that were passed will do to merge lines; those of the graph are measured
+    polylines.radius = measured(polylines.points);
     Centerline_graph result;
     build_centerline_graph(polylines, result, options);
     result.set_radii(measured(result.points()));
