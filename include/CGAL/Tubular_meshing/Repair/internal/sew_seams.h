@@ -96,6 +96,7 @@ private:
   bool find_near_pairs(double reach) {
     near_.clear();
     const std::size_t most = 1000 + 25 * number_of_points_;
+    const std::size_t most_asked = 100000 + 300 * number_of_points_; // in all rounds; seams ask ten or twenty in each
     std::vector<Box> points, edges;
     CGAL::Bbox_3 all;
     for (std::size_t v = 0; v < length_.size(); ++v) {
@@ -115,6 +116,8 @@ private:
     try {
       CGAL::box_intersection_d(
           points.begin(), points.end(), edges.begin(), edges.end(), [&](const Box& p, const Box& e) {
+            if (++asked_ > most_asked)
+              throw Too_many();
             const Free_edge& edge = free_[e.info()];
             const double tolerance = reach * (std::min)(length_[p.info()], edge.length);
             if (!(project(p.info(), edge).second <= tolerance)) // most are not; so this comes first
@@ -277,6 +280,7 @@ private:
   std::vector<double> length_;       ///< by point, of the shortest free edge there; 0: the point is not free
   std::size_t number_of_points_ = 0; ///< that are free
   std::vector<Near_pair> near_;
+  std::size_t asked_ = 0; ///< pairs whose distance has been asked for
   Sewn_seams sewn_;
 };
 
