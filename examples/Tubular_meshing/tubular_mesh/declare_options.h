@@ -34,9 +34,10 @@ inline void declare_hexahedral_options(CLI::App& app, Options& o) {
       ->capture_default_str()
       ->check(CLI::IsMember({"blocks", "subdivision"}).description(""))
       ->group(group);
-  app.add_option("--hex-fallback", o.hex_fallback,
-                 "where there are no blocks to be had: subdivision, of the whole mesh; mixed, pyramids and tetrahedra in "
-                 "the junction alone, or, if it is not a junction that lacks them, subdivision; or none, no mesh")
+  app.add_option(
+         "--hex-fallback", o.hex_fallback,
+         "where there are no blocks to be had: subdivision, of the whole mesh; mixed, pyramids and tetrahedra in "
+         "the junction alone, or, if it is not a junction that lacks them, subdivision; or none, no mesh")
       ->capture_default_str()
       ->check(CLI::IsMember({"subdivision", "mixed", "none"}).description(""))
       ->group(group);
