@@ -10,6 +10,7 @@
 #include <CGAL/Tubular_meshing/Openings/flow_extensions.h>
 #include <CGAL/Tubular_meshing/Openings/openings.h>
 
+#include <CGAL/Polygon_mesh_processing/border.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>

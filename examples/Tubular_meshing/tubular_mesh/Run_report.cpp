@@ -265,7 +265,8 @@ void add_hexahedral(Json& report, const tubular::Hexahedral_report& h) {
                             {"mean_scaled_jacobian_before", h.optimization.mean_scaled_jacobian_before},
                             {"mean_scaled_jacobian", h.optimization.mean_scaled_jacobian},
                             {"inverted_before", h.optimization.inverted_before},
-                            {"inverted", h.optimization.inverted}}}};
+                            {"inverted", h.optimization.inverted},
+                            {"vertices_left_off_surface", h.optimization.held_vertices}}}};
 }
 
 void print_hexahedral(const Json& h) {
@@ -280,6 +281,9 @@ void print_hexahedral(const Json& h) {
   std::printf("optimized, scaled Jacobian: %.3f at least, %.3f on average; before, %.3f and %.3f\n",
               o["min_scaled_jacobian"].get<double>(), o["mean_scaled_jacobian"].get<double>(),
               o["min_scaled_jacobian_before"].get<double>(), o["mean_scaled_jacobian_before"].get<double>());
+  if (const long held = o["vertices_left_off_surface"].get<long>())
+    std::printf(
+        "note: %ld vertices of the boundary stay a little off the surface: on it, hexahedra would be inverted\n", held);
   for (const auto& p : h["places_without_blocks"]) {
     std::printf("note: no blocks near (%g, %g, %g): %s", p["place"][0].get<double>(), p["place"][1].get<double>(),
                 p["place"][2].get<double>(), p["reason"].get<std::string>().c_str());

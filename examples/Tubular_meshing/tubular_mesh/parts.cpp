@@ -123,6 +123,7 @@ void add(tubular::Optimize_hexahedra_report& all, const tubular::Optimize_hexahe
     all.*least = (std::min)(all.*least, part.*least);
   all.inverted_before += part.inverted_before;
   all.inverted += part.inverted;
+  all.held_vertices += part.held_vertices;
 }
 
 void add(tubular::Hexahedral_report& all, const tubular::Hexahedral_report& part) {

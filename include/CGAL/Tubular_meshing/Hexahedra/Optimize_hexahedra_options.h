@@ -56,6 +56,7 @@ struct Optimize_hexahedra_report {
   std::size_t below_wanted = 0;
   std::size_t movable_vertices = 0; ///< the most that have taken part at a time
   std::size_t sweeps = 0;           ///< over these
+  std::size_t held_vertices = 0;    ///< of the boundary, left off the surface: on it, hexahedra would be inverted
 };
 
 } // namespace CGAL::Tubular_meshing

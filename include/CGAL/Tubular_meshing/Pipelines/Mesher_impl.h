@@ -10,7 +10,6 @@
 #include <CGAL/Tubular_meshing/Fields/Centerline_sizing_field.h>
 #include <CGAL/Tubular_meshing/Fields/Local_radius.h>
 #include <CGAL/Tubular_meshing/Fields/Refined_metric_field.h>
-#include <CGAL/Tubular_meshing/Hexahedra/optimize_hexahedra.h>
 #include <CGAL/Tubular_meshing/Hexahedra/subdivide_into_hexahedra.h>
 #include <CGAL/Tubular_meshing/Layers/append_mesh.h>
 #include <CGAL/Tubular_meshing/Layers/unfold_wall.h>
@@ -21,8 +20,9 @@
 #include <CGAL/Tubular_meshing/Pipelines/internal/Model_in_its_frame.h>
 #include <CGAL/Tubular_meshing/Pipelines/internal/check_mesh_of_model.h>
 #include <CGAL/Tubular_meshing/Pipelines/internal/check_requests.h>
+#include <CGAL/Tubular_meshing/Pipelines/internal/hexahedral_sentences.h>
 #include <CGAL/Tubular_meshing/Pipelines/internal/mesh_by_blocks.h>
-#include <CGAL/Tubular_meshing/base/element_measures.h>
+#include <CGAL/Tubular_meshing/Pipelines/internal/optimize_subdivided.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 
 #include <algorithm>
@@ -396,14 +396,14 @@ private:
     bring_back_places(report);
     std::string why;
     if (!mesh)
-      why = "There are no blocks of hexahedra along the vessels: " + why_no_blocks(report) +
-            (blocks.why_not_filled().empty() ? "" : " " + why_not_filled(blocks.why_not_filled()));
+      why = "There are no blocks of hexahedra along the vessels: " + internal::why_no_blocks(report) +
+            (blocks.why_not_filled().empty() ? "" : " " + internal::why_not_filled(blocks.why_not_filled()));
     while (mesh) {
       try {
         finish(blocks, *mesh);
         structure_ = blocks.take_structure();
         if (blocks.has_filled_junctions())
-          report_.fallbacks.push_back(filled_junctions(report, blocks.fineness()));
+          report_.fallbacks.push_back(internal::filled_junctions(report, blocks.fineness()));
         return mesh;
       } catch (Meshing_error& e) {
         e.transform_places([&](const Place& p) { return frame_.from_frame(p); });
@@ -416,8 +416,8 @@ private:
         if (blocks.has_filled_junctions()) {
           for (const Place_without_blocks& p : places)
             report.places_without_blocks.push_back({p.place, p.reason});
-          why = "There are no blocks of hexahedra along the vessels: " + why_no_blocks(report) + " " +
-                why_not_filled(e.what());
+          why = "There are no blocks of hexahedra along the vessels: " + internal::why_no_blocks(report) + " " +
+                internal::why_not_filled(e.what());
           const Hexahedral_report without = report;
           stage("blocks");
           mesh = blocks.make_finer(report);
@@ -459,38 +459,6 @@ private:
       p.place = frame_.from_frame(p.place);
   }
 
-  static std::string why_not_filled(const std::string& reason) {
-    return "Nor can junctions alone be filled: " + reason + (reason.back() == '.' ? "" : ".");
-  }
-
-  static std::string filled_junctions(const Hexahedral_report& report, double fineness) {
-    std::size_t pyramids = 0, tetrahedra = 0;
-    for (const Place_without_blocks& p : report.places_without_blocks) {
-      pyramids += p.pyramids;
-      tetrahedra += p.tetrahedra;
-    }
-    std::ostringstream s;
-    s.precision(2);
-    s << "Where there are no blocks, at " << report.places_without_blocks.size()
-      << " of the vessels' junctions and ends, " << pyramids << " pyramids and " << tetrahedra
-      << " tetrahedra fill the lumen";
-    if (fineness < 1)
-      s << ", of " << fineness << " times the mesh size, as those of the mesh size do not fit";
-    s << ".";
-    return s.str();
-  }
-
-  static std::string why_no_blocks(const Hexahedral_report& report) {
-    const Place_without_blocks& first = report.places_without_blocks.front();
-    std::ostringstream s;
-    s.precision(6);
-    s << "near (" << first.place.x() << ", " << first.place.y() << ", " << first.place.z() << "), " << first.reason;
-    if (report.places_without_blocks.size() > 1)
-      s << "; " << report.places_without_blocks.size() - 1 << " other places are like it";
-    s << ".";
-    return s.str();
-  }
-
   /* Tetrahedra and prisms of a coarser mesh, subdivided: four hexahedra of each tetrahedron are as many as there are
    * tetrahedra of 1.6 times smaller edges. A coarse mesh is no coarser than its topology can bear. */
   Mixed_mesh by_subdivision() {
@@ -508,47 +476,14 @@ private:
     report_.hexahedral.boundary =
         internal::move_boundary_to_surface(mesh, s.surface, s.patch, limited_radius(), moving);
     frame_.bring_back(report_.hexahedral.boundary);
-    optimize(mesh);
-    moves_wall_ = options_.preserve_volume;
-    move_wall_of(mesh);
-    return mesh;
-  }
-
-  /* Layers keep the proportions of their cells, but where these are bad: there quality comes first. */
-  void optimize(Mixed_mesh& hexahedra) {
     stage("optimization of hexahedra");
     Optimize_hexahedra_options optimization = options_.hexahedra;
     optimization.number_of_threads = options_.size.number_of_threads;
-    const Labelled_surface& s = frame_.surface();
-    Optimize_hexahedra_report& report = report_.hexahedral.optimization;
-    if (options_.has_boundary_layer())
-      optimization.tempering = 0;
-    report = internal::optimize_hexahedra(hexahedra, s.surface, s.patch, optimization);
-    const double bad = 0.2;
-    if (!options_.has_boundary_layer() || report.min_scaled_jacobian >= bad)
-      return;
-    optimization.tempering = options_.hexahedra.tempering;
-    optimization.quality_wanted = (std::min)(bad, optimization.quality_wanted);
-    const Optimize_hexahedra_report first = report;
-    report = internal::optimize_hexahedra(hexahedra, s.surface, s.patch, optimization);
-    report.min_scaled_jacobian_before = first.min_scaled_jacobian_before;
-    report.mean_scaled_jacobian_before = first.mean_scaled_jacobian_before;
-    report.inverted_before = first.inverted_before;
-    report.below_wanted_before = first.below_wanted_before;
-    report.below_wanted = number_below(options_.hexahedra.quality_wanted, hexahedra);
-    report.movable_vertices = (std::max)(report.movable_vertices, first.movable_vertices);
-    report.sweeps += first.sweeps;
-  }
-
-  static std::size_t number_below(double quality, const Mixed_mesh& mesh) {
-    std::size_t n = 0;
-    for (const auto& h : mesh.hexahedra.vertices) {
-      std::array<internal::Vector_3d, 8> corners;
-      for (std::size_t i = 0; i < 8; ++i)
-        corners[i] = internal::Vector_3d(mesh.points[h[i]]);
-      n += internal::scaled_jacobian<8>(corners) < quality;
-    }
-    return n;
+    report_.hexahedral.optimization =
+        internal::optimize_subdivided(mesh, s, optimization, options_.has_boundary_layer());
+    moves_wall_ = options_.preserve_volume;
+    move_wall_of(mesh);
+    return mesh;
   }
 
   void add_wall(Mixed_mesh& mesh) {

@@ -73,10 +73,15 @@ struct Mesher_options {
   bool preserve_volume = true;               ///< whether the wall is moved so that the mesh has the surface's volume
   std::function<void(const char*)> observer; ///< receives the name of each stage as it begins
 
-  // Of hexahedra by subdivision about all are moved: more sweeps take long, and win a hundredth of the worst quality.
+  // Of hexahedra by subdivision most are worse than that which is wanted of others, and would be moved: more sweeps, or a
+  // higher quality, take long, and win a hundredth.
   static constexpr int sweeps_of_hexahedra = 4;
+  static constexpr double quality_of_hexahedra = 0.4;
 
-  Mesher_options() { hexahedra.number_of_sweeps = sweeps_of_hexahedra; }
+  Mesher_options() {
+    hexahedra.number_of_sweeps = sweeps_of_hexahedra;
+    hexahedra.quality_wanted = quality_of_hexahedra;
+  }
   template <class NamedParameters>
   explicit Mesher_options(const NamedParameters& np)
       : size(np)
@@ -95,6 +100,7 @@ struct Mesher_options {
     using internal::choose;
     volume_mesher = choose(np, internal_np::volume_mesher, volume_mesher);
     hexahedra.number_of_sweeps = choose(np, internal_np::number_of_sweeps, sweeps_of_hexahedra);
+    hexahedra.quality_wanted = choose(np, internal_np::quality_wanted, quality_of_hexahedra);
     // Mesh_3 meshes the surface itself: patches before it would be work for nothing
     surface_mesher = choose(np, internal_np::surface_mesher,
                             volume_mesher == Volume_mesher::mesh_3 ? Surface_mesher::mesh_3 : surface_mesher);

@@ -162,7 +162,7 @@ private:
     for (std::size_t Optimize_hexahedra_report::*number :
          {&Optimize_hexahedra_report::inverted_before, &Optimize_hexahedra_report::inverted,
           &Optimize_hexahedra_report::below_wanted_before, &Optimize_hexahedra_report::below_wanted,
-          &Optimize_hexahedra_report::sweeps})
+          &Optimize_hexahedra_report::sweeps, &Optimize_hexahedra_report::held_vertices})
       all.*number += part.*number;
     all.movable_vertices = (std::max)(all.movable_vertices, part.movable_vertices);
   }

@@ -16,7 +16,9 @@
 #include <CGAL/Tubular_meshing/Pipelines/internal/Blocks_round_junctions.h>
 #include <CGAL/Tubular_meshing/Pipelines/internal/Model_in_its_frame.h>
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
+#include <CGAL/Tubular_meshing/base/Nearest_tree.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
+#include <CGAL/Tubular_meshing/base/labels.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -182,6 +184,8 @@ private:
     const Build_centerline_graph_options merging;
     Centerline_computation computation(s.surface, s.patch, ends, true, true, options_.size.number_of_threads);
     Centerline_graph graph;
+    for (Vertex tip : tips_of_blind_ends())
+      computation.add_end(tip);
     computation.make_graph(graph, merging);
     bool is_longer = false;
     for (Vertex tip : tips_)
@@ -191,6 +195,41 @@ private:
       graph_ = std::move(graph);
     }
     return is_longer;
+  }
+
+  // The vertices of the wall nearest to the graph's ends that are no openings.
+  std::vector<Vertex> tips_of_blind_ends() const {
+    const Surface& surface = frame_.surface().surface;
+    std::vector<Face> faces;
+    std::vector<Double_kernel::Triangle_3> triangles;
+    const auto corner = [&](Halfedge h) { return to_double_point(surface.point(surface.target(h))); };
+    for (Face f : surface.faces())
+      if (frame_.surface().patch[f] == labels::wall) {
+        const Halfedge h = surface.halfedge(f);
+        faces.push_back(f);
+        triangles.emplace_back(corner(h), corner(surface.next(h)), corner(surface.prev(h)));
+      }
+    const Nearest_tree<Double_kernel::Triangle_3> wall(std::move(triangles));
+    std::vector<Vertex> tips;
+    for (const Centerline_graph::Node& node : graph_.nodes()) {
+      const Point_3& end = graph_.points()[node.point];
+      if (!node.is_end() || is_at_opening(end, graph_.radii()[node.point]))
+        continue;
+      const auto vertices =
+          surface.vertices_around_face(surface.halfedge(faces[wall.nearest(to_double_point(end)).index]));
+      tips.push_back(*std::min_element(vertices.begin(), vertices.end(), [&](Vertex v, Vertex w) {
+        return CGAL::squared_distance(surface.point(v), end) < CGAL::squared_distance(surface.point(w), end);
+      }));
+    }
+    return tips;
+  }
+
+  bool is_at_opening(const Point_3& end, double radius) const {
+    const double unit = frame_.length_from_frame(1);
+    return std::any_of(model_.openings.begin(), model_.openings.end(), [&](const auto& o) {
+      const double near = 1.5 * (std::max)(radius, o.radius / unit);
+      return CGAL::squared_distance(frame_.to_frame(o.center), end) < near * near;
+    });
   }
 
   const Tubular_model& model_;

@@ -95,7 +95,7 @@ private:
   // the shortest free edge around. False, and none, if there are too many for seams: at these a point has few.
   bool find_near_pairs(double reach) {
     near_.clear();
-    const std::size_t most = 1000 + 25 * number_of_points_;
+    const std::size_t most = 1000 + 10 * number_of_points_;
     const std::size_t most_asked = 100000 + 300 * number_of_points_; // in all rounds; seams ask ten or twenty in each
     std::vector<Box> points, edges;
     CGAL::Bbox_3 all;

@@ -32,7 +32,13 @@ public:
   const Vector_3d& from(std::size_t i) const { return from_[i]; }
   Vector_3d shift(std::size_t i) const { return part_[i] * shift_[i]; }
 
-  void hold_back(std::size_t i) { part_[i] = part_[i] > 0.2 ? part_[i] / 2 : 0; }
+  // False if it is there already.
+  bool hold_back(std::size_t i) {
+    if (part_[i] == 0)
+      return false;
+    part_[i] = part_[i] > 0.2 ? part_[i] / 2 : 0;
+    return true;
+  }
 
   void hold_all_back() { part_.assign(part_.size(), 0); }
 

@@ -21,12 +21,15 @@
 
 namespace CGAL::Tubular_meshing::internal {
 
-// Each of them once, however often it is named.
-inline void hold_back(std::vector<std::size_t> points, Shift_holder& shifts) {
+// Each of them once, however often it is named. False if all are where they came from: what is at fault there was so
+// before.
+inline bool hold_back(std::vector<std::size_t> points, Shift_holder& shifts) {
   std::sort(points.begin(), points.end());
   points.erase(std::unique(points.begin(), points.end()), points.end());
+  bool any = false;
   for (std::size_t i : points)
-    shifts.hold_back(i);
+    any = shifts.hold_back(i) || any;
+  return any;
 }
 
 /* Triangles keep a fair shape, or most of what they had of it: one that has to move far for its size, as at the foot of a
@@ -47,16 +50,16 @@ inline void keep_shapes(const Surface& mesh, Shift_holder& shifts) {
       if (gamma < fair && gamma < kept * triangle_gamma(shifts.from(t[0]), shifts.from(t[1]), shifts.from(t[2])))
         at_fault.insert(at_fault.end(), t.begin(), t.end());
     }
-    if (at_fault.empty())
+    if (!hold_back(std::move(at_fault), shifts))
       return;
-    hold_back(std::move(at_fault), shifts);
   }
 }
 
 // Moves a surface; where it would meet itself, less.
 inline void move_without_crossings(Surface& mesh, Shift_holder& shifts) {
   keep_shapes(mesh, shifts);
-  for (int round = 0; round < 12; ++round) {
+  constexpr int most_rounds = 24;
+  for (int round = 0; round < most_rounds; ++round) {
     for (auto v : mesh.vertices())
       mesh.point(v) = shifts.point(std::size_t(v));
     std::vector<std::size_t> at_fault;
@@ -64,9 +67,8 @@ inline void move_without_crossings(Surface& mesh, Shift_holder& shifts) {
       for (auto f : {c.first, c.second})
         for (auto v : mesh.vertices_around_face(mesh.halfedge(f)))
           at_fault.push_back(std::size_t(v));
-    if (at_fault.empty())
+    if (!hold_back(std::move(at_fault), shifts))
       return;
-    hold_back(std::move(at_fault), shifts);
   }
   shifts.hold_all_back();
   for (auto v : mesh.vertices())
@@ -106,15 +108,15 @@ void add_points_of_crushed_cells(const Element_block<N>& cells, const Shift_hold
  * around. If that comes to no end nothing moves at all. */
 inline void keep_cells(const Mixed_mesh& mesh, Shift_holder& shifts) {
   const double least = 0.3; // of the volume
-  for (int round = 0; round < 20; ++round) {
+  constexpr int most_rounds = 60;
+  for (int round = 0; round < most_rounds; ++round) {
     std::vector<std::size_t> at_fault;
     add_points_of_crushed_cells(mesh.tetrahedra, shifts, least, at_fault);
     add_points_of_crushed_cells(mesh.pyramids, shifts, least, at_fault);
     add_points_of_crushed_cells(mesh.prisms, shifts, least, at_fault);
     add_points_of_crushed_cells(mesh.hexahedra, shifts, least, at_fault);
-    if (at_fault.empty())
+    if (!hold_back(std::move(at_fault), shifts))
       return;
-    hold_back(std::move(at_fault), shifts);
   }
   shifts.hold_all_back();
 }
