@@ -564,6 +564,8 @@ TEST_F(IO, Faces_without_a_patch_are_in_all_parts) {
   EXPECT_EQ(part.patches.count("defaultFaces"), 1u);
 }
 
+const std::string mpirun = "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 mpirun --oversubscribe -np ";
+
 void write_decompose_dictionary(const fs::path& openfoam_case, std::size_t parts) {
   std::ofstream(openfoam_case / "system" / "decomposeParDict")
       << "FoamFile { version 2.0; format ascii; class dictionary; object decomposeParDict; }\nnumberOfSubdomains "
@@ -631,7 +633,6 @@ TEST_F(IO, Parts_are_those_of_decomposePar) {
 TEST_F(IO, OpenFOAM_checks_the_parts_and_puts_them_together) {
   if (!has_program("checkMesh") || !has_program("mpirun") || !has_program("reconstructParMesh"))
     GTEST_SKIP() << "needs checkMesh and reconstructParMesh of OpenFOAM, and mpirun";
-  const std::string mpirun = "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 mpirun --oversubscribe -np ";
   for (const char* layers : {"HXWT", "TTTT"})
     for (bool binary : {false, true}) {
       SCOPED_TRACE(std::string(layers) + (binary ? " binary" : ""));
@@ -660,6 +661,44 @@ TEST_F(IO, OpenFOAM_checks_the_parts_and_puts_them_together) {
       EXPECT_EQ(whole.faces.size() + whole.neighbour.size(), sides);
       fs::remove_all(folder);
     }
+}
+
+// Fields divided after the mesh, a flow on three processors, put together again: that on the whole mesh.
+TEST_F(IO, OpenFOAM_computes_the_same_flow_on_parts) {
+  for (const char* program : {"icoFoam", "mpirun", "decomposePar", "reconstructPar"})
+    if (!has_program(program))
+      GTEST_SKIP() << "needs " << program;
+  const Mesh m = Layered_box::make(4, "HHXW", "1111");
+  const fs::path whole = directory / "whole", parts = directory / "parts";
+  make_openfoam_case(whole);
+  TM::IO::write_openfoam(whole.string(), m);
+  make_openfoam_case(parts);
+  write_decompose_dictionary(parts, 3);
+  write_partitioned_mesh(parts.string(), m, scattered(m, 3), Mesh_format::openfoam_binary);
+  const std::string log = path("log");
+  ASSERT_TRUE(run_openfoam("icoFoam", whole, log)) << bytes_of(log);
+  ASSERT_TRUE(run_openfoam("decomposePar -fields", parts, log)) << bytes_of(log);
+  ASSERT_TRUE(run_openfoam(mpirun + "3 icoFoam -parallel", parts, log)) << bytes_of(log);
+  ASSERT_TRUE(run_openfoam("reconstructPar", parts, log)) << bytes_of(log);
+  const auto pressures = [&](const fs::path& folder) {
+    std::istringstream in(bytes_of((folder / "0.01" / "p").string()));
+    for (std::string word; in >> word && word != "List<scalar>";)
+      ;
+    std::size_t n = 0;
+    char bracket = 0;
+    in >> n >> bracket;
+    std::vector<double> values(n);
+    for (double& value : values)
+      in >> value;
+    return values;
+  };
+  const std::vector<double> a = pressures(whole), b = pressures(parts);
+  ASSERT_EQ(a.size(), m.number_of_cells());
+  ASSERT_EQ(b.size(), m.number_of_cells());
+  const double largest = *std::max_element(a.begin(), a.end());
+  EXPECT_GT(largest, 0);
+  for (std::size_t c = 0; c < a.size(); ++c)
+    EXPECT_NEAR(a[c], b[c], 1e-5 * largest);
 }
 
 // --- whole or not at all ---
@@ -777,6 +816,19 @@ TEST_F(IO, Processors_of_another_division_are_not_taken_for_parts) {
 }
 
 #ifdef __unix__
+TEST_F(IO, There_may_be_more_parts_than_open_files) {
+  const Mesh m = Layered_box::make(5, "TT", "12");
+  rlimit limit;
+  getrlimit(RLIMIT_NOFILE, &limit);
+  rlimit tight = limit;
+  tight.rlim_cur = 40;
+  setrlimit(RLIMIT_NOFILE, &tight);
+  for (const auto& o : outputs())
+    EXPECT_NO_THROW(write_partitioned_mesh(path(o.first), m, in_order(m, 100), o.second)) << o.first;
+  setrlimit(RLIMIT_NOFILE, &limit);
+  expect_openfoam_parts(directory / "case", in_order(m, 100));
+}
+
 TEST_F(IO, A_limit_on_file_size_leaves_no_part_behind) {
   const Mesh m = Layered_box::make(8, "TTT", "112");
   rlimit limit;

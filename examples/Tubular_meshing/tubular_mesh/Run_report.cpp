@@ -310,10 +310,11 @@ void print_partitions(const Json& p) {
   const auto pieces = p["pieces"].get<std::vector<long>>();
   const auto range = std::minmax_element(cells.begin(), cells.end());
   if (cells.size() == 1) {
-    std::printf("\n1 part, of %ld cells\n", cells[0]);
+    std::printf("\nwritten in 1 part, of %ld cells\n", cells[0]);
     return;
   }
-  std::printf("\n%zu parts of %ld to %ld cells, the largest %.2f %% over its share; %ld faces between parts, %ld ghost "
+  std::printf("\nwritten in %zu parts of %ld to %ld cells, the largest %.2f %% over its share; %ld faces between "
+              "parts, %ld ghost "
               "cells\n",
               cells.size(), *range.first, *range.second, 100 * p["imbalance"].get<double>(), p["cut_faces"].get<long>(),
               std::accumulate(ghosts.begin(), ghosts.end(), 0l));

@@ -78,8 +78,11 @@ inline void write_openfoam_parts(Output_set& set, const Mixed_mesh& mesh, const 
   const Face_mesh faces(mesh, set.name());
   Openfoam_writer(dynamic_cast<Output_folder&>(set[0]), faces, binary).write();
   const Openfoam_processors processors(faces, partition, binary);
-  for (std::size_t p = 0; p < partition.number_of_parts; ++p)
-    processors.write(dynamic_cast<Output_folder&>(set[p + 1]), p);
+  for (std::size_t p = 0; p < partition.number_of_parts; ++p) {
+    auto& folder = dynamic_cast<Output_folder&>(set[p + 1]);
+    processors.write(folder, p);
+    folder.finish(); // no file stays open: there may be more parts than those that a process may have
+  }
 }
 
 // As many outputs as open_partitioned_mesh() opens for a format.

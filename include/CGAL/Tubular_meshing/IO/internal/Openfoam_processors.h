@@ -40,6 +40,7 @@ public:
       , local_point_(mesh_.points.size())
       , binary_(binary) {
     std::uint32_t number = 0;
+    first_face_.reserve(faces_.cells().size());
     for (std::size_t c = 0; c < faces_.cells().size(); ++c) {
       first_face_.push_back(number);
       faces_.for_each_face_owned_by(c, [&](const Face_mesh::Inner_face&) { ++number; });
