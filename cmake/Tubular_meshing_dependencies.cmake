@@ -3,7 +3,8 @@
 
 # The packages that the library's headers need, found alike by this project and by the installed
 # Tubular_meshingConfig.cmake. After it, Tubular_meshing_dependency_targets lists what to link, and
-# Tubular_meshing_format_targets those libraries that write files: src/IO_libraries.cpp alone needs their headers.
+# Tubular_meshing_format_targets those libraries whose headers a source or two alone need: those that write files,
+# src/IO_libraries.cpp, and METIS, src/Partition.cpp.
 
 include(CMakeFindDependencyMacro)
 option(TUBULAR_MESHING_WITH_TETGEN "Use TetGen (AGPL), where it is found, for fill_with_tetgen()" ON)
@@ -13,6 +14,7 @@ option(TUBULAR_MESHING_WITH_TBB "Use oneTBB, where it is found, to run on severa
 option(TUBULAR_MESHING_WITH_HDF5 "Use HDF5, where it is found, to write meshes for FEniCSx" ON)
 option(TUBULAR_MESHING_WITH_CGNS "Use the CGNS library, where it is found, to write .cgns files" ON)
 option(TUBULAR_MESHING_WITH_EXODUS "Use the Exodus II library, where it is found, to write .exo files" ON)
+option(TUBULAR_MESHING_WITH_METIS "Use METIS, where it is found, to divide meshes into parts" ON)
 
 find_dependency(CGAL 5.5)
 find_dependency(Eigen3 3.3.7)
@@ -86,7 +88,7 @@ if(TUBULAR_MESHING_WITH_LZMA)
   endif()
 endif()
 
-# Libraries that write one format each: a header and a library without a CMake package, or with one that says less.
+# Libraries that write one format each, and METIS: a header and a library without a CMake package, or with one that says less.
 set(Tubular_meshing_format_targets "")
 macro(tubular_meshing_find_format name header folder library)
   string(TOUPPER ${name} TUBULAR_MESHING_FORMAT)
@@ -118,3 +120,4 @@ if(TARGET Tubular_meshing_hdf5 AND EXISTS "${TUBULAR_MESHING_HDF5_INCLUDE_DIR}/H
 endif()
 tubular_meshing_find_format(cgns cgnslib.h "" cgns)
 tubular_meshing_find_format(exodus exodusII.h "" exoIIv2c exodusii exodus)
+tubular_meshing_find_format(metis metis.h "" metis)

@@ -38,15 +38,16 @@ if(TUBULAR_MESHING_PRECOMPILED_HEADERS)
   set_source_files_properties(${PROJECT_SOURCE_DIR}/src/Mesh_3.cpp PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
 endif()
 
-# What writes files of some formats is known to one source alone; programs link the libraries without their headers.
-set(format_source ${PROJECT_SOURCE_DIR}/src/IO_libraries.cpp)
-set_source_files_properties(${format_source} PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
+# What writes files of some formats, or makes parts, is known to one source alone; programs link the libraries without
+# their headers.
+set(format_sources ${PROJECT_SOURCE_DIR}/src/IO_libraries.cpp ${PROJECT_SOURCE_DIR}/src/Partition.cpp)
+set_source_files_properties(${format_sources} PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
 foreach(target IN LISTS Tubular_meshing_format_targets)
   get_target_property(includes ${target} INTERFACE_INCLUDE_DIRECTORIES)
   list(REMOVE_ITEM includes ${CMAKE_CXX_IMPLICIT_INCLUDE_DIRECTORIES})
   get_target_property(definitions ${target} INTERFACE_COMPILE_DEFINITIONS)
-  set_property(SOURCE ${format_source} APPEND PROPERTY INCLUDE_DIRECTORIES ${includes})
-  set_property(SOURCE ${format_source} APPEND PROPERTY COMPILE_DEFINITIONS ${definitions})
+  set_property(SOURCE ${format_sources} APPEND PROPERTY INCLUDE_DIRECTORIES ${includes})
+  set_property(SOURCE ${format_sources} APPEND PROPERTY COMPILE_DEFINITIONS ${definitions})
   get_target_property(library ${target} IMPORTED_LOCATION)
   target_link_libraries(Tubular_meshing PRIVATE $<BUILD_INTERFACE:${library}>)
 endforeach()

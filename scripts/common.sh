@@ -8,7 +8,7 @@ root_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build_dir=${TUBULAR_MESHING_BUILD_DIR:-$root_dir/build}
 
 library_packages=(g++ cmake ninja-build libcgal-dev libeigen3-dev libtbb-dev zlib1g-dev liblzma-dev libpugixml-dev
-  libtet1.5-dev liblemon-dev libhdf5-dev libcgns-dev libexodusii-dev)
+  libtet1.5-dev liblemon-dev libhdf5-dev libcgns-dev libexodusii-dev libmetis-dev)
 example_packages=(libcli11-dev nlohmann-json3-dev)
 test_packages=(libgtest-dev libbenchmark-dev clang libclang-rt-dev) # Clang: for the fuzz tests alone
 

@@ -6,3 +6,4 @@
 #include <CGAL/Tubular_meshing/IO/write_fluent_impl.h>
 #include <CGAL/Tubular_meshing/IO/write_su2_impl.h>
 #include <CGAL/Tubular_meshing/IO/write_svmultiphysics_impl.h>
+#include <CGAL/Tubular_meshing/IO/write_partitioned_mesh_impl.h>

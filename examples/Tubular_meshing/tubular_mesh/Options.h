@@ -46,6 +46,7 @@ struct Options {
   double min_size = 0, max_size = (std::numeric_limits<double>::infinity)(), gradation = 1.3;
   std::string report, surface_output, centerlines_output, blocks_output;
   bool preserve_volume = true;
+  int partitions = 0; // that the mesh is written in; 0: as a whole
   int threads = 0;
   bool verbose = false, quiet = false;
 

@@ -11,6 +11,7 @@
 #include <CGAL/Tubular_meshing/Layers/Layer_report.h>
 #include <CGAL/Tubular_meshing/Openings/Round_end_report.h>
 #include <CGAL/Tubular_meshing/Openings/labelled_ends.h>
+#include <CGAL/Tubular_meshing/Partition/Cell_partition.h>
 #include <CGAL/Tubular_meshing/Patches/Remeshed_surface.h>
 #include <CGAL/Tubular_meshing/Pipelines/Mesher.h>
 #include <CGAL/Tubular_meshing/Pipelines/Tubular_model.h>
@@ -53,8 +54,9 @@ struct Run {
   CGAL::Tubular_meshing::Tubular_model model;
   CGAL::Tubular_meshing::Remeshed_surface surface; ///< as it was meshed by patches; else empty
   CGAL::Tubular_meshing::Mixed_mesh mesh;
-  CGAL::Tubular_meshing::Block_structure blocks; ///< that the mesh is in, of one vessel
-  CGAL::Tubular_meshing::Mixed_mesh block_mesh;  ///< of all; only if it was asked for
+  CGAL::Tubular_meshing::Cell_partition partition; ///< of the mesh, if it is written in parts
+  CGAL::Tubular_meshing::Block_structure blocks;   ///< that the mesh is in, of one vessel
+  CGAL::Tubular_meshing::Mixed_mesh block_mesh;    ///< of all; only if it was asked for
   CGAL::Tubular_meshing::Mesher_report meshing;
   CGAL::Tubular_meshing::Layer_report wall;
 };

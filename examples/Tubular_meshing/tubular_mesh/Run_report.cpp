@@ -6,6 +6,7 @@
 #include "Stage_clock.h"
 
 #include <CGAL/Tubular_meshing/Centerlines/Centerline_field.h>
+#include <CGAL/Tubular_meshing/Partition/partition_report.h>
 #include <CGAL/Tubular_meshing/Patches/metric_surface_report.h>
 #include <CGAL/Tubular_meshing/Quality/boundary_layer_report.h>
 #include <CGAL/Tubular_meshing/Quality/branch_resolution.h>
@@ -21,6 +22,7 @@
 #include <cmath>
 #include <cstdio>
 #include <map>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -301,6 +303,30 @@ void print_hexahedral(const Json& h) {
                 off);
 }
 
+// Of a mesh that is written in parts.
+void add_partitions(Json& report, const tubular::Partition_report& p) {
+  report["partitions"] = {{"count", p.number_of_parts()}, {"cells", p.cells},   {"imbalance", p.imbalance},
+                          {"cut_faces", p.cut_faces},     {"pieces", p.pieces}, {"ghost_cells", p.ghost_cells}};
+}
+
+void print_partitions(const Json& p) {
+  const auto cells = p["cells"].get<std::vector<long>>(), ghosts = p["ghost_cells"].get<std::vector<long>>();
+  const auto pieces = p["pieces"].get<std::vector<long>>();
+  const auto range = std::minmax_element(cells.begin(), cells.end());
+  if (cells.size() == 1) {
+    std::printf("\nwritten in 1 part, of %ld cells\n", cells[0]);
+    return;
+  }
+  std::printf("\nwritten in %zu parts of %ld to %ld cells, the largest %.2f %% over its share; %ld faces between "
+              "parts, %ld ghost "
+              "cells\n",
+              cells.size(), *range.first, *range.second, 100 * p["imbalance"].get<double>(), p["cut_faces"].get<long>(),
+              std::accumulate(ghosts.begin(), ghosts.end(), 0l));
+  const auto split = std::count_if(pieces.begin(), pieces.end(), [](long n) { return n > 1; });
+  if (split > 0)
+    std::printf("note: %ld of the parts %s not connected through faces\n", long(split), split > 1 ? "are" : "is");
+}
+
 // Of a surface of quads.
 void add_quads(Json& report, const tubular::Quad_report& quads) {
   report["quads"] = {{"structured", quads.structured_quads},
@@ -541,6 +567,8 @@ void print_summary(const Json& r, bool verbose) {
     print_quads(r["quads"]);
   if (r.contains("hexahedral"))
     print_hexahedral(r["hexahedral"]);
+  if (r.contains("partitions"))
+    print_partitions(r["partitions"]);
   print_volume(r["volume"]);
   std::printf("\n%-12s %6s %10s %12s %12s %12s\n", "opening", "patch", "facets", "radius", "area", "in the mesh");
   for (const auto& o : r["openings"])
@@ -602,6 +630,8 @@ Run_report::Run_report(const Run& run)
     add_layers(report, "boundary_layer", run.meshing.boundary_layer);
   if (run.options.is_anisotropic())
     add_metric_quality(report, run.model, run.mesh);
+  if (run.options.partitions > 0)
+    add_partitions(report, tubular::partition_report(run.mesh, run.partition));
 }
 
 Run_report::~Run_report() = default;

@@ -5,10 +5,13 @@
 
 #include <CGAL/Tubular_meshing/IO/write_centerlines.h>
 #include <CGAL/Tubular_meshing/IO/write_mesh.h>
+#include <CGAL/Tubular_meshing/IO/write_partitioned_mesh.h>
 #include <CGAL/Tubular_meshing/IO/write_surface.h>
+#include <CGAL/Tubular_meshing/Partition/partition_cells.h>
 #include <CGAL/Tubular_meshing/Volume/Volume_mesher.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 
+#include <cstddef>
 #include <filesystem>
 #include <set>
 #include <string>
@@ -80,13 +83,28 @@ void check_cells(const Options& o) {
 
 void check_mesh_format(const Options& o) {
   if (o.mesh_format() == Mesh_format::by_name)
-    throw tubular::Parameter_error("The mesh cannot be written to \"" + o.output +
-                                   "\": give a .vtu, .msh, .mesh, .inp, .su2, .feb, .cas, .xdmf, .cgns or .exo file, a "
-                                   "folder polyMesh or mesh-complete, or the --format.");
+    throw tubular::Parameter_error(
+        "The mesh cannot be written to \"" + o.output +
+        "\": give a .vtu, .pvtu, .msh, .mesh, .inp, .su2, .feb, .cas, .xdmf, .cgns or .exo file, a "
+        "folder polyMesh or mesh-complete, or the --format.");
   const std::string why_not = tubular::IO::why_not_built_in(o.mesh_format());
   if (!why_not.empty())
     throw tubular::Parameter_error(why_not);
   check_cells(o);
+}
+
+void check_partitions(const Options& o) {
+  if (o.partitions == 0)
+    return;
+  if (o.makes_surface_only())
+    throw tubular::Parameter_error(
+        "A surface has no cells to be divided: --partitions is for the other types of mesh.");
+  if (!tubular::IO::has_parts(o.mesh_format()))
+    throw tubular::Parameter_error("The mesh cannot be written in parts to \"" + o.output +
+                                   "\": with --partitions, give a .pvtu or .msh file, or --format openfoam.");
+  if (o.partitions > 1 && !tubular::has_metis())
+    throw tubular::Parameter_error("This program was built without METIS, which --partitions needs: build it where "
+                                   "that is installed (libmetis-dev), or write the mesh as a whole.");
 }
 
 void check_output(const Options& o) {
@@ -99,6 +117,7 @@ void check_output(const Options& o) {
   } else {
     check_mesh_format(o);
   }
+  check_partitions(o);
   if (!o.surface_output.empty() && !tubular::IO::is_supported_surface_format(o.surface_output))
     throw tubular::Parameter_error("The surface cannot be written to \"" + o.surface_output +
                                    "\": give a .stl, .vtp, .msh, .ply, .off, .obj or .vtk file.");
@@ -137,7 +156,11 @@ void check_layers(const Options& o) {
 void check_mesh_output(const Options& o) {
   std::error_code ignored;
   const auto status = std::filesystem::status(o.output, ignored);
-  if (tubular::IO::is_folder(o.mesh_format()) || !std::filesystem::is_other(status))
+  if (!tubular::IO::is_folder(o.mesh_format()) && std::filesystem::is_other(status))
+    return;
+  if (o.partitions > 0)
+    tubular::IO::open_partitioned_mesh(o.output, std::size_t(o.partitions), o.mesh_format());
+  else
     tubular::IO::open_mesh(o.output, tubular::parameters::format(o.mesh_format()));
 }
 

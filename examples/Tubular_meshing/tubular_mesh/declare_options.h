@@ -218,12 +218,13 @@ inline void declare_options(CLI::App& app, Options& o, const std::string& versio
   app.set_version_flag("--version", version);
   app.add_option("surface", o.surface, "surface: .stl .off .obj .ply .vtp .vtu .vtk .msh .mesh")->required();
   app.add_option("-o,--output", o.output,
-                 "mesh to write: .vtu .msh .mesh .inp .su2 .feb .cas .xdmf .cgns .exo, or a folder polyMesh or "
+                 "mesh to write: .vtu .pvtu .msh .mesh .inp .su2 .feb .cas .xdmf .cgns .exo, or a folder polyMesh or "
                  "mesh-complete; a surface: .stl .vtp .msh .ply .off .obj .vtk")
       ->required();
   app.add_option(
          "--format", o.format,
-         "format of the mesh, where its name does not tell it: vtu, gmsh, medit, abaqus, openfoam (of a case: its "
+         "format of the mesh, where its name does not tell it: vtu, pvtu, gmsh, medit, abaqus, openfoam (of a case: "
+         "its "
          "constant/polyMesh), openfoam-binary, svmultiphysics, su2, febio, fluent, xdmf (FEniCSx), cgns or exodus")
       ->check(CLI::IsMember(CGAL::Tubular_meshing::IO::mesh_format_names()).description(""));
   app.add_option("-t,--type", o.type,
@@ -263,6 +264,10 @@ inline void declare_options(CLI::App& app, Options& o, const std::string& versio
                  "write the closed, labelled surface, as it is meshed by the parametric mesher, else as it came: .stl "
                  ".vtp .msh .ply .off .obj .vtk");
   app.add_option("--write-centerlines", o.centerlines_output, "write the branches and their radii: .vtp .vtk");
+  app.add_option("--partitions", o.partitions,
+                 "write the mesh in so many parts of about equal numbers of cells, with ghost cells, for as many "
+                 "processors: .pvtu, .msh, or OpenFOAM's processor folders")
+      ->check(CLI::Range(1, 1000000));
   app.add_option("--threads", o.threads, "number of threads, on which results do not depend (default: all cores)")
       ->check(CLI::Range(0, 1024));
   auto* verbose = app.add_flag("-v,--verbose", o.verbose, "say more: the branches, a histogram of the quality");

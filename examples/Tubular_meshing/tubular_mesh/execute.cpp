@@ -11,10 +11,13 @@
 
 #include <CGAL/Tubular_meshing/IO/write_centerlines.h>
 #include <CGAL/Tubular_meshing/IO/write_mesh.h>
+#include <CGAL/Tubular_meshing/IO/write_partitioned_mesh.h>
 #include <CGAL/Tubular_meshing/IO/write_surface.h>
+#include <CGAL/Tubular_meshing/Partition/partition_cells.h>
 
 #include <boost/property_map/function_property_map.hpp>
 
+#include <cstddef>
 #include <cstdio>
 #include <memory>
 #include <string>
@@ -51,6 +54,9 @@ void write(const Run& run, Run_report& report, Stage_clock& clock) {
   };
   if (o.makes_surface_only()) {
     write_surface(open(o.output), run.surface, run.model);
+  } else if (o.partitions > 0) {
+    outputs.push_back(tubular::IO::open_partitioned_mesh(o.output, std::size_t(o.partitions), o.mesh_format()));
+    tubular::IO::write_partitioned_mesh(*outputs.back(), run.mesh, run.partition, o.mesh_format());
   } else {
     const auto format = tubular::parameters::format(o.mesh_format());
     outputs.push_back(tubular::IO::open_mesh(o.output, format));
@@ -97,6 +103,10 @@ void execute(const Options& options, const std::string& version) {
   make_meshes(parts, clock);
   join(run, std::move(parts));
   rename_wall_patches(run);
+  if (options.partitions > 0) {
+    clock.begin("partition");
+    run.partition = tubular::partition_cells(run.mesh, std::size_t(options.partitions));
+  }
   clock.begin("report");
   if (!options.makes_surface_only())
     for (const std::string& change : tubular::IO::changes_in(run.mesh, options.mesh_format()))

@@ -18,6 +18,7 @@ namespace CGAL::Tubular_meshing::IO {
 enum class Mesh_format {
   by_name,         ///< the one that the name tells
   vtu,             ///< VTK, `.vtu`
+  pvtu,            ///< VTK in parts, `.pvtu` with a folder: write_partitioned_mesh()
   gmsh,            ///< Gmsh, `.msh`
   medit,           ///< Medit, FreeFEM and Mmg, `.mesh`
   abaqus,          ///< Abaqus and CalculiX, `.inp`

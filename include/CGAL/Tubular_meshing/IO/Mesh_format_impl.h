@@ -27,6 +27,7 @@ struct Named_format {
 
 inline const std::vector<Named_format>& named_formats() {
   static const std::vector<Named_format> formats = {{Mesh_format::vtu, "vtu", {"vtu"}},
+                                                    {Mesh_format::pvtu, "pvtu", {"pvtu"}},
                                                     {Mesh_format::gmsh, "gmsh", {"msh"}},
                                                     {Mesh_format::medit, "medit", {"mesh"}},
                                                     {Mesh_format::abaqus, "abaqus", {"inp"}},

@@ -95,7 +95,8 @@ void write_mesh(Output& output, const Mixed_mesh& mesh,
  * and meshes without cells are refused.
  *
  * The other formats have a function each, which says what is kept: write_openfoam(), write_svmultiphysics(),
- * write_su2(), write_febio(), write_fluent(), write_xdmf(), write_cgns() and write_exodus().
+ * write_su2(), write_febio(), write_fluent(), write_xdmf(), write_cgns() and write_exodus(). A `.pvtu` file has one part
+ * here; write_partitioned_mesh() writes several.
  *
  * .vtu files are compressed with zlib, .msh files binary in format 4.1 and ASCII in format 2.2, others ASCII.
  * Coordinates are kept to the last bit, but in .inp files. The file is written whole or not at all; a file that was

@@ -17,11 +17,13 @@
 #include <CGAL/Tubular_meshing/IO/write_fluent.h>
 #include <CGAL/Tubular_meshing/IO/write_mesh.h>
 #include <CGAL/Tubular_meshing/IO/write_openfoam.h>
+#include <CGAL/Tubular_meshing/IO/write_partitioned_mesh.h>
 #include <CGAL/Tubular_meshing/IO/write_su2.h>
 #include <CGAL/Tubular_meshing/IO/write_svmultiphysics.h>
 #include <CGAL/Tubular_meshing/IO/write_xdmf.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -37,8 +39,8 @@ inline Mesh_format checked_format(const std::string& file, const Format_choice& 
   const Mesh_format format = choice.format == Mesh_format::by_name ? mesh_format_of(file) : choice.format;
   if (format == Mesh_format::by_name)
     throw Output_error("The file " + quoted(file) +
-                       " cannot be written: its name tells no format of meshes; give it the extension .vtu, .msh, "
-                       ".mesh, .inp, .su2, .feb, .cas, .xdmf, .cgns or .exo, or name the format.");
+                       " cannot be written: its name tells no format of meshes; give it the extension .vtu, .pvtu, "
+                       ".msh, .mesh, .inp, .su2, .feb, .cas, .xdmf, .cgns or .exo, or name the format.");
   const std::string why_not = why_not_built_in(format);
   if (!why_not.empty())
     throw Output_error(why_not);
@@ -47,6 +49,8 @@ inline Mesh_format checked_format(const std::string& file, const Format_choice& 
 
 CGAL_TUBULAR_MESHING_INLINE std::unique_ptr<Output> open_mesh(const std::string& file, const Format_choice& choice) {
   const Mesh_format format = checked_format(file, choice);
+  if (format == Mesh_format::pvtu)
+    return open_partitioned_mesh(file, 1, format);
   if (format == Mesh_format::svmultiphysics)
     return std::unique_ptr<Output>(new Output_folder(svmultiphysics_folder(file)));
   if (is_folder(format))
@@ -89,6 +93,8 @@ inline void write_mesh_file(Output_file& file, const Mixed_mesh& mesh, Mesh_form
 CGAL_TUBULAR_MESHING_INLINE void write_mesh(Output& output, const Mixed_mesh& mesh, const Format_choice& choice) {
   check_mesh(mesh, output.name());
   const Mesh_format format = checked_format(output.name(), choice);
+  if (format == Mesh_format::pvtu)
+    return write_partitioned_mesh(output, mesh, {1, std::vector<std::uint32_t>(mesh.number_of_cells(), 0)}, format);
   if (auto* folder = dynamic_cast<Output_folder*>(&output); folder != nullptr && is_folder(format))
     write_mesh_folder(*folder, mesh, format);
   else if (auto* file = dynamic_cast<Output_file*>(&output); file != nullptr && !is_folder(format))
@@ -99,12 +105,12 @@ CGAL_TUBULAR_MESHING_INLINE void write_mesh(Output& output, const Mixed_mesh& me
 
 // Those that VTK's, Gmsh's and MEDIT's files keep as they are.
 inline bool keeps_names(Mesh_format format) {
-  return format == Mesh_format::vtu || format == Mesh_format::gmsh || format == Mesh_format::medit ||
-         format == Mesh_format::xdmf;
+  return format == Mesh_format::vtu || format == Mesh_format::pvtu || format == Mesh_format::gmsh ||
+         format == Mesh_format::medit || format == Mesh_format::xdmf;
 }
 
 inline bool keeps_point_array(const Point_array& array, Mesh_format format) {
-  return format == Mesh_format::vtu || format == Mesh_format::gmsh ||
+  return format == Mesh_format::vtu || format == Mesh_format::pvtu || format == Mesh_format::gmsh ||
          (format == Mesh_format::medit && array.is_metric());
 }
 

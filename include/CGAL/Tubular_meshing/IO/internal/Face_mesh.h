@@ -5,8 +5,9 @@
 #define CGAL_TUBULAR_MESHING_IO_INTERNAL_FACE_MESH_H
 
 #include <CGAL/Tubular_meshing/IO/internal/Cell_faces.h>
-#include <CGAL/Tubular_meshing/IO/internal/Cell_neighbours.h>
 #include <CGAL/Tubular_meshing/IO/internal/Facet_sides.h>
+#include <CGAL/Tubular_meshing/IO/internal/refuse.h>
+#include <CGAL/Tubular_meshing/base/Cell_neighbours.h>
 
 #include <algorithm>
 #include <array>
@@ -38,7 +39,9 @@ public:
       : cells_(mesh)
       , file_(file)
       , facets_(cells_, file)
-      , neighbours_(checked(), file_) {
+      , neighbours_(checked()) {
+    if (neighbours_.has_crowded_face())
+      refuse(file_, "three of its cells share a face", "repair the mesh");
     list_patches();
     number_of_inner_faces_ = (cells_.number_of_faces() - number_of_outer_faces_) / 2;
   }
@@ -57,6 +60,31 @@ public:
   const std::map<int, std::vector<Side>>& patches() const { return patches_; }
   // Faces of the boundary that no facet of the mesh tells of.
   const std::vector<Side>& faces_without_patch() const { return without_patch_; }
+
+  // Calls f(side) for the faces of the boundary: by patch, then those without one.
+  template <class F> void for_each_outer_face(F f) const {
+    for (const auto& p : patches_)
+      for (const Side& side : p.second)
+        f(side);
+    for (const Side& side : without_patch_)
+      f(side);
+  }
+
+  // no_cell on the boundary
+  std::uint32_t across(std::size_t cell, std::size_t face) const {
+    return neighbours_.across(cells_.first_face(cell) + face);
+  }
+
+  // Calls f(face) for those of the faces between cells whose owner is this cell, by their neighbour.
+  template <class F> void for_each_face_owned_by(std::size_t cell, F f) const {
+    const std::size_t kind = cells_.kind(cell), first = cells_.first_face(cell);
+    if (kind == 0)
+      for_each_upper_face<4>(kind, cell, first, f);
+    else if (kind == 3)
+      for_each_upper_face<6>(kind, cell, first, f);
+    else
+      for_each_upper_face<5>(kind, cell, first, f);
+  }
 
   // Calls f(face) for the faces between cells.
   template <class F> void for_each_inner_face(F f) const {
@@ -86,22 +114,28 @@ private:
   };
 
   template <std::size_t NumberOfFaces, class F> void for_each_inner_face_of_kind(std::size_t kind, F& f) const {
-    std::array<Inner_face, NumberOfFaces> upper;
-    std::size_t face = cells_.first_face_of_kind(kind);
+    std::size_t first = cells_.first_face_of_kind(kind);
     for (std::size_t c = cells_.first_cell(kind), end = cells_.first_cell(kind + 1); c < end; ++c) {
-      std::size_t n = 0;
-      for (std::size_t k = 0; k < NumberOfFaces; ++k) {
-        const std::uint32_t other = neighbours_.across(face++);
-        if (other == no_cell || other < c)
-          continue;
-        std::size_t at = n++; // few: put where they belong one by one
-        for (; at > 0 && upper[at - 1].neighbour > other; --at)
-          upper[at] = upper[at - 1];
-        upper[at] = {{std::uint32_t(c), std::uint8_t(k)}, std::uint8_t(kind), other};
-      }
-      for (std::size_t i = 0; i < n; ++i)
-        f(upper[i]);
+      for_each_upper_face<NumberOfFaces>(kind, c, first, f);
+      first += NumberOfFaces;
     }
+  }
+
+  template <std::size_t NumberOfFaces, class F>
+  void for_each_upper_face(std::size_t kind, std::size_t cell, std::size_t first, F& f) const {
+    std::array<Inner_face, NumberOfFaces> upper;
+    std::size_t n = 0;
+    for (std::size_t k = 0; k < NumberOfFaces; ++k) {
+      const std::uint32_t other = neighbours_.across(first + k);
+      if (other == no_cell || other < cell)
+        continue;
+      std::size_t at = n++; // few: put where they belong one by one
+      for (; at > 0 && upper[at - 1].neighbour > other; --at)
+        upper[at] = upper[at - 1];
+      upper[at] = {{std::uint32_t(cell), std::uint8_t(k)}, std::uint8_t(kind), other};
+    }
+    for (std::size_t i = 0; i < n; ++i)
+      f(upper[i]);
   }
 
   const Numbered_cells& checked() const {

@@ -144,6 +144,8 @@ private:
       read_names();
     else if (keyword == "$Entities" && version_ == 4)
       read_entities();
+    else if (keyword == "$PartitionedEntities" && version_ == 4 && !is_4_0_)
+      read_entities(true);
     else if (keyword == "$Nodes")
       version_ == 4 ? read_nodes_4() : read_nodes_2();
     else if (keyword == "$Elements")
@@ -191,27 +193,41 @@ private:
   }
 
   // Only the physical group of each entity matters.
-  void read_entities() {
+  void read_entities(bool in_parts = false) {
     in_.begin_numbers();
+    if (in_parts) {
+      in_.size("number of parts");
+      for (std::size_t g = 2 * in_.checked(in_.size("number of ghost entities"), 8, "ghost entities"); g > 0; --g)
+        in_.integer("ghost entity");
+    }
     std::size_t n[4];
     for (std::size_t& k : n)
       k = in_.checked(in_.size("number of entities"), 32, "entities");
     for (int d = 0; d < 4; ++d)
-      for (std::size_t i = 0; i < n[d]; ++i) {
-        const std::int64_t tag = in_.integer("tag of an entity");
-        for (int k = 0; k < (d == 0 && !is_4_0_ ? 3 : 6); ++k)
-          in_.real("bounding box of an entity");
-        const std::size_t groups = in_.checked(in_.size("number of physical groups"), 4, "physical groups");
-        for (std::size_t g = 0; g < groups; ++g) {
-          const std::int64_t physical = in_.integer("physical group");
-          if (g == 0)
-            physical_of_entity_[{d, tag}] = physical;
-        }
-        if (d > 0)
-          for (std::size_t b = in_.checked(in_.size("number of bounding entities"), 4, "bounding entities"); b > 0; --b)
-            in_.integer("bounding entity");
-      }
+      for (std::size_t i = 0; i < n[d]; ++i)
+        read_entity(d, in_parts);
     in_.end_numbers();
+  }
+
+  void read_entity(int dimension, bool in_parts) {
+    const std::int64_t tag = in_.integer("tag of an entity");
+    if (in_parts) {
+      in_.integer("dimension of an entity");
+      in_.integer("parent of an entity");
+      for (std::size_t p = in_.checked(in_.size("number of parts"), 4, "parts"); p > 0; --p)
+        in_.integer("part of an entity");
+    }
+    for (int k = 0; k < (dimension == 0 && !is_4_0_ ? 3 : 6); ++k)
+      in_.real("bounding box of an entity");
+    const std::size_t groups = in_.checked(in_.size("number of physical groups"), 4, "physical groups");
+    for (std::size_t g = 0; g < groups; ++g) {
+      const std::int64_t physical = in_.integer("physical group");
+      if (g == 0)
+        physical_of_entity_[{dimension, tag}] = physical;
+    }
+    if (dimension > 0)
+      for (std::size_t b = in_.checked(in_.size("number of bounding entities"), 4, "bounding entities"); b > 0; --b)
+        in_.integer("bounding entity");
   }
 
   void read_nodes_2() {

@@ -35,12 +35,12 @@ public:
   }
 
   void write_4_1() {
-    out_ << "$MeshFormat\n4.1 1 8\n";
-    out_.bytes(std::int32_t(1)) << "\n$EndMeshFormat\n";
+    write_header_4();
     write_names();
     write_entities();
-    write_nodes_4();
-    write_elements_4();
+    const int dimension = labels_[3].empty() ? 2 : 3;
+    write_nodes_4(dimension, entity(dimension, labels_[dimension].begin()->first));
+    write_elements_4([](std::size_t, int label) { return label; }, [&](int d, int label) { return entity(d, label); });
     for (const Point_array& a : mesh_.point_arrays)
       write_node_data(a, true);
     out_.flush();
@@ -56,7 +56,12 @@ public:
     out_.flush();
   }
 
-private:
+protected:
+  void write_header_4() {
+    out_ << "$MeshFormat\n4.1 1 8\n";
+    out_.bytes(std::int32_t(1)) << "\n$EndMeshFormat\n";
+  }
+
   int checked(int label) const {
     if (label < 0)
       fail("its format has no negative labels, but the mesh has the label " + std::to_string(label));
@@ -105,24 +110,27 @@ private:
     for (int d = 2; d < 4; ++d)
       for (const auto& l : labels_[d]) {
         out_.bytes(entity(d, l.first));
-        for (double x : box)
-          out_.bytes(x);
-        out_.bytes(std::uint64_t(l.first > 0 ? 1 : 0));
-        if (l.first > 0)
-          out_.bytes(std::int32_t(l.first));
-        out_.bytes(std::uint64_t(0)); // bounding entities
+        write_box_and_group(box, l.first);
       }
     out_ << "\n$EndEntities\n";
   }
 
+  void write_box_and_group(const std::array<double, 6>& box, int label) {
+    for (double x : box)
+      out_.bytes(x);
+    out_.bytes(std::uint64_t(label > 0 ? 1 : 0));
+    if (label > 0)
+      out_.bytes(std::int32_t(label));
+    out_.bytes(std::uint64_t(0)); // bounding entities
+  }
+
   // All nodes in one block, in order: classified on patches they would have to be listed patch by patch, and programs
   // that take nodes in the file's order would take other data for theirs.
-  void write_nodes_4() {
+  void write_nodes_4(int dimension, std::int32_t entity) {
     const std::uint64_t n = mesh_.points.size();
-    const int dimension = labels_[3].empty() ? 2 : 3;
     out_ << "$Nodes\n";
     out_.bytes(std::uint64_t(1)).bytes(n).bytes(std::uint64_t(1)).bytes(n);
-    out_.bytes(std::int32_t(dimension)).bytes(entity(dimension, labels_[dimension].begin()->first));
+    out_.bytes(std::int32_t(dimension)).bytes(entity);
     out_.bytes(std::int32_t(0)).bytes(n);
     for (std::uint64_t i = 1; i <= n; ++i)
       out_.bytes(i);
@@ -132,14 +140,15 @@ private:
     out_ << "\n$EndNodes\n";
   }
 
-  void write_elements_4() {
-    // for each kind and label, the elements in order
-    std::vector<std::map<int, std::vector<std::size_t>>> members;
+  // Elements of a kind come by their key, key_of(element, label); entity_of(dimension, key) has them.
+  template <class Key_of, class Entity_of> void write_elements_4(const Key_of& key_of, const Entity_of& entity_of) {
+    typedef decltype(key_of(std::size_t(0), 0)) Key;
+    std::vector<std::map<Key, std::vector<std::size_t>>> members; // of each kind and key, in order
     std::uint64_t blocks = 0, elements = 0;
     for_each_block(mesh_, [&](const auto& block, const Element_kind&) {
       members.emplace_back();
       for (std::size_t i = 0; i < block.size(); ++i)
-        members.back()[block.label[i]].push_back(i);
+        members.back()[key_of(elements + i, block.label[i])].push_back(i);
       blocks += members.back().size();
       elements += block.size();
     });
@@ -148,7 +157,7 @@ private:
     std::uint64_t first = 1;
     for_each_block(mesh_, [&](const auto& block, const Element_kind& kind) {
       for (const auto& m : members[static_cast<std::size_t>(&kind - element_kinds)]) {
-        out_.bytes(std::int32_t(kind.dimension)).bytes(entity(kind.dimension, m.first));
+        out_.bytes(std::int32_t(kind.dimension)).bytes(entity_of(kind.dimension, m.first));
         out_.bytes(std::int32_t(kind.gmsh_type)).bytes(std::uint64_t(m.second.size()));
         for (std::size_t i : m.second) {
           out_.bytes(std::uint64_t(first + i));

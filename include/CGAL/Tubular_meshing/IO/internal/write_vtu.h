@@ -5,7 +5,6 @@
 #define CGAL_TUBULAR_MESHING_IO_INTERNAL_WRITE_VTU_H
 
 #include <CGAL/Tubular_meshing/IO/internal/Vtk_xml_writer.h>
-#include <CGAL/Tubular_meshing/IO/internal/name_fields.h>
 #include <CGAL/Tubular_meshing/IO/internal/element_kinds.h>
 #include <CGAL/Tubular_meshing/IO/internal/name_fields.h>
 
@@ -14,6 +13,17 @@
 #include <vector>
 
 namespace CGAL::Tubular_meshing::IO::internal {
+
+// What a file says of a part of a mesh, of its points and its cells (facets are VTK's cells, too): where each is in the
+// whole mesh, and whether it belongs to another part.
+struct Vtu_part {
+  std::vector<std::int64_t> point_ids, cell_ids;
+  std::vector<std::uint8_t> point_ghosts, cell_ghosts; // 1: of another part, as VTK counts
+};
+
+constexpr const char* vtk_ghost_array_name = "vtkGhostType";
+constexpr const char* global_point_ids_name = "GlobalPointIds";
+constexpr const char* global_cell_ids_name = "GlobalCellIds";
 
 inline void write_names(const Mixed_mesh& mesh, Vtk_xml_writer& out) {
   const auto pairs = name_fields(mesh.patch_names, mesh.region_names);
@@ -25,7 +35,11 @@ inline void write_names(const Mixed_mesh& mesh, Vtk_xml_writer& out) {
   out.end("FieldData");
 }
 
-inline void write_cells(const Mixed_mesh& mesh, Vtk_xml_writer& out) {
+inline std::string global_ids(const char* array) {
+  return " GlobalIds=\"" + std::string(array) + "\"";
+}
+
+inline void write_cells(const Mixed_mesh& mesh, const Vtu_part* part, Vtk_xml_writer& out) {
   std::vector<std::int32_t> regions, patches;
   std::vector<std::int64_t> connectivity, offsets;
   std::vector<std::uint8_t> types;
@@ -39,11 +53,15 @@ inline void write_cells(const Mixed_mesh& mesh, Vtk_xml_writer& out) {
       patches.push_back(kind.dimension == 2 ? block.label[i] : 0);
     }
   });
-  out.begin("CellData");
+  out.begin("CellData" + (part ? global_ids(global_cell_ids_name) : std::string()));
   out.array("region", 1, regions);
   out.array("patch", 1, patches);
   if (!mesh.patch_ids.empty())
     out.array(mesh.patch_ids.array, 1, ids_of(patches, mesh.patch_ids));
+  if (part) {
+    out.array(global_cell_ids_name, 1, part->cell_ids);
+    out.array(vtk_ghost_array_name, 1, part->cell_ghosts);
+  }
   out.end("CellData");
   out.begin("Cells");
   out.array("connectivity", 1, connectivity);
@@ -52,19 +70,23 @@ inline void write_cells(const Mixed_mesh& mesh, Vtk_xml_writer& out) {
   out.end("Cells");
 }
 
-inline void write_vtu(Output_file& file, const Mixed_mesh& mesh) {
+inline void write_vtu(Output_file& file, const Mixed_mesh& mesh, const Vtu_part* part = nullptr) {
   Vtk_xml_writer out("UnstructuredGrid");
   write_names(mesh, out);
   out.begin("Piece NumberOfPoints=\"" + std::to_string(mesh.points.size()) + "\" NumberOfCells=\"" +
             std::to_string(mesh.number_of_cells() + mesh.number_of_facets()) + "\"");
-  out.begin("PointData");
+  out.begin("PointData" + (part ? global_ids(global_point_ids_name) : std::string()));
   for (const Point_array& a : mesh.point_arrays)
     out.array(a.name, static_cast<std::size_t>(a.components), a.values);
+  if (part) {
+    out.array(global_point_ids_name, 1, part->point_ids);
+    out.array(vtk_ghost_array_name, 1, part->point_ghosts);
+  }
   out.end("PointData");
   out.begin("Points");
   out.array("Points", 3, coordinates_of(mesh.points));
   out.end("Points");
-  write_cells(mesh, out);
+  write_cells(mesh, part, out);
   out.end("Piece");
   out.write(file);
 }

@@ -1,19 +1,17 @@
 // Copyright (c) 2026 The Tubular_meshing authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_TUBULAR_MESHING_IO_INTERNAL_CELL_NEIGHBOURS_H
-#define CGAL_TUBULAR_MESHING_IO_INTERNAL_CELL_NEIGHBOURS_H
+#ifndef CGAL_TUBULAR_MESHING_BASE_CELL_NEIGHBOURS_H
+#define CGAL_TUBULAR_MESHING_BASE_CELL_NEIGHBOURS_H
 
-#include <CGAL/Tubular_meshing/IO/internal/Cell_faces.h>
-#include <CGAL/Tubular_meshing/IO/internal/refuse.h>
+#include <CGAL/Tubular_meshing/base/Numbered_cells.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <string>
 #include <vector>
 
-namespace CGAL::Tubular_meshing::IO::internal {
+namespace CGAL::Tubular_meshing::internal::cells {
 
 /* The cell across each face of each cell, in four bytes a face.
  *
@@ -22,9 +20,8 @@ namespace CGAL::Tubular_meshing::IO::internal {
  * than the mesh does. */
 class Cell_neighbours {
 public:
-  Cell_neighbours(const Numbered_cells& cells, const std::string& file)
+  explicit Cell_neighbours(const Numbered_cells& cells)
       : cells_(cells)
-      , file_(file)
       , across_(cells.number_of_faces(), no_cell) {
     const std::vector<std::uint32_t> count = faces_at_corners();
     const std::size_t share = cells.number_of_faces() / 4 + 1;
@@ -39,6 +36,9 @@ public:
 
   // no_cell on the boundary
   std::uint32_t across(std::size_t face) const { return across_[face]; }
+
+  // Whether three cells share a face: there is no one across it then.
+  bool has_crowded_face() const { return has_crowded_face_; }
 
 private:
   struct Entry {
@@ -104,19 +104,18 @@ private:
   }
 
   void join(std::uint32_t a, std::uint32_t b) {
-    if (across_[a] != no_cell)
-      refuse(file_, "three of its cells share a face", "repair the mesh");
+    has_crowded_face_ = has_crowded_face_ || across_[a] != no_cell;
     across_[a] = std::uint32_t(cells_.face_of_cell(b).cell);
     across_[b] = std::uint32_t(cells_.face_of_cell(a).cell);
   }
 
   const Numbered_cells& cells_;
-  const std::string& file_;
   std::vector<std::uint32_t> across_;
+  bool has_crowded_face_ = false;
   static constexpr std::uint32_t no_entry = std::uint32_t(-1);
   std::vector<std::uint32_t> table_;
 };
 
-} // namespace CGAL::Tubular_meshing::IO::internal
+} // namespace CGAL::Tubular_meshing::internal::cells
 
-#endif // CGAL_TUBULAR_MESHING_IO_INTERNAL_CELL_NEIGHBOURS_H
+#endif // CGAL_TUBULAR_MESHING_BASE_CELL_NEIGHBOURS_H
