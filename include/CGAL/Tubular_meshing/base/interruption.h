@@ -14,8 +14,8 @@ namespace CGAL::Tubular_meshing {
 /*! \ingroup PkgTubularMeshingBase
  *
  * Lets a program stop what it has begun. While one of these is there, the package calls its function now and then, at
- * most twenty times a second, from the thread that has made it: as a loop on several threads begins, and while TetGen
- * is waited for. What the function throws comes out of the call that is running, and leaves nothing behind: a Mesher can
+ * most twenty times a second, from the thread that has made it: as a loop on several threads begins, in the long loops of
+ * filling, optimization and remeshing, and while TetGen is waited for. What the function throws comes out of the call that is running, and leaves nothing behind: a Mesher can
  * be used again. The name of each stage as it begins is had from the `observer` of a Mesher, which may throw as well.
  *
  * \code
