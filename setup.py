@@ -47,4 +47,9 @@ def version():
     return re.search(r"VERSION (\d+\.\d+\.\d+)\n", text).group(1)
 
 
-setup(version=version(), ext_modules=[Extension("tubular_meshing._core", [])], cmdclass={"build_ext": BuildByCMake})
+setup(
+    version=version(),
+    ext_modules=[Extension("tubular_meshing._core", [])],
+    cmdclass={"build_ext": BuildByCMake},
+    options={"build": {"build_base": "build-python"}},  # build/ is CMake's
+)

@@ -72,6 +72,7 @@ def test_options_that_are_wrong(straight, options, sentence):
         tm.mesh(model, **options)
     assert sentence in caught.value.sentence
     assert "--" not in caught.value.sentence
+    assert caught.value.file == options.get("output")
 
 
 def test_wrong_options_are_found_before_any_work():

@@ -35,8 +35,7 @@ class Error(Exception):
         self.places = [tuple(p) for p in places or []]
         self.place = self.places[0] if self.places else None
         self.stage = stage
-        file = re.search(r'(?:file|folder|surface|mesh|blocks|centerlines)\b[^".]*"([^"]+)"', sentence)
-        self.file = file.group(1) if file else None
+        self.file = _file(sentence)
         self.line = _number("line", sentence)
         self.byte = _number("byte", sentence)
         self.vertex = _number("(?:vertex|point)", sentence)
@@ -57,6 +56,11 @@ class MeshingError(Error, RuntimeError):
 
 class OutputError(Error, OSError):
     """A file cannot be written. The file that was there before, if any, is as it was."""
+
+
+def _file(sentence: str) -> Optional[str]:
+    found = re.search(r'(?:\b[Ff](?:ile|older)|cannot be written to|^Line \d+ of) "([^"]+)"', sentence)
+    return found.group(1) if found else None
 
 
 def _number(word: str, sentence: str) -> Optional[int]:
