@@ -67,7 +67,7 @@ def test_coordinates_that_are_not_finite_are_refused():
     assert caught.value.vertex == 7
 
 
-def test_repairs_are_told_with_their_places():
+def test_repairs_have_their_places():
     points, triangles = tube()
     hole = np.abs(points[triangles].mean(axis=1) - [1, 0, 4]).sum(axis=1).argmin()
     surface, repairs = tm.repair(tm.Surface(points, np.delete(triangles, hole, axis=0)))

@@ -13,7 +13,7 @@ from shapes import tube
 import tubular_meshing as tm
 
 
-def test_progress_is_told(straight):
+def test_progress_has_the_stages(straight):
     stages = []
     tm.mesh(straight, points_per_circumference=10, progress=stages.append)
     assert "surface mesh" in stages and stages[-1] == "check"
