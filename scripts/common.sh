@@ -10,7 +10,8 @@ build_dir=${TUBULAR_MESHING_BUILD_DIR:-$root_dir/build}
 library_packages=(g++ cmake ninja-build libcgal-dev libeigen3-dev libtbb-dev zlib1g-dev liblzma-dev libpugixml-dev
   libtet1.5-dev liblemon-dev libhdf5-dev libcgns-dev libexodusii-dev libmetis-dev)
 example_packages=(libcli11-dev nlohmann-json3-dev)
-test_packages=(libgtest-dev libbenchmark-dev clang libclang-rt-dev) # Clang: for the fuzz tests alone
+python_packages=(pybind11-dev python3-dev python3-numpy)
+test_packages=(libgtest-dev libbenchmark-dev clang libclang-rt-dev python3-pytest) # Clang: for the fuzz tests alone
 
 say() { printf '%s\n' "$*"; }
 fail() {

@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # Installs what is missing (Debian, as root or with sudo), builds everything (each header alone, examples, tests,
-# benchmarks) and runs all tests; ctest's closing lines come last.
+# benchmarks, the Python package) and runs all tests; ctest's closing lines come last.
 #
 #   scripts/test.sh [option of cmake...]      e.g. -DCGAL_DIR=… for another CGAL
 #
@@ -12,8 +12,10 @@
 set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
-install_packages "${library_packages[@]}" "${example_packages[@]}" "${test_packages[@]}"
-configure -DTUBULAR_MESHING_BUILD_EXAMPLES=ON -DTUBULAR_MESHING_BUILD_TESTS=ON -DTUBULAR_MESHING_BUILD_BENCHMARKS=ON "$@"
+install_packages "${library_packages[@]}" "${example_packages[@]}" "${python_packages[@]}" \
+  "${test_packages[@]}"
+configure -DTUBULAR_MESHING_BUILD_EXAMPLES=ON -DTUBULAR_MESHING_BUILD_TESTS=ON -DTUBULAR_MESHING_BUILD_BENCHMARKS=ON \
+  -DTUBULAR_MESHING_BUILD_PYTHON=ON "$@"
 build --target all
 
 cd "$build_dir"

@@ -9,3 +9,4 @@
 #include <CGAL/Tubular_meshing/Centerlines/check_centerlines_impl.h>
 #include <CGAL/Tubular_meshing/Centerlines/clip_to_openings_impl.h>
 #include <CGAL/Tubular_meshing/Centerlines/compute_centerlines_impl.h>
+#include <CGAL/Tubular_meshing/Centerlines/cross_sections_impl.h>

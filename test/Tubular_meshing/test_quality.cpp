@@ -5,6 +5,8 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
+#include <CGAL/Tubular_meshing/base/exceptions.h>
+#include <CGAL/Tubular_meshing/Quality/element_quality.h>
 #include <CGAL/Tubular_meshing/Quality/quality_report.h>
 #include <CGAL/Tubular_meshing/Quality/shape_measures.h>
 #include <CGAL/Tubular_meshing/Quality/validity_report.h>
@@ -16,6 +18,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <string>
 #include <vector>
 
 namespace {
@@ -344,6 +347,54 @@ TEST(Quality_report, Efficiency_of_a_unit_mesh) {
   for (double& v : m.point_arrays[0].values)
     v *= 4; // edges of length 2: exp(1/2 - 1)
   EXPECT_NEAR(tubular::quality_report(m).efficiency, std::exp(-0.5), eps);
+}
+
+// Cells of different shapes in a row: the values are theirs, in their order.
+TEST(Element_quality, Is_in_the_order_of_the_elements) {
+  const Mesh m = moved_cubes({4, 1, 1}, [](double x, double y, double z) { return Point(x + z * x / 4, y, z); });
+  const std::vector<double> values = tubular::element_quality(m, "scaled_jacobian");
+  ASSERT_EQ(values.size(), 4u);
+  for (std::size_t i = 0; i + 1 < values.size(); ++i)
+    EXPECT_GT(values[i], values[i + 1]); // sheared more and more
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    std::array<Point, 8> p;
+    for (std::size_t k = 0; k < 8; ++k)
+      p[k] = m.points[m.hexahedra.vertices[i][k]];
+    EXPECT_EQ(values[i], tubular::hexahedron_jacobian(p));
+  }
+}
+
+TEST(Element_quality, Has_the_spread_that_the_report_has) {
+  const Mesh mixed = mixed_cells();
+  const tubular::Quality_report r = tubular::quality_report(mixed);
+  std::size_t measured = 0;
+  const auto compare = [&](const char* name, const tubular::Measure_statistics& expected) {
+    const tubular::Measure_statistics found(tubular::element_quality(mixed, name));
+    EXPECT_EQ(found.count(), expected.count()) << name;
+    EXPECT_EQ(found.min(), expected.min()) << name;
+    EXPECT_EQ(found.mean(), expected.mean()) << name;
+    EXPECT_EQ(found.max(), expected.max()) << name;
+    const std::vector<std::string> names = tubular::element_measures(mixed);
+    EXPECT_EQ(std::count(names.begin(), names.end(), name) == 1, expected.count() > 0) << name;
+    measured += expected.count() > 0;
+  };
+  compare("gamma_T", r.gamma_T);
+  compare("gamma_tau", r.gamma_tau);
+  compare("eta_q", r.eta_q);
+  compare("zeta_H", r.zeta_H);
+  compare("scaled_jacobian", r.scaled_jacobian);
+  compare("prism_jacobian", r.prism_jacobian);
+  compare("pyramid_jacobian", r.pyramid_jacobian);
+  compare("Q_tau", r.Q_tau);
+  compare("aspect", r.aspect);
+  compare("non_orthogonality", r.non_orthogonality);
+  compare("skewness", r.skewness);
+  EXPECT_EQ(measured, tubular::element_measures(mixed).size());
+  EXPECT_TRUE(tubular::element_measures(Mesh()).empty());
+}
+
+TEST(Element_quality, Measures_that_are_none_are_refused) {
+  EXPECT_THROW(tubular::element_quality(Mesh(), "beauty"), tubular::Parameter_error);
 }
 
 } // namespace

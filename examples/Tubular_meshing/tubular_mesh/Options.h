@@ -75,6 +75,7 @@ struct Options {
 };
 
 // Throws a Parameter_error for what is wrong with the options as such; before any work is done, since work takes time.
-void check(const Options& o);
+// Without an output there is nothing wrong with its name: a program keeps the mesh.
+void check(const Options& o, bool has_output = true);
 
 #endif // TUBULAR_MESH_OPTIONS_H

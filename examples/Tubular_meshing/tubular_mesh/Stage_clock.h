@@ -8,17 +8,22 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <cstddef>
 #include <cstdio>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
 
 /* Times the stages of a run and shows them as they go: on a terminal one line that changes, elsewhere a line a stage.
- */
+ * An observer receives the name of each as it begins; what it throws ends the run. */
 class Stage_clock {
 public:
-  explicit Stage_clock(bool quiet)
+  typedef std::function<void(const std::string&)> Observer;
+
+  explicit Stage_clock(bool quiet, Observer observer = Observer())
       : quiet_(quiet)
+      , observer_(std::move(observer))
       , terminal_(isatty(STDERR_FILENO) != 0)
       , start_(Clock::now()) {}
   ~Stage_clock() { end_line(); }
@@ -30,6 +35,8 @@ public:
     stage_start_ = Clock::now();
     if (!quiet_ && terminal_)
       std::fprintf(stderr, "\r\033[K%8.2f s  %s …", seconds(start_), stage_.c_str());
+    if (observer_)
+      observer_(stage);
   }
 
   void finish() {
@@ -42,7 +49,19 @@ public:
     end_line();
   }
 
-  double total() const { return seconds(start_); }
+  // Ends the run: times stay as they are, and the observer is let go.
+  void stop() {
+    finish();
+    total_ = seconds(start_);
+    observer_ = nullptr;
+  }
+  // The stages before are part of this run: of a surface or a model that was made earlier.
+  void continue_from(const Stage_clock& before) {
+    stages_ = before.stages_;
+    start_ -= std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(before.total()));
+  }
+
+  double total() const { return total_ > 0 ? total_ : seconds(start_); }
   const std::vector<std::pair<std::string, double>>& stages() const { return stages_; }
 
   static std::size_t peak_memory() {
@@ -69,8 +88,11 @@ private:
       std::fprintf(stderr, "\r\033[K");
   }
 
-  bool quiet_, terminal_;
+  bool quiet_;
+  Observer observer_;
+  bool terminal_;
   Clock::time_point start_, stage_start_;
+  double total_ = 0; // of a run that has stopped
   std::string stage_;
   std::vector<std::pair<std::string, double>> stages_;
 };

@@ -107,8 +107,9 @@ void check_partitions(const Options& o) {
                                    "that is installed (libmetis-dev), or write the mesh as a whole.");
 }
 
-void check_output(const Options& o) {
-  if (o.makes_surface_only()) {
+void check_output(const Options& o, bool has_output) {
+  if (!has_output) {
+  } else if (o.makes_surface_only()) {
     if (!tubular::IO::is_supported_surface_format(o.output))
       throw tubular::Parameter_error("The surface cannot be written to \"" + o.output +
                                      "\": give a .stl, .vtp, .msh, .ply, .off, .obj or .vtk file.");
@@ -172,7 +173,7 @@ bool Options::meshes_patches() const {
   return surface_mesher.empty() ? !fills_by_mesh_3(*this) : surface_mesher == "parametric";
 }
 
-void check(const Options& o) {
+void check(const Options& o, bool has_output) {
   const std::set<std::string> types = {"isotropic", "anisotropic", "mixed", "hexahedral", "surface"};
   if (types.count(o.type) == 0)
     throw tubular::Parameter_error("There is no type of mesh named \"" + o.type +
@@ -183,7 +184,7 @@ void check(const Options& o) {
     throw tubular::Parameter_error("--outlet needs --inlet, where the centerlines begin.");
   if (o.min_size > o.max_size)
     throw tubular::Parameter_error("--min-size is larger than --max-size.");
-  check_output(o);
+  check_output(o, has_output);
   if (!o.centerlines_output.empty() && !tubular::IO::is_supported_centerlines_format(o.centerlines_output))
     throw tubular::Parameter_error("The centerlines cannot be written to \"" + o.centerlines_output +
                                    "\": give a .vtp or .vtk file.");
@@ -196,13 +197,13 @@ void check(const Options& o) {
     if (!f.empty())
       files.insert(same_file(f));
   for (const std::string& f : o.outputs())
-    if (!files.insert(same_file(f)).second)
+    if ((has_output || f != o.output) && !files.insert(same_file(f)).second)
       throw tubular::Parameter_error("The file \"" + f + "\" is named twice; an output needs a name of its own.");
   try {
     for (const std::string& f : o.outputs())
-      if (f != o.output || o.makes_surface_only())
+      if (f != o.output || (has_output && o.makes_surface_only()))
         tubular::IO::check_writable(f);
-    if (!o.makes_surface_only())
+    if (has_output && !o.makes_surface_only())
       check_mesh_output(o);
   } catch (const tubular::Output_error& e) { // the name was wrong; later on, a full disk is no fault of the user's
     throw tubular::Parameter_error(e.what());

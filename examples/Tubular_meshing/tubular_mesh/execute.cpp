@@ -3,9 +3,6 @@
 
 #include "execute.h"
 
-#include "Run_report.h"
-#include "Stage_clock.h"
-#include "parts.h"
 #include "renames.h"
 #include "stages.h"
 
@@ -26,9 +23,6 @@
 
 namespace tubular = CGAL::Tubular_meshing;
 
-namespace {
-
-// Names are written where they came with the input, or were given.
 void write_surface(tubular::IO::Output_file& file, const tubular::Remeshed_surface& surface,
                    const tubular::Tubular_model& model) {
   const auto labels = tubular::parameters::face_patch_map(surface.patch)
@@ -42,7 +36,12 @@ void write_surface(tubular::IO::Output_file& file, const tubular::Remeshed_surfa
   tubular::IO::write_surface(file, surface.surface, labels.vertex_metric_map(metric));
 }
 
-// Writes everything that was asked for; nothing gets its name before all of it is whole.
+void write_surface(tubular::IO::Output_file& file, const tubular::Tubular_model& model) {
+  tubular::IO::write_surface(
+      file, model.surface,
+      tubular::parameters::face_patch_map(model.patch).patch_names(model.patch_names).patch_ids(model.patch_ids));
+}
+
 void write(const Run& run, Run_report& report, Stage_clock& clock) {
   const Options& o = run.options;
   std::vector<std::unique_ptr<tubular::IO::Output>> outputs;
@@ -52,7 +51,8 @@ void write(const Run& run, Run_report& report, Stage_clock& clock) {
     outputs.push_back(std::move(file));
     return opened;
   };
-  if (o.makes_surface_only()) {
+  if (o.output.empty()) { // not of a program that keeps the mesh
+  } else if (o.makes_surface_only()) {
     write_surface(open(o.output), run.surface, run.model);
   } else if (o.partitions > 0) {
     outputs.push_back(tubular::IO::open_partitioned_mesh(o.output, std::size_t(o.partitions), o.mesh_format()));
@@ -65,10 +65,7 @@ void write(const Run& run, Run_report& report, Stage_clock& clock) {
   if (!o.surface_output.empty() && run.surface.surface.number_of_faces() > 0)
     write_surface(open(o.surface_output), run.surface, run.model);
   else if (!o.surface_output.empty())
-    tubular::IO::write_surface(open(o.surface_output), run.model.surface,
-                               tubular::parameters::face_patch_map(run.model.patch)
-                                   .patch_names(run.model.patch_names)
-                                   .patch_ids(run.model.patch_ids));
+    write_surface(open(o.surface_output), run.model);
   if (!o.blocks_output.empty())
     tubular::IO::write_mesh(open(o.blocks_output), run.block_mesh);
   if (!o.centerlines_output.empty())
@@ -83,7 +80,45 @@ void write(const Run& run, Run_report& report, Stage_clock& clock) {
     output->commit();
 }
 
-} // namespace
+Prepared prepare(Run& run, const tubular::Surface& surface, Stage_clock& clock) {
+  std::vector<Part> parts = split(run, surface);
+  for (Part& part : parts) {
+    cut_ends(part.run, part.surface, clock);
+    extend_openings(part.run, part.surface, clock);
+    prepare_model(part.run, part.surface, clock);
+  }
+  check_number_of_openings(run, parts);
+  return {std::move(run), std::move(parts)};
+}
+
+Prepared copy_of(const Prepared& prepared, const Options& options, const tubular::Size_requests& sizes) {
+  Prepared copy;
+  copy.run.options = options;
+  copy.run.version = prepared.run.version;
+  copy.run.notes = prepared.run.notes;
+  copy.run.repairs = prepared.run.repairs;
+  copy.run.labels = prepared.run.labels;
+  copy.run.sizes = sizes;
+  copy.parts = copy_of(prepared.parts, options, sizes);
+  return copy;
+}
+
+Run make_mesh(Prepared prepared, Stage_clock& clock) {
+  Run run = std::move(prepared.run);
+  std::vector<Part> parts = std::move(prepared.parts);
+  distribute_branches(run, parts);
+  rename_patches(run, parts);
+  make_meshes(parts, clock);
+  join(run, std::move(parts));
+  rename_wall_patches(run);
+  return run;
+}
+
+void note_changes(Run& run) {
+  if (!run.options.makes_surface_only())
+    for (const std::string& change : tubular::IO::changes_in(run.mesh, run.options.mesh_format()))
+      run.notes.push_back(change);
+}
 
 void execute(const Options& options, const std::string& version) {
   check(options);
@@ -91,26 +126,13 @@ void execute(const Options& options, const std::string& version) {
   Run run;
   run.options = options;
   run.version = version;
-  std::vector<Part> parts = split(run, read_surface(run, clock));
-  for (Part& part : parts) {
-    cut_ends(part.run, part.surface, clock);
-    extend_openings(part.run, part.surface, clock);
-    prepare_model(part.run, part.surface, clock);
-  }
-  check_number_of_openings(run, parts);
-  distribute_branches(run, parts);
-  rename_patches(run, parts);
-  make_meshes(parts, clock);
-  join(run, std::move(parts));
-  rename_wall_patches(run);
+  run = make_mesh(prepare(run, read_surface(run, clock), clock), clock);
   if (options.partitions > 0) {
     clock.begin("partition");
     run.partition = tubular::partition_cells(run.mesh, std::size_t(options.partitions));
   }
   clock.begin("report");
-  if (!options.makes_surface_only())
-    for (const std::string& change : tubular::IO::changes_in(run.mesh, options.mesh_format()))
-      run.notes.push_back(change);
+  note_changes(run);
   Run_report report(run);
   clock.begin("write");
   write(run, report, clock);

@@ -142,11 +142,41 @@ void add(tubular::Hexahedral_report& all, const tubular::Hexahedral_report& part
   add(all.optimization, part.optimization);
 }
 
+tubular::Tubular_model copy_of(const tubular::Tubular_model& model) {
+  tubular::Tubular_model copy;
+  static_cast<tubular::Labelled_surface&>(copy) = tubular::Labelled_surface(model.surface);
+  copy.centerlines = model.centerlines;
+  copy.openings = model.openings;
+  copy.round_ends = model.round_ends;
+  copy.patch_names = model.patch_names;
+  copy.patch_ids = model.patch_ids;
+  copy.labels = model.labels;
+  return copy;
+}
+
 template <class T> void append(std::vector<T>& all, const std::vector<T>& part) {
   all.insert(all.end(), part.begin(), part.end());
 }
 
 } // namespace
+
+std::vector<Part> copy_of(const std::vector<Part>& parts, const Options& options, const tubular::Size_requests& sizes) {
+  std::vector<Part> copies(parts.size());
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    const Run& from = parts[k].run;
+    Run& to = copies[k].run;
+    to.options = options;
+    to.notes = from.notes;
+    to.round_ends = from.round_ends;
+    to.labels = from.labels;
+    to.sizes = sizes;
+    to.extensions = from.extensions;
+    to.model = copy_of(from.model);
+  }
+  if (parts.size() > 1 && !sizes.balls.empty())
+    distribute_balls(sizes, Nearest_part(parts), copies);
+  return copies;
+}
 
 std::vector<Part> split(const Run& run, const tubular::Surface& surface) {
   std::vector<Part> parts;

@@ -19,6 +19,10 @@ struct Part {
 /* The vessels, the largest first. Points, lines and labelled ends go with the vessel that they are nearest to. */
 std::vector<Part> split(const Run& run, const CGAL::Tubular_meshing::Surface& surface);
 
+/* For another mesh of the same vessels, with other options and sizes. */
+std::vector<Part> copy_of(const std::vector<Part>& parts, const Options& options,
+                          const CGAL::Tubular_meshing::Size_requests& sizes);
+
 /* Gives each vessel the sizes that are asked for in its branches, which are numbered through, once they are known. */
 void distribute_branches(const Run& run, std::vector<Part>& parts);
 

@@ -186,31 +186,6 @@ void open_labelled_ends(Run& run, const tubular::IO::Surface_data& data, tubular
   surface.remove_property_map(label);
 }
 
-// Sizes that are asked for by place, by branch, and by an array of the surface's file.
-tubular::Size_requests size_requests(const Options& o, const tubular::IO::Surface_data& data) {
-  tubular::Size_requests sizes;
-  for (const std::string& text : o.refined_balls) {
-    const auto x = command_line::numbers_of<5>(text);
-    sizes.balls.push_back({Point_3(x[0], x[1], x[2]), x[3], x[4]});
-  }
-  for (const std::string& text : o.refined_branches) {
-    const auto x = command_line::numbers_of<2>(text);
-    sizes.branches.push_back({std::size_t(x[0]), x[1]});
-  }
-  if (o.size_array.empty())
-    return sizes;
-  const auto array = data.point_arrays.find(o.size_array);
-  if (array == data.point_arrays.end()) {
-    std::string known;
-    for (const auto& a : data.point_arrays)
-      known += (known.empty() ? "" : ", ") + a.first;
-    throw tubular::Input_error("The surface has no point array \"" + o.size_array + "\" of one number a point" +
-                               (known.empty() ? ", nor any other." : "; it has " + known + "."));
-  }
-  tubular::request_sizes(data.points, data.triangles, array->second, sizes);
-  return sizes;
-}
-
 void make_mesh(Run& run, tubular::Mesher& mesher) {
   if (run.options.makes_surface_only()) {
     run.surface = mesher.surface(surface_elements(run.options));
@@ -255,11 +230,16 @@ std::size_t number_of_elements(const Run& run) {
 } // namespace
 
 tubular::Surface read_surface(Run& run, Stage_clock& clock) {
-  const Options& o = run.options;
   clock.begin("read");
-  const tubular::IO::Surface_data data = tubular::IO::read_surface_data(o.surface, o.faces);
-  run.notes = data.notes;
-  run.points = named_points(o);
+  const tubular::IO::Surface_data data = tubular::IO::read_surface_data(run.options.surface, run.options.faces);
+  tubular::Surface surface = repair(run, data, clock);
+  take_requests(run, data, surface);
+  return surface;
+}
+
+tubular::Surface repair(Run& run, const tubular::IO::Surface_data& data, Stage_clock& clock) {
+  const Options& o = run.options;
+  const std::vector<Point_3> at_openings = points_at_openings(named_points(o));
   clock.begin("repair");
   tubular::Surface surface;
   run.repairs = tubular::repair_surface(data.points, data.triangles, surface,
@@ -267,13 +247,43 @@ tubular::Surface read_surface(Run& run, Stage_clock& clock) {
                                             .smooth(o.smooth)
                                             .number_of_parts(number_of_parts(o))
                                             .filled_holes(points_of(o.filled_holes))
-                                            .kept_openings(points_at_openings(run.points)));
+                                            .kept_openings(at_openings));
+  return surface;
+}
+
+void take_requests(Run& run, const tubular::IO::Surface_data& data, tubular::Surface& surface) {
+  const Options& o = run.options;
+  run.notes = data.notes;
+  run.points = named_points(o);
   open_labelled_ends(run, data, surface);
   begin_at_inlet(run);
   run.sizes = size_requests(o, data);
   if (!o.centerlines.empty())
     tubular::IO::read_centerlines(o.centerlines, run.lines);
-  return surface;
+}
+
+tubular::Size_requests size_requests(const Options& o, const tubular::IO::Surface_data& data) {
+  tubular::Size_requests sizes;
+  for (const std::string& text : o.refined_balls) {
+    const auto x = command_line::numbers_of<5>(text);
+    sizes.balls.push_back({Point_3(x[0], x[1], x[2]), x[3], x[4]});
+  }
+  for (const std::string& text : o.refined_branches) {
+    const auto x = command_line::numbers_of<2>(text);
+    sizes.branches.push_back({std::size_t(x[0]), x[1]});
+  }
+  if (o.size_array.empty())
+    return sizes;
+  const auto array = data.point_arrays.find(o.size_array);
+  if (array == data.point_arrays.end()) {
+    std::string known;
+    for (const auto& a : data.point_arrays)
+      known += (known.empty() ? "" : ", ") + a.first;
+    throw tubular::Input_error("The surface has no point array \"" + o.size_array + "\" of one number a point" +
+                               (known.empty() ? ", nor any other." : "; it has " + known + "."));
+  }
+  tubular::request_sizes(data.points, data.triangles, array->second, sizes);
+  return sizes;
 }
 
 void cut_ends(Run& run, tubular::Surface& surface, Stage_clock& clock) {

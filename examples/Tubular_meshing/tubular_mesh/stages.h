@@ -8,12 +8,26 @@
 #include "Stage_clock.h"
 #include "parts.h"
 
+#include <CGAL/Tubular_meshing/Fields/Size_requests.h>
+#include <CGAL/Tubular_meshing/IO/read_surface.h>
+
 #include <vector>
 
 /* The stages of a run, in their order; each reads what the ones before it left in the run. */
 
 // The surface of the file, repaired, and open where labels say that vessels end.
 CGAL::Tubular_meshing::Surface read_surface(Run& run, Stage_clock& clock);
+
+// The same in two steps, of a surface that has been read: repaired, ...
+CGAL::Tubular_meshing::Surface repair(Run& run, const CGAL::Tubular_meshing::IO::Surface_data& data,
+                                      Stage_clock& clock);
+// ... and open at labelled ends; with what the options and the file say about ends, sizes and lines.
+void take_requests(Run& run, const CGAL::Tubular_meshing::IO::Surface_data& data,
+                   CGAL::Tubular_meshing::Surface& surface);
+
+// Sizes that are asked for by place, by branch, and by an array of the surface's file.
+CGAL::Tubular_meshing::Size_requests size_requests(const Options& o,
+                                                   const CGAL::Tubular_meshing::IO::Surface_data& data);
 
 // Cuts round ends open where that cannot wait for the model.
 void cut_ends(Run& run, CGAL::Tubular_meshing::Surface& surface, Stage_clock& clock);

@@ -58,25 +58,59 @@ public:
   Quality_report report() const {
     Quality_report r;
     if (region_ == nullptr) {
-      r.gamma_T =
-          over(mesh_.triangles, [](const std::array<Vector_3d, 3>& p) { return triangle_gamma(p[0], p[1], p[2]); });
-      r.eta_q = over(mesh_.quads, [](const std::array<Vector_3d, 4>& p) { return internal::quad_eta(p); });
+      r.gamma_T = Measure_statistics(gamma_T());
+      r.eta_q = Measure_statistics(eta_q());
     }
-    r.gamma_tau = over(mesh_.tetrahedra, [](const std::array<Vector_3d, 4>& p) {
-      return internal::tetrahedron_gamma(p[0], p[1], p[2], p[3]);
-    });
-    r.zeta_H = over(mesh_.hexahedra, [](const std::array<Vector_3d, 8>& p) { return internal::hexahedron_zeta(p); });
-    r.scaled_jacobian = over(mesh_.hexahedra, [](const std::array<Vector_3d, 8>& p) { return scaled_jacobian(p); });
-    r.prism_jacobian = over(mesh_.prisms, [](const std::array<Vector_3d, 6>& p) { return scaled_jacobian(p); });
-    r.pyramid_jacobian = over(mesh_.pyramids, [](const std::array<Vector_3d, 5>& p) { return scaled_jacobian(p); });
-    for (const Point_array& a : mesh_.point_arrays)
-      if (a.is_metric())
-        add_metric_measures(a, r);
+    r.gamma_tau = Measure_statistics(gamma_tau());
+    r.zeta_H = Measure_statistics(zeta_H());
+    r.scaled_jacobian = Measure_statistics(scaled_jacobians());
+    r.prism_jacobian = Measure_statistics(prism_jacobians());
+    r.pyramid_jacobian = Measure_statistics(pyramid_jacobians());
+    r.Q_tau = Measure_statistics(Q_tau());
+    if (const Point_array* metric = metric_array())
+      r.efficiency = efficiency(*metric);
     Finite_volumes volumes(mesh_, region_);
     r.aspect = Measure_statistics(std::move(volumes.aspect()));
     r.non_orthogonality = Measure_statistics(std::move(volumes.non_orthogonality()));
     r.skewness = Measure_statistics(std::move(volumes.skewness()));
     return r;
+  }
+
+  // The values of each measure, in the order of the elements.
+  std::vector<double> gamma_T() const {
+    return over(mesh_.triangles, [](const std::array<Vector_3d, 3>& p) { return triangle_gamma(p[0], p[1], p[2]); });
+  }
+  std::vector<double> eta_q() const {
+    return over(mesh_.quads, [](const std::array<Vector_3d, 4>& p) { return internal::quad_eta(p); });
+  }
+  std::vector<double> gamma_tau() const {
+    return over(mesh_.tetrahedra,
+                [](const std::array<Vector_3d, 4>& p) { return internal::tetrahedron_gamma(p[0], p[1], p[2], p[3]); });
+  }
+  std::vector<double> zeta_H() const {
+    return over(mesh_.hexahedra, [](const std::array<Vector_3d, 8>& p) { return internal::hexahedron_zeta(p); });
+  }
+  std::vector<double> scaled_jacobians() const {
+    return over(mesh_.hexahedra, [](const std::array<Vector_3d, 8>& p) { return scaled_jacobian(p); });
+  }
+  std::vector<double> prism_jacobians() const {
+    return over(mesh_.prisms, [](const std::array<Vector_3d, 6>& p) { return scaled_jacobian(p); });
+  }
+  std::vector<double> pyramid_jacobians() const {
+    return over(mesh_.pyramids, [](const std::array<Vector_3d, 5>& p) { return scaled_jacobian(p); });
+  }
+  // Empty, where the mesh has no metric.
+  std::vector<double> Q_tau() const {
+    std::vector<double> values;
+    const Point_array* array = metric_array();
+    if (array == nullptr)
+      return values;
+    const auto metric = [&](std::uint32_t v) { return metric_at(*array, v); };
+    for_each(mesh_.tetrahedra, [&](const std::array<std::uint32_t, 4>& v) {
+      values.push_back(internal::tetrahedron_Q({point(v[0]), point(v[1]), point(v[2]), point(v[3])},
+                                               {metric(v[0]), metric(v[1]), metric(v[2]), metric(v[3])}));
+    });
+    return values;
   }
 
 private:
@@ -91,7 +125,7 @@ private:
   Vector_3d point(std::uint32_t v) const { return Vector_3d(mesh_.points[v]); }
 
   template <std::size_t N, class Measure>
-  Measure_statistics over(const Element_block<N>& elements, const Measure& measure) const {
+  std::vector<double> over(const Element_block<N>& elements, const Measure& measure) const {
     std::vector<double> values;
     values.reserve(elements.size());
     for_each(elements, [&](const std::array<std::uint32_t, N>& v) {
@@ -100,28 +134,29 @@ private:
         p[i] = point(v[i]);
       values.push_back(measure(p));
     });
-    return Measure_statistics(std::move(values));
+    return values;
   }
 
-  void add_metric_measures(const Point_array& array, Quality_report& r) const {
-    const auto metric = [&](std::uint32_t v) {
-      const double* m = array.values.data() + 6 * std::size_t(v);
-      return Metric_tensor_3(m[0], m[1], m[2], m[3], m[4], m[5]);
-    };
-    std::vector<double> values;
-    for_each(mesh_.tetrahedra, [&](const std::array<std::uint32_t, 4>& v) {
-      values.push_back(internal::tetrahedron_Q({point(v[0]), point(v[1]), point(v[2]), point(v[3])},
-                                               {metric(v[0]), metric(v[1]), metric(v[2]), metric(v[3])}));
-    });
-    r.Q_tau = Measure_statistics(std::move(values));
+  const Point_array* metric_array() const {
+    for (const Point_array& a : mesh_.point_arrays)
+      if (a.is_metric())
+        return &a;
+    return nullptr;
+  }
+  static Metric_tensor_3 metric_at(const Point_array& array, std::uint32_t v) {
+    const double* m = array.values.data() + 6 * std::size_t(v);
+    return Metric_tensor_3(m[0], m[1], m[2], m[3], m[4], m[5]);
+  }
+
+  double efficiency(const Point_array& metric) const {
     const auto edges = edges_of(mesh_.tetrahedra, [&](int label) { return counts(label); });
     double sum = 0;
     for (const auto& e : edges) {
-      const double l =
-          Metric_tensor_3::edge_length_linear(point(e.second) - point(e.first), metric(e.first), metric(e.second));
+      const double l = Metric_tensor_3::edge_length_linear(point(e.second) - point(e.first), metric_at(metric, e.first),
+                                                           metric_at(metric, e.second));
       sum += l < 1 ? l - 1 : 1 / l - 1;
     }
-    r.efficiency = edges.empty() ? 0 : std::exp(sum / double(edges.size()));
+    return edges.empty() ? 0 : std::exp(sum / double(edges.size()));
   }
 
   const Mixed_mesh& mesh_;

@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_BASE_PARALLEL_IMPL_H
 #define CGAL_TUBULAR_MESHING_BASE_PARALLEL_IMPL_H
 
+#include <CGAL/Tubular_meshing/base/interruption.h>
 #include <CGAL/Tubular_meshing/base/parallel.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
@@ -18,6 +19,7 @@ namespace CGAL::Tubular_meshing::internal {
 /* Arenas are kept, one for each number of threads: some loops are as short as their making, and those given up live on
  * for as long as a thread has not left them. */
 CGAL_TUBULAR_MESHING_INLINE void run_on(int threads, Function_view<void()> loop) {
+  check_interruption();
 #ifdef CGAL_LINKED_WITH_TBB
   if (threads > 0 && threads < tbb::this_task_arena::max_concurrency()) {
     static std::mutex mutex;

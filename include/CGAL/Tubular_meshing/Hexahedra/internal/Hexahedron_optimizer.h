@@ -9,6 +9,7 @@
 #include <CGAL/Tubular_meshing/Hexahedra/internal/Star_energy.h>
 #include <CGAL/Tubular_meshing/Hexahedra/Optimize_hexahedra_options.h>
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
+#include <CGAL/Tubular_meshing/base/interruption.h>
 #include <CGAL/Tubular_meshing/base/parallel.h>
 
 #include <algorithm>
@@ -416,6 +417,7 @@ private:
   // --- moving ---
 
   void sweep(const Corner_penalty& penalty) {
+    check_interruption();
     ++report_.sweeps;
     std::atomic<std::size_t> moved(0);
     colors_.for_each_range_of_color(options_.number_of_threads, [&](const Index* first, const Index* last) {

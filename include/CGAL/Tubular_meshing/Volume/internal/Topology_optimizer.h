@@ -7,6 +7,7 @@
 #include <CGAL/Tubular_meshing/Volume/internal/Flip_search.h>
 #include <CGAL/Tubular_meshing/Volume/internal/Speculation.h>
 #include <CGAL/Tubular_meshing/base/element_measures.h>
+#include <CGAL/Tubular_meshing/base/interruption.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -148,6 +149,7 @@ void optimize_in_passes(Tetrahedron_store& store, const Guard& guard, int passes
   const double first_flips_below = 0.5, later_flips_below = 0.6;
   Topology_optimizer<Guard>(store, guard).improve_below(first_flips_below);
   for (int pass = 0; pass < passes; ++pass) {
+    check_interruption();
     move_vertices(pass);
     Topology_optimizer<Guard>(store, guard).improve_below(later_flips_below);
     finish_pass();

@@ -4,7 +4,10 @@
 #ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_KEPT_BOUNDARY_CHILD_PROCESS_H
 #define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_KEPT_BOUNDARY_CHILD_PROCESS_H
 
+#include <CGAL/Tubular_meshing/base/interruption.h>
+
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/resource.h>
 #include <sys/types.h>
 #include <sys/wait.h>
@@ -73,7 +76,10 @@ public:
       : file_(file) {}
 
   bool read(void* data, std::size_t size) const {
-    return transfer_all(static_cast<char*>(data), size, [this](char* p, std::size_t n) { return ::read(file_, p, n); });
+    return transfer_all(static_cast<char*>(data), size, [this](char* p, std::size_t n) {
+      wait();
+      return ::read(file_, p, n);
+    });
   }
   template <class T> bool read(std::vector<T>& values) const {
     static_assert(std::is_trivially_copyable<T>::value, "only plain data goes through a pipe");
@@ -85,6 +91,14 @@ public:
   }
 
 private:
+  // The child may take long: the program can stop waiting.
+  void wait() const {
+    pollfd data = {file_, POLLIN, 0};
+    const int milliseconds = 50;
+    while (poll(&data, 1, milliseconds) == 0)
+      check_interruption();
+  }
+
   int file_;
 };
 
@@ -115,7 +129,8 @@ constexpr int crossing_facets_code = 3;
 
 /* Runs `work(const Pipe_writer&)`, which returns 0 or a code from 1 to 255, in a copy of this process, and
  * `read(const Pipe_reader&)`, which returns whether it has got all, in this one. Whatever happens to the child, a
- * crash, exit(), `seconds` of processor time used up, this process goes on. */
+ * crash, exit(), `seconds` of processor time used up, this process goes on. If the wait is interrupted, the child is
+ * killed. */
 template <class Work, class Read>
 Child_ending run_in_child_process(const Work& work, const Read& read, double seconds) {
   int ends[2];
@@ -141,17 +156,24 @@ Child_ending run_in_child_process(const Work& work, const Read& read, double sec
     _exit(code); // neither destructors nor the buffers of the parent's streams are ours
   }
   close(ends[1]);
+  int status = 0;
+  pid_t ended = -1;
+  const auto wait_for_child = [&] {
+    close(ends[0]); // a child that still writes ends by it
+    do
+      ended = waitpid(child, &status, 0);
+    while (ended < 0 && errno == EINTR);
+  };
   bool complete = false;
   try {
     complete = read(Pipe_reader(ends[0]));
   } catch (const std::bad_alloc&) {
+  } catch (...) {
+    kill(child, SIGKILL);
+    wait_for_child();
+    throw;
   }
-  close(ends[0]); // a child that still writes ends by it
-  int status = 0;
-  pid_t ended;
-  do
-    ended = waitpid(child, &status, 0);
-  while (ended < 0 && errno == EINTR);
+  wait_for_child();
   if (complete)
     return {Child_ending::done, 0};
   if (ended == child && WIFSIGNALED(status))

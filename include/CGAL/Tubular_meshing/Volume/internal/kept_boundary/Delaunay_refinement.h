@@ -6,6 +6,7 @@
 
 #include <CGAL/Tubular_meshing/Volume/internal/Tetrahedron_store.h>
 #include <CGAL/Tubular_meshing/base/Function_view.h>
+#include <CGAL/Tubular_meshing/base/interruption.h>
 
 #include <algorithm>
 #include <cmath>
@@ -39,6 +40,7 @@ public:
     std::size_t added = 0;
     Store::Index_list come;
     for (; !todo.empty() && added < most; todo.pop_front()) {
+      check_interruption();
       const Index t = todo.front();
       if (!store_.is_alive(t) || !split(t, come))
         continue;

@@ -7,6 +7,7 @@
 #include <CGAL/Tubular_meshing/base/Function_view.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
+#include <CGAL/Tubular_meshing/base/interruption.h>
 
 #include <algorithm>
 #include <cmath>
@@ -42,7 +43,7 @@ public:
   Watched_size(const Watched_size&) = delete;
   Watched_size& operator=(const Watched_size&) = delete;
 
-  // Throws a Meshing_error when it has been asked too often.
+  // Throws a Meshing_error when it has been asked too often. Here Mesh_3 can be stopped as well.
   double operator()(const Point_3& p) const {
     const double h = size_(p);
     if (requests_++ % sample_of == 0)
@@ -64,6 +65,7 @@ private:
   static constexpr double most_points = 20;           // times what is expected
 
   void sample(double h) const {
+    check_interruption();
     ++samples_;
     square_ += h * h;
     cube_ += h * h * h;

@@ -9,6 +9,7 @@
 #include <CGAL/Tubular_meshing/Volume/internal/remeshing/Edge_list.h>
 #include <CGAL/Tubular_meshing/Volume/internal/remeshing/Edge_splitter.h>
 #include <CGAL/Tubular_meshing/Volume/internal/remeshing/Metric_relocation.h>
+#include <CGAL/Tubular_meshing/base/interruption.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -76,6 +77,7 @@ private:
 
   void adapt(double size, int rounds) {
     for (int round = 0; round < rounds; ++round) {
+      check_interruption();
       split_above(size);
       collapse_below(size);
       flip(S::flipped_while_adapting);
@@ -86,6 +88,7 @@ private:
 
   void improve(int rounds) {
     for (int round = 0; round < rounds; ++round) {
+      check_interruption();
       relocate(2, 1);
       flip(S::flipped_while_improving);
       split_above(1);
