@@ -104,6 +104,17 @@ struct Quadratic_mesh {
   Element_nodes nodes(Element_type type, const std::uint32_t* corners, std::size_t number) const;
 };
 
+/*! \ingroup PkgTubularMeshingQuadratic
+ *
+ * makes a mesh of quadratic elements whose edges are straight: each node is the mean of the corners that it lies between.
+ * O(n log n). make_quadratic_mesh() curves them.
+ *
+ * \param linear cells and facets of any kinds
+ * \param complete_elements whether quads and hexahedra have nodes of their own
+ * \param number_of_threads 0: all cores
+ */
+Quadratic_mesh straight_quadratic_mesh(Mixed_mesh linear, bool complete_elements = false, int number_of_threads = 0);
+
 namespace internal {
 
 /* The edges, and in a complete mesh the quads, of all elements; the points are not yet there. */

@@ -5,6 +5,7 @@
 #define CGAL_TUBULAR_MESHING_QUADRATIC_QUADRATIC_MESH_IMPL_H
 
 #include <CGAL/Tubular_meshing/Quadratic/Quadratic_mesh.h>
+#include <CGAL/Tubular_meshing/base/Vector_3d.h>
 #include <CGAL/Tubular_meshing/base/parallel.h>
 
 #include <algorithm>
@@ -143,6 +144,32 @@ CGAL_TUBULAR_MESHING_INLINE void add_edges_and_quads(Quadratic_mesh& mesh, int t
 }
 
 } // namespace internal
+
+CGAL_TUBULAR_MESHING_INLINE Quadratic_mesh straight_quadratic_mesh(Mixed_mesh linear, bool complete_elements,
+                                                                   int number_of_threads) {
+  Quadratic_mesh mesh;
+  mesh.linear = std::move(linear);
+  mesh.is_complete = complete_elements;
+  internal::add_edges_and_quads(mesh, number_of_threads);
+  const auto mean = [&](const std::uint32_t* corners, std::size_t n) {
+    internal::Vector_3d sum;
+    for (std::size_t i = 0; i < n; ++i)
+      sum += internal::Vector_3d(mesh.linear.points[corners[i]]);
+    return internal::as<Point_3>((1. / double(n)) * sum);
+  };
+  for (std::uint32_t a = 0; a + 1 < mesh.first_edge.size(); ++a)
+    for (std::size_t e = mesh.first_edge[a]; e < mesh.first_edge[a + 1]; ++e) {
+      const std::uint32_t ends[2] = {a, mesh.edge_end[e]};
+      mesh.edge_points.push_back(mean(ends, 2));
+    }
+  for (const Quadratic_mesh::Quad& q : mesh.quads)
+    mesh.quad_points.push_back(mean(q.data(), 4));
+  if (complete_elements)
+    for (const auto& h : mesh.linear.hexahedra.vertices)
+      mesh.inner_points.push_back(mean(h.data(), 8));
+  return mesh;
+}
+
 } // namespace CGAL::Tubular_meshing
 
 #endif // CGAL_TUBULAR_MESHING_QUADRATIC_QUADRATIC_MESH_IMPL_H
