@@ -54,7 +54,10 @@ void write(const Run& run, Run_report& report, Stage_clock& clock) {
   } else {
     const auto format = tubular::parameters::format(o.mesh_format());
     outputs.push_back(tubular::IO::open_mesh(o.output, format));
-    tubular::IO::write_mesh(*outputs.back(), run.mesh, format);
+    if (o.is_quadratic())
+      tubular::IO::write_mesh(*outputs.back(), run.quadratic, format);
+    else
+      tubular::IO::write_mesh(*outputs.back(), run.mesh, format);
   }
   if (!o.surface_output.empty() && run.surface.surface.number_of_faces() > 0)
     write_surface(open(o.surface_output), run.surface, run.model);
@@ -97,9 +100,10 @@ void execute(const Options& options, const std::string& version) {
   make_meshes(parts, clock);
   join(run, std::move(parts));
   rename_wall_patches(run);
+  curve(run, clock);
   clock.begin("report");
   if (!options.makes_surface_only())
-    for (const std::string& change : tubular::IO::changes_in(run.mesh, options.mesh_format()))
+    for (const std::string& change : tubular::IO::changes_in(run.cells(), options.mesh_format()))
       run.notes.push_back(change);
   Run_report report(run);
   clock.begin("write");
