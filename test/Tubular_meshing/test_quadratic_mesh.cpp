@@ -7,6 +7,7 @@
 #include "quadratic_meshes.h"
 
 #include <CGAL/Tubular_meshing/Quadratic/quadratic_quality.h>
+#include <CGAL/Tubular_meshing/Quads/blossom_recombination.h>
 #include <CGAL/Tubular_meshing/Quality/lumen_measures.h>
 #include <CGAL/Tubular_meshing/Quality/validity_report.h>
 
@@ -112,7 +113,7 @@ TEST(Quadratic_mesh, Error_falls_with_the_fourth_power_of_the_mesh_size) {
 
 TEST(Quadratic_mesh, Layers_and_walls_curve_with_the_lumen) {
   for (const Vessel& vessel : {tube(), quadratic_meshes::bend()})
-    for (const std::string& type : {"isotropic", "mixed", "hexahedral"}) {
+    for (const std::string type : {"isotropic", "mixed", "hexahedral"}) {
       if (!makes(type))
         continue;
       SCOPED_TRACE(type);

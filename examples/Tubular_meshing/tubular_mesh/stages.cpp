@@ -26,6 +26,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <deque>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -371,4 +372,12 @@ void curve(Run& run, Stage_clock& clock) {
       std::move(run.mesh), run.model.surface, run.model.patch, local_radius(run), run.quadratic,
       tubular::parameters::complete_elements(o.complete_elements).number_of_threads(o.threads));
   run.mesh = tubular::Mixed_mesh();
+  if (run.curving.invalid == 0)
+    return;
+  const Point_3& p = run.curving.invalid_place;
+  std::ostringstream place;
+  place << "(" << p.x() << ", " << p.y() << ", " << p.z() << ")";
+  throw tubular::Meshing_error(std::to_string(run.curving.invalid) +
+                               " cells are not valid as elements of order 2, even with straight edges, one near " +
+                               place.str() + ": make a finer mesh, or leave --order 2 away.");
 }

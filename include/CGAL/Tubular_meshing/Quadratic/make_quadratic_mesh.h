@@ -43,7 +43,8 @@ struct Quadratic_report {
   std::size_t relaxed = 0;           ///< cells that would not have been valid, and are now with less curved edges
   std::size_t straightened = 0;      ///< of these, cells whose edges are all straight now
   std::size_t corners_held_back = 0; ///< corners that could not go all of the way to the smooth surface
-  std::size_t invalid = 0;           ///< cells that are not valid with straight edges either
+  Point_3 invalid_place = Point_3(0, 0, 0); ///< one of the cells that are not valid, if there are any
+  std::size_t invalid = 0;                  ///< cells that are not valid with straight edges either
 
   /// What gave way, as a sentence.
   std::string text() const;

@@ -30,7 +30,7 @@ CGAL_TUBULAR_MESHING_INLINE std::string Quadratic_report::text() const {
   };
   std::string text = "Every cell is valid";
   if (invalid > 0)
-    text = counted(invalid, " cell is", " cells are") + " not valid, nor with straight edges";
+    text = counted(invalid, " cell is", " cells are") + " not valid, even with straight edges";
   if (relaxed > 0)
     text += "; for that " + counted(relaxed, " cell has", " cells have") + " edges less curved than the wall, and " +
             counted(straightened, " has", " have") + " straight ones";
@@ -139,17 +139,23 @@ private:
   void follow() {
     const std::vector<Vector_3d> wall_corners = corners_, wall_edges = edges_;
     const Wall_follower follower(mesh_, wall_corners, wall_edges);
-    const auto moved = [&](const Vector_3d& x, const Mesh_boundary::Site& site, bool is_in_lumen) {
-      return x + sites_.in_plane(site, follower.shift(x, radius_(as<Point_3>(x)), is_in_lumen));
+    std::vector<double> radius(corners_.size()); // of edges it is the mean of that at their ends, as it takes its time
+    for_each_range(corners_.size(), threads_, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i)
+        radius[i] = radius_(mesh_.linear.points[i]);
+    });
+    const auto moved = [&](const Vector_3d& x, const Mesh_boundary::Site& site, double r, bool is_in_lumen) {
+      return x + sites_.in_plane(site, follower.shift(x, r, is_in_lumen));
     };
     for_each_range(corners_.size(), threads_, [&](std::size_t first, std::size_t last) {
       for (std::size_t i = first; i < last; ++i)
         if (!sites_.corner(i).is_on_wall)
-          corners_[i] = moved(old(i), sites_.corner(i), sites_.is_in_lumen(i));
+          corners_[i] = moved(old(i), sites_.corner(i), radius[i], sites_.is_in_lumen(i));
     });
     for_each_edge_in_parallel([&](std::uint32_t a, std::uint32_t b, std::size_t e) {
       if (!sites_.edge(e).is_on_wall)
-        edges_[e] = moved(0.5 * (old(a) + old(b)), sites_.edge(e), sites_.is_in_lumen(a) && sites_.is_in_lumen(b));
+        edges_[e] = moved(0.5 * (old(a) + old(b)), sites_.edge(e), 0.5 * (radius[a] + radius[b]),
+                          sites_.is_in_lumen(a) && sites_.is_in_lumen(b));
     });
   }
 
@@ -231,8 +237,12 @@ CGAL_TUBULAR_MESHING_INLINE Quadratic_report make_quadratic_mesh(Mixed_mesh line
   straightener.run();
   report.relaxed = straightener.number_relaxed();
   report.straightened = straightener.number_straightened();
-  report.invalid = straightener.number_invalid();
+  const std::vector<std::uint32_t> invalid = straightener.invalid_ones(); // with straight edges
+  report.invalid = invalid.size();
   report.relaxed -= report.invalid;
+  report.straightened -= report.invalid;
+  if (!invalid.empty())
+    report.invalid_place = result.linear.points[invalid.front()];
   for (std::size_t i = 0; i < nodes.shifts.size(); ++i) {
     report.largest_shift = (std::max)(report.largest_shift, norm(nodes.shifts[i]));
     report.corners_held_back += nodes.shifts.is_held_back(i);

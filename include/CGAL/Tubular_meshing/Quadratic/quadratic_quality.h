@@ -56,7 +56,7 @@ Scaled_jacobian_bounds scaled_jacobian_bounds(const Quadratic_mesh& mesh, Elemen
 
 /*! \ingroup PkgTubularMeshingQuadratic
  *
- * measures all cells, each by a lower bound, which is less than a twentieth below the value but where a cell is badly
+ * measures all cells, each by a lower bound, which is less than a tenth below the value but where a cell is badly
  * distorted. An invalid cell counts with the
  * least that was found, which is not above zero. O(n) for n cells.
  *

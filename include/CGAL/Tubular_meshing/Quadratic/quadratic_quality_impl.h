@@ -123,8 +123,8 @@ CGAL_TUBULAR_MESHING_INLINE Scaled_jacobian_bounds scaled_jacobian_bounds(const 
 }
 
 CGAL_TUBULAR_MESHING_INLINE Quadratic_quality_report quality_report(const Quadratic_mesh& mesh, int number_of_threads) {
-  const double tolerance = 0.05;
-  const std::size_t most_parts = 65;
+  const double tolerance = 0.1;
+  const std::size_t most_parts = 129;
   Quadratic_quality_report report;
   std::vector<double> all;
   internal::for_each_block_of_cells(mesh.linear, [&](Element_type type, const auto& block) {

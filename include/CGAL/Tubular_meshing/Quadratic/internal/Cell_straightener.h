@@ -36,8 +36,7 @@ public:
       suspects[i] = std::uint32_t(i);
     was_bad_.assign(cells_.size(), 0);
     cannot_.assign(cells_.size(), 0);
-    const int most_rounds = 100; // each halves a vector that can be halved four times
-    for (int round = 0; round < most_rounds && !suspects.empty(); ++round) {
+    while (!suspects.empty()) { // each round holds back what can be so four times, or gives a cell up
       std::vector<std::uint32_t> bad = bad_ones(suspects);
       changed_.assign(mesh_.linear.points.size(), 0);
       for (std::uint32_t c : bad) {
@@ -55,12 +54,16 @@ public:
       n += was_bad_[c] && nodes_.is_straight(cells_[c].type, cells_[c].corners);
     return n;
   }
-  std::size_t number_invalid() const {
+  // The numbers of a corner of each cell that is not valid.
+  std::vector<std::uint32_t> invalid_ones() const {
     std::vector<std::uint32_t> suspects;
     for (std::size_t c = 0; c < cells_.size(); ++c)
       if (was_bad_[c])
         suspects.push_back(std::uint32_t(c));
-    return bad_ones(suspects).size();
+    std::vector<std::uint32_t> result;
+    for (std::uint32_t c : bad_ones(suspects))
+      result.push_back(cells_[c].corners[0]);
+    return result;
   }
 
 private:
@@ -73,8 +76,7 @@ private:
     std::vector<char> is_bad(suspects.size(), 0);
     for_each_range(suspects.size(), threads_, [&](std::size_t first, std::size_t last) {
       for (std::size_t i = first; i < last; ++i) {
-        const Cell& c = cells_[suspects[i]];
-        is_bad[i] = Quadratic_cell(nodes_.cell(c.type, c.corners)).validity() != Cell_validity::valid;
+        is_bad[i] = !is_valid(cells_[suspects[i]]);
       }
     });
     std::vector<std::uint32_t> result;
@@ -82,6 +84,14 @@ private:
       if (is_bad[i])
         result.push_back(suspects[i]);
     return result;
+  }
+
+  bool is_valid(const Cell& c) const {
+    if (c.type != Element_type::tetrahedron || !nodes_.is_straight(c.type, c.corners))
+      return Quadratic_cell(nodes_.cell(c.type, c.corners)).validity() == Cell_validity::valid;
+    const Vector_3d a = nodes_.corner(c.corners[0]);
+    return dot(cross(nodes_.corner(c.corners[1]) - a, nodes_.corner(c.corners[2]) - a),
+               nodes_.corner(c.corners[3]) - a) > 0;
   }
 
   // Whether there was something to hold back. A node that two bad cells share goes back once a round for each.
