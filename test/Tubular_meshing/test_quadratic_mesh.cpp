@@ -13,6 +13,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <string>
@@ -66,7 +67,9 @@ void expect_valid(const Quadratic_mesh& mesh, const tubular::Quadratic_report& r
   EXPECT_EQ(report.invalid, 0u) << report.text();
   EXPECT_EQ(report.not_found, 0u) << report.text();
   EXPECT_TRUE(tubular::quality_report(mesh).is_valid());
-  EXPECT_TRUE(tubular::validity_report(mesh.linear).is_valid()) << tubular::validity_report(mesh.linear).defects();
+  tubular::Validity_report corners = tubular::validity_report(mesh.linear);
+  corners.inverted_cells = 0; // a thin curved cell may be right where the straight one between its corners is not
+  EXPECT_TRUE(corners.is_valid()) << corners.defects();
 }
 
 TEST(Quadratic_mesh, Tube_and_bend_have_their_volume_and_areas) {
@@ -78,6 +81,8 @@ TEST(Quadratic_mesh, Tube_and_bend_have_their_volume_and_areas) {
       const Mixed_mesh linear =
           linear_mesh(vessel, type, parameters::points_per_circumference(12).preserve_volume(false));
       for (bool complete : {false, true}) {
+        if (complete && linear.quads.empty()) // the same
+          continue;
         Quadratic_mesh mesh;
         const auto report = curve(vessel, linear, complete, mesh);
         expect_round(vessel, mesh, 5e-4);
@@ -153,9 +158,11 @@ TEST(Quadratic_mesh, A_round_end_is_half_a_ball) {
       parameters::seeds(std::vector<Point_3>{first}).blind_ends(std::vector<Point_3>{last}).single_opening(true));
   ASSERT_EQ(vessel.model.openings.size(), 1u);
   const auto& opening = vessel.model.openings.front();
-  const double length = std::sqrt(CGAL::squared_distance(opening.center, last));
-  vessel.volume = CGAL_PI * length + 2 * CGAL_PI / 3;
-  vessel.openings = {1};
+  // the cut may be in the half ball at that end, at a height h
+  const double length = std::sqrt(CGAL::squared_distance(first, last));
+  const double along = (opening.center - first) * (last - first) / length, h = std::max(0., -along);
+  vessel.volume = CGAL_PI * (length - std::max(0., along)) + 2 * CGAL_PI / 3 + CGAL_PI * (h - h * h * h / 3);
+  vessel.openings = {std::sqrt(1 - h * h)};
   const Mixed_mesh linear =
       linear_mesh(vessel, "isotropic", parameters::points_per_circumference(12).preserve_volume(false));
   Quadratic_mesh mesh;
