@@ -167,7 +167,11 @@ TEST(Quadratic_mesh, A_round_end_is_half_a_ball) {
       linear_mesh(vessel, "isotropic", parameters::points_per_circumference(12).preserve_volume(false));
   Quadratic_mesh mesh;
   const auto report = curve(vessel, linear, false, mesh);
-  expect_round(vessel, mesh, 1e-3);
+  EXPECT_NEAR(volumes(mesh)[tubular::labels::lumen] / vessel.volume, 1, 1e-3);
+  // the rim was cut through flat triangles: it is no rounder than these, whose 24 sides lack so much of the circle
+  const double lacking = 2 * CGAL_PI * CGAL_PI / 3 / (24 * 24);
+  const double area = CGAL_PI * vessel.openings[0] * vessel.openings[0];
+  EXPECT_NEAR(tubular::lumen_measures(mesh, 1).opening_area.at(tubular::labels::inlet) / area, 1, lacking);
   expect_valid(mesh, report);
 }
 
