@@ -90,7 +90,7 @@ void check_quadratic_cells(const Options& o) {
                                    "another --type or --hex-fallback than mixed, or leave --order 2 away.");
   if (format == Mesh_format::svmultiphysics && o.makes_prisms())
     throw tubular::Parameter_error(
-        "svMultiPhysics has no quadratic prisms: add --wall-elements tetrahedra, choose --type "
+        "No quadratic prisms can be written for svMultiPhysics: add --wall-elements tetrahedra, choose --type "
         "hexahedral, or leave --order 2 away.");
   if (format == Mesh_format::xdmf && o.is_hexahedral() && !o.complete_elements)
     throw tubular::Parameter_error("FEniCSx has no hexahedra of 20 nodes, but of 27: add --order-2-complete.");
