@@ -9,7 +9,7 @@ import sys
 
 # A folder may include the headers of those before it.
 ORDER = ["base", "Centerlines", "Fields", "Quality", "Rims", "Repair", "Openings", "Plane", "Patches", "Quads", "Layers",
-         "Volume", "Hexahedra", "Partition", "IO", "Generators", "Pipelines"]
+         "Volume", "Hexahedra", "Quadratic", "Partition", "IO", "Generators", "Pipelines"]
 
 
 def defects(root):

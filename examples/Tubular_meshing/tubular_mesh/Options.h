@@ -47,6 +47,8 @@ struct Options {
   std::string report, surface_output, centerlines_output, blocks_output;
   bool preserve_volume = true;
   int partitions = 0; // that the mesh is written in; 0: as a whole
+  int order = 1;      // of the elements
+  bool complete_elements = false;
   int threads = 0;
   bool verbose = false, quiet = false;
 
@@ -61,6 +63,11 @@ struct Options {
   }
   // of the layers inside the lumen, in local radii
   double first_layer() const { return first_height > 0 ? first_height : boundary_layer / 20; }
+  bool is_quadratic() const { return order == 2; }
+  // Cells of prisms, in the lumen or around it.
+  bool makes_prisms() const {
+    return !is_mixed() && !is_hexahedral() && (boundary_layer_prisms > 0 || (has_wall() && wall_elements == "auto"));
+  }
   bool has_wall() const { return wall.thickness > 0; }
   // Patch by patch; else surface and volume at once, by Mesh_3.
   bool meshes_patches() const;

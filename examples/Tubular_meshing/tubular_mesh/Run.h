@@ -15,6 +15,8 @@
 #include <CGAL/Tubular_meshing/Patches/Remeshed_surface.h>
 #include <CGAL/Tubular_meshing/Pipelines/Mesher.h>
 #include <CGAL/Tubular_meshing/Pipelines/Tubular_model.h>
+#include <CGAL/Tubular_meshing/Quadratic/Quadratic_mesh.h>
+#include <CGAL/Tubular_meshing/Quadratic/make_quadratic_mesh.h>
 #include <CGAL/Tubular_meshing/Repair/Repair_report.h>
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/base/Opening.h>
@@ -53,12 +55,17 @@ struct Run {
   Flow_extensions extensions;
   CGAL::Tubular_meshing::Tubular_model model;
   CGAL::Tubular_meshing::Remeshed_surface surface; ///< as it was meshed by patches; else empty
-  CGAL::Tubular_meshing::Mixed_mesh mesh;
-  CGAL::Tubular_meshing::Cell_partition partition; ///< of the mesh, if it is written in parts
+  CGAL::Tubular_meshing::Mixed_mesh mesh;          ///< empty once there are quadratic elements
+  CGAL::Tubular_meshing::Quadratic_mesh quadratic; ///< if these were asked for
+  CGAL::Tubular_meshing::Quadratic_report curving;
   CGAL::Tubular_meshing::Block_structure blocks;   ///< that the mesh is in, of one vessel
   CGAL::Tubular_meshing::Mixed_mesh block_mesh;    ///< of all; only if it was asked for
+  CGAL::Tubular_meshing::Cell_partition partition; ///< of the mesh, if it is written in parts
   CGAL::Tubular_meshing::Mesher_report meshing;
   CGAL::Tubular_meshing::Layer_report wall;
+
+  // The mesh by its corners, of whatever order.
+  const CGAL::Tubular_meshing::Mixed_mesh& cells() const { return options.is_quadratic() ? quadratic.linear : mesh; }
 };
 
 #endif // TUBULAR_MESH_RUN_H

@@ -13,6 +13,7 @@
 #include <CGAL/Tubular_meshing/Quality/lumen_measures.h>
 #include <CGAL/Tubular_meshing/Quality/quality_report.h>
 #include <CGAL/Tubular_meshing/Quality/validity_report.h>
+#include <CGAL/Tubular_meshing/Quadratic/quadratic_quality.h>
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
 
@@ -157,17 +158,22 @@ Json volumes(const Run& run, const tubular::Lumen_measures& measures) {
   return {{"input", input},
           {"mesh", measures.volume},
           {"relative_difference", input > 0 ? measures.volume / input - 1 : 0},
-          {"preserved", run.options.preserve_volume},
+          {"preserved", run.options.preserve_volume && !run.options.is_quadratic()},
           {"before", run.meshing.volume.volume_before > 0 ? Json(run.meshing.volume.volume_before) : Json()},
           {"largest_shift", run.meshing.volume.largest_shift},
           {"vertices_held_back", run.meshing.volume.held_back}};
 }
 
 Json description_of(const Run& run) {
-  const tubular::Mixed_mesh& mesh = run.mesh;
-  const tubular::Validity_report validity = tubular::validity_report(mesh);
+  const tubular::Mixed_mesh& mesh = run.cells();
+  tubular::Validity_report validity = tubular::validity_report(mesh);
+  if (run.options.is_quadratic()) // whose cells are judged as they are curved
+    validity.inverted_cells = 0;
   const tubular::Quality_report quality = tubular::quality_report(mesh);
-  const tubular::Lumen_measures measures = tubular::lumen_measures(mesh, run.model.openings.size());
+  const std::size_t openings_of_all = run.model.openings.size();
+  const tubular::Lumen_measures measures = run.options.is_quadratic()
+                                               ? tubular::lumen_measures(run.quadratic, openings_of_all)
+                                               : tubular::lumen_measures(mesh, openings_of_all);
   return {{"program", std::string("tubular_mesh ") + run.version},
           {"input", run.options.surface},
           {"centerlines", run.options.centerlines.empty() ? Json() : Json(run.options.centerlines)},
@@ -178,7 +184,8 @@ Json description_of(const Run& run) {
           {"type", run.options.type},
           {"points_per_circumference", run.options.points_per_circumference},
           {"fallbacks", run.meshing.fallbacks},
-          {"points", mesh.points.size()},
+          {"order", run.options.order},
+          {"points", run.options.is_quadratic() ? run.quadratic.number_of_nodes() : mesh.points.size()},
           {"cells",
            {{"tetrahedra", mesh.tetrahedra.size()},
             {"pyramids", mesh.pyramids.size()},
@@ -191,6 +198,44 @@ Json description_of(const Run& run) {
           {"volume", volumes(run, measures)},
           {"openings", openings(run.model, mesh, measures)},
           {"branches", branches(run.model, mesh)}};
+}
+
+// Of elements of the second order.
+void add_quadratic(Json& report, const Run& run) {
+  const tubular::Quadratic_quality_report quality = tubular::quality_report(run.quadratic, run.options.threads);
+  const tubular::Quadratic_report& r = run.curving;
+  Json q = {{"complete", run.options.complete_elements},
+            {"corners", run.quadratic.linear.points.size()},
+            {"curved_edges", r.curved_edges},
+            {"largest_bend", r.largest_bend},
+            {"largest_shift", r.largest_shift},
+            {"relaxed", r.relaxed},
+            {"straightened", r.straightened},
+            {"corners_held_back", r.corners_held_back},
+            {"nodes_not_found", r.not_found},
+            {"invalid", quality.invalid},
+            {"unproved", quality.unproved},
+            {"sentence", r.text()}};
+  const auto add = [&](const char* name, const tubular::Measure_statistics& s) {
+    if (s.count() > 0)
+      q["scaled_jacobian"][name] = statistics(s);
+  };
+  add("cells", quality.scaled_jacobian);
+  add("tetrahedra", quality.tetrahedra);
+  add("pyramids", quality.pyramids);
+  add("prisms", quality.prisms);
+  add("hexahedra", quality.hexahedra);
+  report["quadratic"] = q;
+  report["valid"] = report["valid"].get<bool>() && quality.is_valid();
+}
+
+void print_quadratic(const Json& q) {
+  std::printf("\n%-22s %8s %8s %8s\n", "whole cells, Jacobian", "min", "1 %", "mean");
+  for (const auto& kind : q["scaled_jacobian"].items())
+    if (kind.key() != "cells")
+      std::printf("%-22s %8.3g %8.3f %8.3f\n", kind.key().c_str(), kind.value()["min"].get<double>(),
+                  kind.value()["p1"].get<double>(), kind.value()["mean"].get<double>());
+  std::printf("order 2: %s\n", q["sentence"].get<std::string>().c_str());
 }
 
 // The round ends of vessels, cut open or not.
@@ -541,6 +586,8 @@ void print_summary(const Json& r, bool verbose) {
     std::printf("%-22s %8.3f %8.3f %8.3f\n", m.second, s["min"].get<double>(), s["p1"].get<double>(),
                 s["mean"].get<double>());
   }
+  if (r.contains("quadratic"))
+    print_quadratic(r["quadratic"]);
   print_excesses(r["quality"]);
   if (r["quality"].contains("Q_tau"))
     print_metric_quality(r["quality"]);
@@ -629,7 +676,9 @@ Run_report::Run_report(const Run& run)
   if (run.options.boundary_layer_prisms > 0)
     add_layers(report, "boundary_layer", run.meshing.boundary_layer);
   if (run.options.is_anisotropic())
-    add_metric_quality(report, run.model, run.mesh);
+    add_metric_quality(report, run.model, run.cells());
+  if (run.options.is_quadratic())
+    add_quadratic(report, run);
   if (run.options.partitions > 0)
     add_partitions(report, tubular::partition_report(run.mesh, run.partition));
 }

@@ -81,6 +81,46 @@ void check_cells(const Options& o) {
                                    "hexahedral.");
 }
 
+// The same for quadratic elements, whatever has been said of linear ones.
+void check_quadratic_cells(const Options& o) {
+  const Mesh_format format = o.mesh_format();
+  const std::string why_not = tubular::IO::why_not_quadratic(format);
+  if (!why_not.empty())
+    throw tubular::Parameter_error(why_not);
+  const bool has_pyramids = o.is_mixed() || (o.is_hexahedral() && o.hex_fallback == "mixed");
+  if (format == Mesh_format::abaqus && has_pyramids)
+    throw tubular::Parameter_error("CalculiX and Abaqus have no quadratic pyramids, which this mesh may have: choose "
+                                   "another --type or --hex-fallback than mixed, or leave --order 2 away.");
+  if (format == Mesh_format::svmultiphysics && o.makes_prisms())
+    throw tubular::Parameter_error(
+        "No quadratic prisms can be written for svMultiPhysics: add --wall-elements tetrahedra, choose --type "
+        "hexahedral, or leave --order 2 away.");
+  if (format == Mesh_format::xdmf && o.is_hexahedral() && !o.complete_elements)
+    throw tubular::Parameter_error("FEniCSx has no hexahedra of 20 nodes, but of 27: add --order-2-complete.");
+  if (!o.complete_elements)
+    return;
+  if (format == Mesh_format::vtu && has_pyramids)
+    throw tubular::Parameter_error(
+        "VTK has no pyramids of 14 nodes, which this mesh may have: leave --order-2-complete "
+        "away, or write a .msh or .exo file.");
+  if (format == Mesh_format::abaqus && (o.makes_prisms() || o.is_hexahedral()))
+    throw tubular::Parameter_error(
+        "CalculiX has no prisms of 18 and hexahedra of 27 nodes: leave --order-2-complete away.");
+  if (format == Mesh_format::febio && (o.makes_prisms() || has_pyramids))
+    throw tubular::Parameter_error(
+        "FEBio has no prisms of 18 and pyramids of 14 nodes: leave --order-2-complete away, or "
+        "choose --type hexahedral.");
+}
+
+void check_order(const Options& o) {
+  if (o.order != 1 && o.order != 2)
+    throw tubular::Parameter_error("Elements are of order 1 or 2, not " + std::to_string(o.order) + ".");
+  if (o.complete_elements && !o.is_quadratic())
+    throw tubular::Parameter_error("--order-2-complete is for elements of --order 2.");
+  if (o.is_quadratic() && o.makes_surface_only())
+    throw tubular::Parameter_error("--order 2 is for meshes of cells; choose another --type than surface.");
+}
+
 void check_mesh_format(const Options& o) {
   if (o.mesh_format() == Mesh_format::by_name)
     throw tubular::Parameter_error(
@@ -91,6 +131,8 @@ void check_mesh_format(const Options& o) {
   if (!why_not.empty())
     throw tubular::Parameter_error(why_not);
   check_cells(o);
+  if (o.is_quadratic())
+    check_quadratic_cells(o);
 }
 
 void check_partitions(const Options& o) {
@@ -102,6 +144,10 @@ void check_partitions(const Options& o) {
   if (!tubular::IO::has_parts(o.mesh_format()))
     throw tubular::Parameter_error("The mesh cannot be written in parts to \"" + o.output +
                                    "\": with --partitions, give a .pvtu or .msh file, or --format openfoam.");
+  if (o.is_quadratic())
+    throw tubular::Parameter_error(
+        "Meshes in parts are written with linear cells alone: leave --partitions or --order 2 "
+        "away.");
   if (o.partitions > 1 && !tubular::has_metis())
     throw tubular::Parameter_error("This program was built without METIS, which --partitions needs: build it where "
                                    "that is installed (libmetis-dev), or write the mesh as a whole.");
@@ -178,6 +224,11 @@ void check(const Options& o, bool has_output) {
   if (types.count(o.type) == 0)
     throw tubular::Parameter_error("There is no type of mesh named \"" + o.type +
                                    "\"; the types are: isotropic, anisotropic, mixed, hexahedral, surface.");
+  check_order(o);
+  if (!has_output && (o.is_quadratic() || o.partitions > 0))
+    throw tubular::Parameter_error(
+        "Quadratic elements and meshes in parts are written by tubular_mesh alone: leave the "
+        "order and the partitions away, and write the mesh to a file there.");
   check_mesher(o);
   check_layers(o);
   if (!o.outlets.empty() && o.inlet.empty())

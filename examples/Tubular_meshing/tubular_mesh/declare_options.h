@@ -26,6 +26,16 @@ inline void declare_mesher_options(CLI::App& app, Options& o) {
       ->check(CLI::IsMember({"mesh_3", "tetgen", "ccdt"}).description(""));
 }
 
+inline void declare_order_options(CLI::App& app, Options& o) {
+  app.add_option(
+         "--order", o.order,
+         "of the elements: 1, or 2, with nodes between the corners, those of the wall on the smooth surface behind "
+         "the triangles; of .vtu .msh .inp .exo .feb .xdmf and mesh-complete")
+      ->capture_default_str();
+  app.add_flag("--order-2-complete", o.complete_elements,
+               "with --order 2: nodes in the middle of quads and hexahedra, which then have 27 (default: no, 20)");
+}
+
 inline void declare_hexahedral_options(CLI::App& app, Options& o) {
   const char* const group = "Meshes of type hexahedral";
   app.add_option("--hex-method", o.hex_method,
@@ -252,6 +262,7 @@ inline void declare_options(CLI::App& app, Options& o, const std::string& versio
   app.add_flag("--preserve-volume,!--no-preserve-volume", o.preserve_volume,
                "move the wall outward by so much that mesh and openings have the surface's volume and areas, not those "
                "of facets inside of it (default: yes)");
+  declare_order_options(app, o);
   declare_mesher_options(app, o);
   declare_hexahedral_options(app, o);
   declare_layer_options(app, o);

@@ -60,7 +60,10 @@ void write(const Run& run, Run_report& report, Stage_clock& clock) {
   } else {
     const auto format = tubular::parameters::format(o.mesh_format());
     outputs.push_back(tubular::IO::open_mesh(o.output, format));
-    tubular::IO::write_mesh(*outputs.back(), run.mesh, format);
+    if (o.is_quadratic())
+      tubular::IO::write_mesh(*outputs.back(), run.quadratic, format);
+    else
+      tubular::IO::write_mesh(*outputs.back(), run.mesh, format);
   }
   if (!o.surface_output.empty() && run.surface.surface.number_of_faces() > 0)
     write_surface(open(o.surface_output), run.surface, run.model);
@@ -116,7 +119,7 @@ Run make_mesh(Prepared prepared, Stage_clock& clock) {
 
 void note_changes(Run& run) {
   if (!run.options.makes_surface_only())
-    for (const std::string& change : tubular::IO::changes_in(run.mesh, run.options.mesh_format()))
+    for (const std::string& change : tubular::IO::changes_in(run.cells(), run.options.mesh_format()))
       run.notes.push_back(change);
 }
 
@@ -131,6 +134,7 @@ void execute(const Options& options, const std::string& version) {
     clock.begin("partition");
     run.partition = tubular::partition_cells(run.mesh, std::size_t(options.partitions));
   }
+  curve(run, clock);
   clock.begin("report");
   note_changes(run);
   Run_report report(run);

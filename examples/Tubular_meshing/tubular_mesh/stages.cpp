@@ -17,6 +17,7 @@
 #include <CGAL/Tubular_meshing/Openings/openings.h>
 #include <CGAL/Tubular_meshing/Patches/surface_to_mixed_mesh.h>
 #include <CGAL/Tubular_meshing/Pipelines/Element_target.h>
+#include <CGAL/Tubular_meshing/Quadratic/make_quadratic_mesh.h>
 #include <CGAL/Tubular_meshing/Repair/carry_labels.h>
 #include <CGAL/Tubular_meshing/Repair/repair_surface.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
@@ -25,7 +26,9 @@
 #include <algorithm>
 #include <cstddef>
 #include <deque>
+#include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 using command_line::point_of;
@@ -145,7 +148,7 @@ auto mesher_parameters(const Run& run, Stage_clock& clock) {
       .curvature_points(o.curvature_points)
       .hexahedral_method(hexahedral_method(o))
       .hexahedral_fallback(hexahedral_fallback(o))
-      .preserve_volume(o.preserve_volume)
+      .preserve_volume(o.preserve_volume && !o.is_quadratic()) // whose corners are on the smooth surface
       .number_of_threads(o.threads)
       .observer([&clock](const char* stage) { clock.begin(stage); });
 }
@@ -202,14 +205,18 @@ void make_mesh(Run& run, tubular::Mesher& mesher) {
   run.meshing = mesher.report();
 }
 
+tubular::Local_radius local_radius(const Run& run) {
+  return tubular::Local_radius(tubular::Centerline_field(run.model.centerlines),
+                               tubular::Wall_distance(run.model.surface, run.model.patch, tubular::labels::wall),
+                               tubular::parameters::number_of_threads(run.options.threads));
+}
+
 void add_wall(Run& run, Stage_clock& clock) {
   const Options& o = run.options;
   if (!o.has_wall())
     return;
   clock.begin("wall");
-  const tubular::Local_radius radius(tubular::Centerline_field(run.model.centerlines),
-                                     tubular::Wall_distance(run.model.surface, run.model.patch, tubular::labels::wall),
-                                     tubular::parameters::number_of_threads(o.threads));
+  const tubular::Local_radius radius = local_radius(run);
   const auto or_as_the_wall = [](auto given, auto of_the_wall) { return given > 0 ? given : of_the_wall; };
   run.wall = tubular::extrude_wall(run.mesh, radius,
                                    tubular::parameters::wall_thickness(o.wall.thickness)
@@ -364,4 +371,23 @@ void make_meshes(std::vector<Part>& parts, Stage_clock& clock) {
     if (target.add(make_all()))
       return;
   }
+}
+
+void curve(Run& run, Stage_clock& clock) {
+  const Options& o = run.options;
+  if (!o.is_quadratic())
+    return;
+  clock.begin("quadratic elements");
+  run.curving = tubular::make_quadratic_mesh(
+      std::move(run.mesh), run.model.surface, run.model.patch, local_radius(run), run.quadratic,
+      tubular::parameters::complete_elements(o.complete_elements).number_of_threads(o.threads));
+  run.mesh = tubular::Mixed_mesh();
+  if (run.curving.invalid == 0)
+    return;
+  const Point_3& p = run.curving.invalid_place;
+  std::ostringstream place;
+  place << "(" << p.x() << ", " << p.y() << ", " << p.z() << ")";
+  throw tubular::Meshing_error(std::to_string(run.curving.invalid) +
+                               " cells are not valid as elements of order 2, even with straight edges, one near " +
+                               place.str() + ": make a finer mesh, or leave --order 2 away.");
 }

@@ -40,4 +40,7 @@ void prepare_model(Run& run, const CGAL::Tubular_meshing::Surface& surface, Stag
 // Of each vessel the surface mesh alone, or the cells of the lumen and the walls around it.
 void make_meshes(std::vector<Part>& parts, Stage_clock& clock);
 
+// Quadratic elements, if they are wanted, of the mesh of all vessels.
+void curve(Run& run, Stage_clock& clock);
+
 #endif // TUBULAR_MESH_STAGES_H

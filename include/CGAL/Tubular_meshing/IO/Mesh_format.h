@@ -55,6 +55,10 @@ bool is_folder(Mesh_format format);
  * Why meshes of a format cannot be written, as a sentence, where the library for it was not built in; else empty. */
 std::string why_not_built_in(Mesh_format format);
 
+/*! \ingroup PkgTubularMeshingIO
+ * Why meshes of quadratic elements cannot be written in a format, as a sentence, where it has none; else empty. */
+std::string why_not_quadratic(Mesh_format format);
+
 } // namespace CGAL::Tubular_meshing::IO
 
 #ifdef CGAL_TUBULAR_MESHING_HEADER_ONLY

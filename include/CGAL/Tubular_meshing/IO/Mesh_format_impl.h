@@ -97,6 +97,28 @@ CGAL_TUBULAR_MESHING_INLINE std::string why_not_built_in(Mesh_format format) {
   return "";
 }
 
+CGAL_TUBULAR_MESHING_INLINE std::string why_not_quadratic(Mesh_format format) {
+  const std::string instead =
+      ": leave --order 2 away, or write a .vtu, .msh, .inp, .exo, .feb or .xdmf file, or a folder mesh-complete.";
+  switch (format) {
+  case Mesh_format::openfoam:
+  case Mesh_format::openfoam_binary:
+    return "OpenFOAM has no quadratic cells" + instead;
+  case Mesh_format::pvtu:
+    return "Meshes in parts are written with linear cells alone" + instead;
+  case Mesh_format::su2:
+    return "SU2 has no quadratic cells" + instead;
+  case Mesh_format::fluent:
+    return "Fluent has no quadratic cells" + instead;
+  case Mesh_format::medit:
+    return "The format .mesh is written with linear cells alone" + instead;
+  case Mesh_format::cgns:
+    return "The format .cgns is written with linear cells alone" + instead;
+  default:
+    return "";
+  }
+}
+
 } // namespace CGAL::Tubular_meshing::IO
 
 #endif // CGAL_TUBULAR_MESHING_IO_MESH_FORMAT_IMPL_H

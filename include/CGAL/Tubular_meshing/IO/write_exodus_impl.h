@@ -6,11 +6,13 @@
 
 #include <CGAL/Tubular_meshing/IO/Mesh_format.h>
 #include <CGAL/Tubular_meshing/IO/internal/Facet_sides.h>
+#include <CGAL/Tubular_meshing/IO/internal/Mesh_nodes.h>
 #include <CGAL/Tubular_meshing/IO/internal/Used_points.h>
 #include <CGAL/Tubular_meshing/IO/internal/Cells_by_region.h>
 #include <CGAL/Tubular_meshing/IO/internal/check_mesh.h>
 #include <CGAL/Tubular_meshing/IO/internal/names_in_files.h>
 #include <CGAL/Tubular_meshing/IO/internal/refuse.h>
+#include <CGAL/Tubular_meshing/IO/internal/write_nodes.h>
 #include <CGAL/Tubular_meshing/IO/write_exodus.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 
@@ -34,12 +36,13 @@ namespace internal {
 
 class Exodus_writer {
 public:
-  Exodus_writer(Output_file& file, const Mixed_mesh& mesh)
+  Exodus_writer(Output_file& file, const Mesh_nodes& nodes)
       : file_(file)
-      , mesh_(mesh)
-      , cells_(mesh)
+      , nodes_(nodes)
+      , mesh_(nodes.mesh())
+      , cells_(mesh_)
       , facets_(cells_, file.name())
-      , points_(mesh, &any_region)
+      , points_(nodes, &any_region)
       , order_(cells_)
       , blocks_(order_.blocks()) {}
   Exodus_writer(const Exodus_writer&) = delete;
@@ -101,9 +104,11 @@ private:
     check(ex_set_max_name_length(exodus_, int(longest)));
   }
 
-  static const char* type_of(std::size_t kind) {
-    const char* const types[4] = {"TETRA4", "PYRAMID5", "WEDGE6", "HEX8"};
-    return types[kind];
+  const char* type_of(std::size_t kind) const {
+    const char* const types[3][4] = {{"TETRA4", "PYRAMID5", "WEDGE6", "HEX8"},
+                                     {"TETRA10", "PYRAMID13", "WEDGE15", "HEX20"},
+                                     {"TETRA10", "PYRAMID14", "WEDGE18", "HEX27"}};
+    return types[nodes_.is_complete() ? 2 : nodes_.is_quadratic() ? 1 : 0][kind];
   }
 
   // Which side, from 1, the format says that a face of Cell_faces is.
@@ -117,9 +122,9 @@ private:
     std::vector<double> xyz[3];
     for (int k = 0; k < 3; ++k) {
       xyz[k].reserve(points_.size());
-      for (std::size_t i = 0; i < mesh_.points.size(); ++i)
+      for (std::size_t i = 0; i < nodes_.size(); ++i)
         if (points_.contain(i))
-          xyz[k].push_back(mesh_.points[i][k]);
+          xyz[k].push_back(nodes_.point(i)[k]);
     }
     check(ex_put_coord(exodus_, xyz[0].data(), xyz[1].data(), xyz[2].data()));
   }
@@ -127,16 +132,16 @@ private:
   void write_blocks() {
     for (std::size_t b = 0; b < blocks_.size(); ++b) {
       const auto cells = order_.cells_of(b);
-      const std::size_t corners = cells_.corners(cells.front()).number;
+      const std::size_t nodes = nodes_.number(blocks_[b].kind);
       check(ex_put_block(exodus_, EX_ELEM_BLOCK, block_ids_[b], type_of(blocks_[b].kind), std::int64_t(cells.size()),
-                         std::int64_t(corners), 0, 0, 0));
-      write_nodes(block_ids_[b], cells, corners);
+                         std::int64_t(nodes), 0, 0, 0));
+      write_nodes(block_ids_[b], cells, nodes);
       check(ex_put_name(exodus_, EX_ELEM_BLOCK, block_ids_[b], block_names_[b].c_str()));
     }
   }
 
   // A part at a time, where the library is one of those that can.
-  void write_nodes(int block, const Cells_by_region::Cells& cells, std::size_t corners) const {
+  void write_nodes(int block, const Cells_by_region::Cells& cells, std::size_t number) const {
 #if EX_API_VERS_NODOT <= 602
     const std::size_t most = std::size_t(1) << 15;
 #else
@@ -146,9 +151,9 @@ private:
     for (std::size_t begin = 0; begin < cells.size(); begin += most) {
       const std::size_t end = (std::min)(cells.size(), begin + most);
       nodes.clear();
-      nodes.reserve((end - begin) * corners);
+      nodes.reserve((end - begin) * number);
       for (std::size_t i = begin; i < end; ++i)
-        for (std::uint32_t v : cells_.corners(cells.begin()[i]))
+        for (std::uint32_t v : nodes_.of_cell(cells_, cells.begin()[i], exodus_order))
           nodes.push_back(int(points_.number(v)) + 1);
 #if EX_API_VERS_NODOT <= 602
       check(ex_put_partial_elem_conn(exodus_, block, std::int64_t(begin) + 1, std::int64_t(end - begin), nodes.data()));
@@ -178,6 +183,7 @@ private:
   }
 
   Output_file& file_;
+  const Mesh_nodes nodes_;
   const Mixed_mesh& mesh_;
   const Numbered_cells cells_;
   const Facet_sides facets_;
@@ -202,13 +208,21 @@ CGAL_TUBULAR_MESHING_INLINE bool has_exodus() {
 #endif
 }
 
-CGAL_TUBULAR_MESHING_INLINE void write_exodus(Output_file& file, const Mixed_mesh& mesh) {
-  internal::check_mesh(mesh, file.name());
+namespace internal {
+
+CGAL_TUBULAR_MESHING_INLINE void write_exodus(Output_file& file, const Mesh_nodes& nodes) {
+  check_mesh(nodes.mesh(), file.name());
 #ifdef CGAL_TUBULAR_MESHING_WITH_EXODUS
-  internal::Exodus_writer(file, mesh).write();
+  Exodus_writer(file, nodes).write();
 #else
   throw Output_error(why_not_built_in(Mesh_format::exodus));
 #endif
+}
+
+} // namespace internal
+
+CGAL_TUBULAR_MESHING_INLINE void write_exodus(Output_file& file, const Mixed_mesh& mesh) {
+  internal::write_exodus(file, mesh);
 }
 
 CGAL_TUBULAR_MESHING_INLINE void write_exodus(const std::string& file, const Mixed_mesh& mesh) {

@@ -5,12 +5,14 @@
 #define CGAL_TUBULAR_MESHING_IO_WRITE_FEBIO_IMPL_H
 
 #include <CGAL/Tubular_meshing/IO/internal/Facet_sides.h>
+#include <CGAL/Tubular_meshing/IO/internal/Mesh_nodes.h>
 #include <CGAL/Tubular_meshing/IO/internal/Number_writer.h>
 #include <CGAL/Tubular_meshing/IO/internal/Vtk_xml_writer.h>
 #include <CGAL/Tubular_meshing/IO/internal/Cells_by_region.h>
 #include <CGAL/Tubular_meshing/IO/internal/check_mesh.h>
 #include <CGAL/Tubular_meshing/IO/internal/names_in_files.h>
 #include <CGAL/Tubular_meshing/IO/internal/refuse.h>
+#include <CGAL/Tubular_meshing/IO/internal/write_nodes.h>
 #include <CGAL/Tubular_meshing/IO/write_febio.h>
 
 #include <algorithm>
@@ -27,11 +29,12 @@ namespace internal {
 
 class Febio_writer {
 public:
-  Febio_writer(Output_file& file, const Mixed_mesh& mesh)
+  Febio_writer(Output_file& file, const Mesh_nodes& nodes)
       : file_(file)
       , out_(file)
-      , mesh_(mesh)
-      , cells_(mesh)
+      , nodes_(nodes)
+      , mesh_(nodes.mesh())
+      , cells_(mesh_)
       , facets_(cells_, file.name())
       , order_(cells_)
       , blocks_(order_.blocks()) {}
@@ -39,6 +42,7 @@ public:
   void write() {
     if (blocks_.empty())
       refuse(file_.name(), "its format is for meshes with cells, and this one has none", write_vtu_instead);
+    check_cells();
     name_blocks();
     out_ << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<febio_spec version=\"4.0\">\n<Module "
             "type=\"solid\"/>\n<Mesh>\n";
@@ -54,9 +58,18 @@ public:
 private:
   typedef Facet_sides::Side Side;
 
-  static const char* type_of(std::size_t kind) {
-    const char* const types[4] = {"tet4", "pyra5", "penta6", "hex8"};
-    return types[kind];
+  const char* type_of(std::size_t kind) const {
+    const char* const types[3][6] = {{"tet4", "pyra5", "penta6", "hex8", "tri3", "quad4"},
+                                     {"tet10", "pyra13", "penta15", "hex20", "tri6", "quad8"},
+                                     {"tet10", "", "", "hex27", "tri6", "quad9"}};
+    return types[nodes_.is_complete() ? 2 : nodes_.is_quadratic() ? 1 : 0][kind];
+  }
+
+  // It has no complete prisms and pyramids.
+  void check_cells() const {
+    if (nodes_.is_complete() && !(mesh_.prisms.empty() && mesh_.pyramids.empty()))
+      refuse(file_.name(), "FEBio has no prisms of 18 and pyramids of 14 nodes",
+             "leave --order-2-complete away, or choose --type hexahedral");
   }
 
   void name_blocks() {
@@ -73,15 +86,15 @@ private:
   }
 
   // "1,2,3</tag>"
-  template <class Corners> void write_corners(const Corners& corners, std::size_t n, const char* end) {
-    for (std::size_t k = 0; k < n; ++k)
-      out_ << corners[k] + std::size_t(1) << (k + 1 == n ? end : ",");
+  void write_nodes(const Element_nodes& nodes, const char* end) {
+    for (std::size_t k = 0; k < nodes.size; ++k)
+      out_ << nodes[k] + std::size_t(1) << (k + 1 == nodes.size ? end : ",");
   }
 
   void write_nodes() {
     out_ << "<Nodes name=\"nodes\">\n";
-    for (std::size_t i = 0; i < mesh_.points.size(); ++i) {
-      const Point_3& p = mesh_.points[i];
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+      const Point_3& p = nodes_.point(i);
       out_ << "<node id=\"" << i + 1 << "\">" << p.x() << ',' << p.y() << ',' << p.z() << "</node>\n";
     }
     out_ << "</Nodes>\n";
@@ -93,9 +106,8 @@ private:
       out_ << "<Elements type=\"" << type_of(blocks_[b].kind) << "\" name=\"" << escaped_for_xml(block_names_[b])
            << "\">\n";
       for (std::uint32_t c : order_.cells_of(b)) {
-        const Numbered_cells::Corners corners = cells_.corners(c);
         out_ << "<elem id=\"" << ++id << "\">";
-        write_corners(corners, corners.number, "</elem>\n");
+        write_nodes(nodes_.of_cell(cells_, c, febio_order), "</elem>\n");
       }
       out_ << "</Elements>\n";
     }
@@ -111,10 +123,12 @@ private:
       for (std::uint32_t f : patch.second) {
         const Facet_sides::Sides& sides = facets_.sides(f);
         const Face corners = facets_.face(sides[1].is_there() ? sides[1] : sides[0]);
-        const std::size_t n = number_of_corners(corners);
-        nodes.insert(nodes.end(), corners.begin(), corners.begin() + std::ptrdiff_t(n));
-        out_ << (n == 3 ? "<tri3 id=\"" : "<quad4 id=\"") << ++id << "\">";
-        write_corners(corners, n, n == 3 ? "</tri3>\n" : "</quad4>\n");
+        const Element_nodes of_facet = nodes_.of_face(corners, febio_order);
+        nodes.insert(nodes.end(), of_facet.begin(), of_facet.end());
+        const std::string type = type_of(number_of_corners(corners) == 3 ? 4 : 5);
+        out_ << "<" << type << " id=\"" << ++id << "\">";
+        write_nodes(of_facet, "</");
+        out_ << type << ">\n";
       }
       out_ << "</Surface>\n<NodeSet name=\"" << name << "\">\n";
       std::sort(nodes.begin(), nodes.end());
@@ -135,6 +149,7 @@ private:
 
   Output_file& file_;
   Number_writer out_;
+  const Mesh_nodes nodes_;
   const Mixed_mesh& mesh_;
   const Numbered_cells cells_;
   const Facet_sides facets_;
@@ -146,9 +161,17 @@ private:
 
 } // namespace internal
 
+namespace internal {
+
+CGAL_TUBULAR_MESHING_INLINE void write_febio(Output_file& file, const Mesh_nodes& nodes) {
+  check_mesh(nodes.mesh(), file.name());
+  Febio_writer(file, nodes).write();
+}
+
+} // namespace internal
+
 CGAL_TUBULAR_MESHING_INLINE void write_febio(Output_file& file, const Mixed_mesh& mesh) {
-  internal::check_mesh(mesh, file.name());
-  internal::Febio_writer(file, mesh).write();
+  internal::write_febio(file, mesh);
 }
 
 CGAL_TUBULAR_MESHING_INLINE void write_febio(const std::string& file, const Mixed_mesh& mesh) {

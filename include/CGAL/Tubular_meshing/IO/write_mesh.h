@@ -6,6 +6,7 @@
 
 #include <CGAL/Tubular_meshing/IO/Mesh_format.h>
 #include <CGAL/Tubular_meshing/IO/Output_file.h>
+#include <CGAL/Tubular_meshing/Quadratic/Quadratic_mesh.h>
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/base/config.h>
 #include <CGAL/Tubular_meshing/base/parameters.h>
@@ -34,6 +35,7 @@ struct Format_choice {
 
 std::unique_ptr<Output> open_mesh(const std::string& file, const Format_choice& choice);
 void write_mesh(Output& output, const Mixed_mesh& mesh, const Format_choice& choice);
+void write_mesh(Output& output, const Quadratic_mesh& mesh, const Format_choice& choice);
 
 } // namespace internal
 
@@ -120,6 +122,46 @@ void write_mesh(Output& output, const Mixed_mesh& mesh,
  */
 template <class NamedParameters = CGAL::parameters::Default_named_parameters>
 void write_mesh(const std::string& file, const Mixed_mesh& mesh,
+                const NamedParameters& np = CGAL::parameters::default_values()) {
+  const std::unique_ptr<Output> out = open_mesh(file, np);
+  write_mesh(*out, mesh, np);
+  out->commit();
+}
+
+/*! \ingroup PkgTubularMeshingIO
+ *
+ * writes a mesh of quadratic elements into what open_mesh() has opened, which the caller commits. See
+ * `write_mesh(const std::string&, const Quadratic_mesh&, const NamedParameters&)`.
+ */
+template <class NamedParameters = CGAL::parameters::Default_named_parameters>
+void write_mesh(Output& output, const Quadratic_mesh& mesh,
+                const NamedParameters& np = CGAL::parameters::default_values()) {
+  internal::write_mesh(output, mesh,
+                       Tubular_meshing::internal::choose(np, internal_np::format, internal::Format_choice()));
+}
+
+/*! \ingroup PkgTubularMeshingIO
+ *
+ * writes a mesh of quadratic elements, as `write_mesh(const std::string&, const Mixed_mesh&, const NamedParameters&)`
+ * does one of linear ones; each format lists nodes in its own order.
+ *
+ * | format | cells | complete ones |
+ * |---|---|---|
+ * | `.vtu` | VTK_QUADRATIC_TETRA, _PYRAMID, _WEDGE, _HEXAHEDRON | VTK_BIQUADRATIC_QUADRATIC_WEDGE, VTK_TRIQUADRATIC_HEXAHEDRON; no pyramids |
+ * | `.msh` | types 11, 19, 18, 17 | 11, 14, 13, 12 |
+ * | `.inp` | C3D10, C3D15, C3D20; no pyramids | none, but C3D10 |
+ * | `.exo` | TETRA10, PYRAMID13, WEDGE15, HEX20 | TETRA10, PYRAMID14, WEDGE18, HEX27 |
+ * | `.feb` | tet10, pyra13, penta15, hex20 | tet10, hex27 |
+ * | svMultiPhysics | tetrahedra of 10, hexahedra of 20 nodes | hexahedra of 27 nodes |
+ * | `.xdmf` | tetrahedra of 10 nodes | hexahedra of 27 nodes |
+ *
+ * Point arrays have at other nodes than corners the mean of the corners that these lie between.
+ *
+ * \exception Output_error if the file cannot be written, or its format has no such elements: it has none of those above,
+ *   see why_not_quadratic()
+ */
+template <class NamedParameters = CGAL::parameters::Default_named_parameters>
+void write_mesh(const std::string& file, const Quadratic_mesh& mesh,
                 const NamedParameters& np = CGAL::parameters::default_values()) {
   const std::unique_ptr<Output> out = open_mesh(file, np);
   write_mesh(*out, mesh, np);

@@ -8,8 +8,10 @@
 #include <CGAL/Tubular_meshing/IO/internal/check_mesh.h>
 #include <CGAL/Tubular_meshing/IO/internal/names_in_files.h>
 #include <CGAL/Tubular_meshing/IO/internal/write_inp.h>
+#include <CGAL/Tubular_meshing/IO/internal/refuse.h>
 #include <CGAL/Tubular_meshing/IO/internal/write_medit.h>
 #include <CGAL/Tubular_meshing/IO/internal/write_msh.h>
+#include <CGAL/Tubular_meshing/IO/internal/write_nodes.h>
 #include <CGAL/Tubular_meshing/IO/internal/write_vtu.h>
 #include <CGAL/Tubular_meshing/IO/write_cgns.h>
 #include <CGAL/Tubular_meshing/IO/write_exodus.h>
@@ -58,49 +60,76 @@ CGAL_TUBULAR_MESHING_INLINE std::unique_ptr<Output> open_mesh(const std::string&
   return std::make_unique<Output_file>(file);
 }
 
-inline void write_mesh_folder(Output_folder& folder, const Mixed_mesh& mesh, Mesh_format format) {
+inline void write_mesh_folder(Output_folder& folder, const Mesh_nodes& nodes, Mesh_format format) {
   if (format == Mesh_format::svmultiphysics)
-    write_svmultiphysics(folder, mesh);
+    write_svmultiphysics(folder, nodes);
   else
-    write_openfoam(folder, mesh, format == Mesh_format::openfoam_binary);
+    write_openfoam(folder, nodes.mesh(), format == Mesh_format::openfoam_binary);
 }
 
-inline void write_mesh_file(Output_file& file, const Mixed_mesh& mesh, Mesh_format format, double msh_version) {
+inline void write_mesh_file(Output_file& file, const Mesh_nodes& nodes, Mesh_format format, double msh_version) {
+  const Mixed_mesh& mesh = nodes.mesh();
   switch (format) {
   case Mesh_format::vtu:
-    return write_vtu(file, mesh);
+    return write_vtu(file, nodes);
   case Mesh_format::gmsh:
-    return msh_version == 4.1 ? Msh_writer(file, mesh).write_4_1() : Msh_writer(file, mesh).write_2_2();
+    return msh_version == 4.1 ? Msh_writer(file, nodes).write_4_1() : Msh_writer(file, nodes).write_2_2();
   case Mesh_format::medit:
     return write_medit(file, mesh);
   case Mesh_format::abaqus:
-    return Inp_writer(file, mesh).write();
+    return Inp_writer(file, nodes).write();
   case Mesh_format::su2:
     return write_su2(file, mesh);
   case Mesh_format::febio:
-    return write_febio(file, mesh);
+    return write_febio(file, nodes);
   case Mesh_format::fluent:
     return write_fluent(file, mesh);
   case Mesh_format::xdmf:
-    return write_xdmf(file, mesh);
+    return write_xdmf(file, nodes);
   case Mesh_format::cgns:
     return write_cgns(file, mesh);
   default:
-    return write_exodus(file, mesh);
+    return write_exodus(file, nodes);
   }
 }
 
-CGAL_TUBULAR_MESHING_INLINE void write_mesh(Output& output, const Mixed_mesh& mesh, const Format_choice& choice) {
-  check_mesh(mesh, output.name());
+inline void write_nodes(Output& output, const Mesh_nodes& nodes, const Format_choice& choice) {
+  check_mesh(nodes.mesh(), output.name());
   const Mesh_format format = checked_format(output.name(), choice);
   if (format == Mesh_format::pvtu)
-    return write_partitioned_mesh(output, mesh, {1, std::vector<std::uint32_t>(mesh.number_of_cells(), 0)}, format);
+    return write_partitioned_mesh(output, nodes.mesh(),
+                                  {1, std::vector<std::uint32_t>(nodes.mesh().number_of_cells(), 0)}, format);
   if (auto* folder = dynamic_cast<Output_folder*>(&output); folder != nullptr && is_folder(format))
-    write_mesh_folder(*folder, mesh, format);
+    write_mesh_folder(*folder, nodes, format);
   else if (auto* file = dynamic_cast<Output_file*>(&output); file != nullptr && !is_folder(format))
-    write_mesh_file(*file, mesh, format, choice.msh_version);
+    write_mesh_file(*file, nodes, format, choice.msh_version);
   else
     throw Output_error(quoted(output.name()) + " was not opened for the format that is to be written.");
+}
+
+CGAL_TUBULAR_MESHING_INLINE void write_mesh(Output& output, const Mixed_mesh& mesh, const Format_choice& choice) {
+  write_nodes(output, mesh, choice);
+}
+
+// What a format that has quadratic elements has none of.
+inline void check_quadratic(const Quadratic_mesh& mesh, Mesh_format format, const std::string& file) {
+  const std::string why_not = why_not_quadratic(format);
+  if (!why_not.empty())
+    throw Output_error(why_not);
+  const Mixed_mesh& cells = mesh.linear;
+  if (format == Mesh_format::vtu && mesh.is_complete && !cells.pyramids.empty())
+    refuse(file, "VTK has no pyramids of 14 nodes",
+           "leave --order-2-complete away, or write a .msh or .exo file, or choose another --type than mixed");
+  if (format == Mesh_format::abaqus && !cells.pyramids.empty())
+    refuse(file, "CalculiX and Abaqus have no quadratic pyramids",
+           "choose --type isotropic, anisotropic or hexahedral, or leave --order 2 away");
+  if (format == Mesh_format::abaqus && mesh.is_complete && !(cells.prisms.empty() && cells.hexahedra.empty()))
+    refuse(file, "CalculiX has no prisms of 18 and hexahedra of 27 nodes", "leave --order-2-complete away");
+}
+
+CGAL_TUBULAR_MESHING_INLINE void write_mesh(Output& output, const Quadratic_mesh& mesh, const Format_choice& choice) {
+  check_quadratic(mesh, checked_format(output.name(), choice), output.name());
+  write_nodes(output, mesh, choice);
 }
 
 // Those that VTK's, Gmsh's and MEDIT's files keep as they are.

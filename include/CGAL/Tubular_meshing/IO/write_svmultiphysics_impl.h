@@ -5,6 +5,7 @@
 #define CGAL_TUBULAR_MESHING_IO_WRITE_SVMULTIPHYSICS_IMPL_H
 
 #include <CGAL/Tubular_meshing/IO/internal/Facet_sides.h>
+#include <CGAL/Tubular_meshing/IO/internal/Mesh_nodes.h>
 #include <CGAL/Tubular_meshing/IO/internal/Used_points.h>
 #include <CGAL/Tubular_meshing/IO/internal/Vtk_xml_writer.h>
 #include <CGAL/Tubular_meshing/IO/internal/Wall_patches.h>
@@ -13,6 +14,8 @@
 #include <CGAL/Tubular_meshing/IO/internal/name_fields.h>
 #include <CGAL/Tubular_meshing/IO/internal/One_kind.h>
 #include <CGAL/Tubular_meshing/IO/internal/refuse.h>
+#include <CGAL/Tubular_meshing/IO/internal/write_nodes.h>
+#include <CGAL/Tubular_meshing/IO/internal/write_vtu.h>
 #include <CGAL/Tubular_meshing/IO/write_svmultiphysics.h>
 
 #include <algorithm>
@@ -30,15 +33,16 @@ namespace internal {
 
 class Svmultiphysics_writer {
 public:
-  Svmultiphysics_writer(Output_folder& folder, const Mixed_mesh& mesh)
+  Svmultiphysics_writer(Output_folder& folder, const Mesh_nodes& nodes)
       : folder_(folder)
-      , mesh_(mesh)
-      , cells_(mesh)
+      , nodes_(nodes)
+      , mesh_(nodes.mesh())
+      , cells_(mesh_)
       , facets_(cells_, folder.name())
       , walls_(cells_, facets_)
-      , file_names_(patch_names_in_file(mesh, Mesh_format::svmultiphysics))
+      , file_names_(patch_names_in_file(mesh_, Mesh_format::svmultiphysics))
       , model_face_(model_faces())
-      , local_(mesh.points.size(), no_vertex) {}
+      , local_(nodes.size(), no_vertex) {}
 
   void write() {
     const std::set<int> regions = labels_of(mesh_, 3);
@@ -81,6 +85,9 @@ private:
     const One_kind one_kind(cells_, folder_.name(), "svMultiPhysics");
     for (int r : regions)
       one_kind.check_region(r, region_names_in_file(mesh_, Mesh_format::vtu).at(r), {true, false, true, true});
+    if (nodes_.is_quadratic() && !mesh_.prisms.empty())
+      refuse(folder_.name(), "svMultiPhysics has no quadratic prisms",
+             "choose --wall-elements tetrahedra or --type hexahedral, or leave --order 2 away");
     std::map<int, std::size_t> corners;
     for (std::size_t f = 0; f < facets_.size(); ++f) {
       const Facet_sides::Sides& s = facets_.sides(f);
@@ -111,7 +118,7 @@ private:
   }
 
   void write_region(int region, const std::string& path) {
-    const Used_points points(mesh_, [&](int r) { return r == region; });
+    const Used_points points(nodes_, [&](int r) { return r == region; });
     const std::vector<std::uint32_t> number = write_cells(region, points, path);
     Patches patches;
     for (std::size_t f = 0; f < facets_.size(); ++f)
@@ -139,8 +146,8 @@ private:
         first = (std::min)(first, c);
         number[c] = size++;
       }
-    const std::size_t corners = cells_.corners(first).number;
-    const auto vtk_type = static_cast<std::uint8_t>(element_kinds[cells_.kind(first)].vtk_type);
+    const std::size_t nodes = nodes_.number(cells_.kind(first));
+    const auto vtk_type = static_cast<std::uint8_t>(vtk_type_of(nodes_, cells_.kind(first)));
 
     Vtk_xml_writer out("UnstructuredGrid");
     write_names(out, {}, mesh_.region_names, {region});
@@ -157,20 +164,20 @@ private:
     out.end("CellData");
     write_points(out, points);
     out.begin("Cells");
-    std::size_t cell = first, corner = 0;
-    Numbered_cells::Corners of_cell = cells_.corners(first);
-    out.array_of<std::int32_t>("connectivity", 1, size * corners, [&] {
-      if (corner == corners) {
-        corner = 0;
+    std::size_t cell = first, node = 0;
+    Element_nodes of_cell = nodes_.of_cell(cells_, first, vtk_order);
+    out.array_of<std::int32_t>("connectivity", 1, size * nodes, [&] {
+      if (node == nodes) {
+        node = 0;
         do
           ++cell;
         while (cells_.region(cell) != region);
-        of_cell = cells_.corners(cell);
+        of_cell = nodes_.of_cell(cells_, cell, vtk_order);
       }
-      return std::int32_t(points.number(of_cell[corner++]));
+      return std::int32_t(points.number(of_cell[node++]));
     });
     std::int64_t end = 0;
-    out.array_of<std::int64_t>("offsets", 1, size, [&] { return end += std::int64_t(corners); });
+    out.array_of<std::int64_t>("offsets", 1, size, [&] { return end += std::int64_t(nodes); });
     out.array_of<std::uint8_t>("types", 1, size, [&] { return vtk_type; });
     out.end("Cells");
     out.end("Piece");
@@ -185,7 +192,7 @@ private:
     out.array_of<double>("Points", 3, 3 * points.size(), [&] {
       while (!points.contain(point))
         ++point;
-      const double x = mesh_.points[point][k];
+      const double x = nodes_.point(point)[k];
       if (++k == 3) {
         k = 0;
         ++point;
@@ -223,8 +230,8 @@ private:
       labels.insert(p.first);
       for (const Side* s : p.second) {
         const Face face = facets_.face(*s);
-        for (std::size_t k = 0; k < number_of_corners(face); ++k)
-          corners.push_back(face[k]);
+        for (std::uint32_t v : nodes_.of_face(face, vtk_order))
+          corners.push_back(v);
         ends.push_back(std::int64_t(corners.size()));
         elements.push_back(std::int32_t(number[s->cell] + 1));
         model_faces.push_back(model_face_.at(p.first));
@@ -244,7 +251,7 @@ private:
       local_[v] = no_vertex;
       nodes.push_back(std::int32_t(points.number(v) + 1));
       for (int k = 0; k < 3; ++k)
-        xyz.push_back(mesh_.points[v][k]);
+        xyz.push_back(nodes_.point(v)[k]);
     }
 
     Vtk_xml_writer out("PolyData");
@@ -271,6 +278,7 @@ private:
   }
 
   Output_folder& folder_;
+  const Mesh_nodes nodes_;
   const Mixed_mesh& mesh_;
   const Numbered_cells cells_;
   const Facet_sides facets_;
@@ -292,9 +300,17 @@ CGAL_TUBULAR_MESHING_INLINE Output_folder svmultiphysics_folder(const std::strin
   return Output_folder(folder, &internal::belongs_to_svmultiphysics);
 }
 
+namespace internal {
+
+CGAL_TUBULAR_MESHING_INLINE void write_svmultiphysics(Output_folder& folder, const Mesh_nodes& nodes) {
+  check_mesh(nodes.mesh(), folder.name());
+  Svmultiphysics_writer(folder, nodes).write();
+}
+
+} // namespace internal
+
 CGAL_TUBULAR_MESHING_INLINE void write_svmultiphysics(Output_folder& folder, const Mixed_mesh& mesh) {
-  internal::check_mesh(mesh, folder.name());
-  internal::Svmultiphysics_writer(folder, mesh).write();
+  internal::write_svmultiphysics(folder, mesh);
 }
 
 CGAL_TUBULAR_MESHING_INLINE void write_svmultiphysics(const std::string& folder, const Mixed_mesh& mesh) {

@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_IO_INTERNAL_USED_POINTS_H
 #define CGAL_TUBULAR_MESHING_IO_INTERNAL_USED_POINTS_H
 
+#include <CGAL/Tubular_meshing/IO/internal/Mesh_nodes.h>
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 
 #include <cstddef>
@@ -18,18 +19,19 @@ class Used_points {
 public:
   // counts(label): whether a region does
   template <class Counts>
-  Used_points(const Mixed_mesh& mesh, const Counts& counts)
-      : number_(mesh.points.size(), unused) {
-    const auto mark = [&](const auto& block) {
+  Used_points(const Mesh_nodes& nodes, const Counts& counts)
+      : number_(nodes.size(), unused) {
+    const Mixed_mesh& mesh = nodes.mesh();
+    const auto mark = [&](std::size_t kind, const auto& block) {
       for (std::size_t i = 0; i < block.size(); ++i)
         if (counts(block.label[i]))
-          for (std::uint32_t v : block.vertices[i])
+          for (std::uint32_t v : nodes.of(kind, block.vertices[i].data(), i, vtk_order))
             number_[v] = 0;
     };
-    mark(mesh.tetrahedra);
-    mark(mesh.pyramids);
-    mark(mesh.prisms);
-    mark(mesh.hexahedra);
+    mark(0, mesh.tetrahedra);
+    mark(1, mesh.pyramids);
+    mark(2, mesh.prisms);
+    mark(3, mesh.hexahedra);
     for (std::uint32_t& n : number_)
       if (n != unused)
         n = size_++;

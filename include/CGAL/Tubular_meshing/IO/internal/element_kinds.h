@@ -28,6 +28,15 @@ constexpr Element_kind element_kinds[number_of_element_kinds] = {
     {3, 8, 12, 5, "Hexahedra"},  {2, 3, 5, 2, "Triangles"}, {2, 4, 9, 3, "Quadrilaterals"},
 };
 
+// What VTK and Gmsh call the quadratic elements of a kind, without and with nodes of their quads and middles. VTK has no
+// pyramid of 14 nodes.
+struct Quadratic_kind {
+  int vtk_type, complete_vtk_type;
+  int gmsh_type, complete_gmsh_type;
+};
+constexpr Quadratic_kind quadratic_kinds[number_of_element_kinds] = {
+    {24, 24, 11, 11}, {27, 0, 19, 14}, {26, 32, 18, 13}, {25, 29, 17, 12}, {22, 22, 9, 9}, {23, 28, 16, 10}};
+
 // The kind of which a member has a value; null if there is none.
 template <class Value, class Member> const Element_kind* find_kind(Member Element_kind::*member, const Value& value) {
   for (const Element_kind& k : element_kinds)

@@ -4,8 +4,9 @@
 #ifndef CGAL_TUBULAR_MESHING_IO_INTERNAL_WRITE_INP_H
 #define CGAL_TUBULAR_MESHING_IO_INTERNAL_WRITE_INP_H
 
-#include <CGAL/Tubular_meshing/IO/internal/Number_writer.h>
 #include <CGAL/Tubular_meshing/IO/Output_file.h>
+#include <CGAL/Tubular_meshing/IO/internal/Mesh_nodes.h>
+#include <CGAL/Tubular_meshing/IO/internal/Number_writer.h>
 #include <CGAL/Tubular_meshing/IO/internal/element_kinds.h>
 #include <CGAL/Tubular_meshing/IO/internal/names_in_files.h>
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
@@ -30,24 +31,24 @@ namespace CGAL::Tubular_meshing::IO::internal {
 template <std::size_t N> struct Inp_cell;
 
 template <> struct Inp_cell<4> {
-  static constexpr const char* type = "C3D4";
+  static constexpr const char *type = "C3D4", *quadratic = "C3D10";
   static constexpr std::array<std::array<int, 4>, 4> faces = {
       {{{0, 1, 2, -1}}, {{0, 3, 1, -1}}, {{1, 3, 2, -1}}, {{2, 3, 0, -1}}}};
 };
 // A brick whose second face has shrunk to the apex. CalculiX has no element of five nodes, and that of Abaqus has five
 // faces numbered like these.
 template <> struct Inp_cell<5> {
-  static constexpr const char* type = "C3D8";
+  static constexpr const char *type = "C3D8", *quadratic = "C3D20";
   static constexpr std::array<std::array<int, 4>, 6> faces = {
       {{{0, 1, 2, 3}}, {{-1, -1, -1, -1}}, {{0, 1, 4, -1}}, {{1, 2, 4, -1}}, {{2, 3, 4, -1}}, {{3, 0, 4, -1}}}};
 };
 template <> struct Inp_cell<6> {
-  static constexpr const char* type = "C3D6";
+  static constexpr const char *type = "C3D6", *quadratic = "C3D15";
   static constexpr std::array<std::array<int, 4>, 5> faces = {
       {{{0, 1, 2, -1}}, {{3, 4, 5, -1}}, {{0, 1, 4, 3}}, {{1, 2, 5, 4}}, {{2, 0, 3, 5}}}};
 };
 template <> struct Inp_cell<8> {
-  static constexpr const char* type = "C3D8";
+  static constexpr const char *type = "C3D8", *quadratic = "C3D20";
   static constexpr std::array<std::array<int, 4>, 6> faces = {
       {{{0, 1, 2, 3}}, {{4, 7, 6, 5}}, {{0, 4, 5, 1}}, {{1, 5, 6, 2}}, {{2, 6, 7, 3}}, {{3, 7, 4, 0}}}};
 };
@@ -56,10 +57,11 @@ template <> struct Inp_cell<8> {
  * patch a set of its nodes and a surface. */
 class Inp_writer {
 public:
-  Inp_writer(Output_file& file, const Mixed_mesh& mesh)
+  Inp_writer(Output_file& file, const Mesh_nodes& nodes)
       : file_(file)
       , out_(file)
-      , mesh_(mesh) {}
+      , nodes_(nodes)
+      , mesh_(nodes.mesh()) {}
 
   void write() {
     if (mesh_.number_of_cells() == 0)
@@ -67,10 +69,10 @@ public:
     check_names_differ();
     list_facets();
     out_ << "** Nodes, elements by region, node sets and surfaces by patch.\n*NODE\n";
-    for (std::size_t i = 0; i < mesh_.points.size(); ++i) {
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
       out_ << i + 1;
       for (int k = 0; k < 3; ++k)
-        out_ << ", " << short_number(mesh_.points[i][k]);
+        out_ << ", " << short_number(nodes_.point(i)[k]);
       out_ << '\n';
     }
     write_cells(mesh_.tetrahedra);
@@ -167,16 +169,20 @@ private:
   }
 
   template <std::size_t N> void write_cells(const Element_block<N>& block) {
+    constexpr std::size_t kind = N == 8 ? 3 : N - 4;
+    constexpr std::size_t most_on_a_line = 15; // nodes, of what may be 16 numbers
     std::map<int, std::vector<std::size_t>> by_region;
     for (std::size_t i = 0; i < block.size(); ++i)
       by_region[block.label[i]].push_back(i);
     for (const auto& region : by_region) {
-      out_ << "*ELEMENT, TYPE=" << Inp_cell<N>::type << ", ELSET=" << region_name(region.first) << '\n';
+      out_ << "*ELEMENT, TYPE=" << (nodes_.is_quadratic() ? Inp_cell<N>::quadratic : Inp_cell<N>::type)
+           << ", ELSET=" << region_name(region.first) << '\n';
       for (std::size_t i : region.second) {
         const auto& cell = block.vertices[i];
         out_ << ++element_;
-        for (std::uint32_t v : cell)
-          out_ << ", " << v + std::size_t(1);
+        const Element_nodes nodes = nodes_.of(kind, cell.data(), i, abaqus_order);
+        for (std::size_t k = 0; k < nodes.size; ++k)
+          out_ << (k == most_on_a_line ? ",\n" : ", ") << nodes[k] + std::size_t(1);
         if (N == 5)
           for (int k = 0; k < 3; ++k)
             out_ << ", " << cell[4] + std::size_t(1);
@@ -216,9 +222,8 @@ private:
       auto& facets = patch.second;
       std::vector<std::uint32_t> nodes;
       for (const Facet* f : facets)
-        for (std::uint32_t v : f->corners)
-          if (v != none)
-            nodes.push_back(v);
+        for (std::uint32_t v : nodes_.of_face(f->corners, abaqus_order))
+          nodes.push_back(v);
       std::sort(nodes.begin(), nodes.end());
       nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
       out_ << "*NSET, NSET=" << patch_name(patch.first) << '\n';
@@ -233,6 +238,7 @@ private:
 
   Output_file& file_;
   Number_writer out_;
+  const Mesh_nodes nodes_;
   const Mixed_mesh& mesh_;
   std::vector<Facet> facets_; // sorted
   std::vector<char> on_facet_;

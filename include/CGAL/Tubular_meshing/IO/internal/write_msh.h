@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_IO_INTERNAL_WRITE_MSH_H
 #define CGAL_TUBULAR_MESHING_IO_INTERNAL_WRITE_MSH_H
 
+#include <CGAL/Tubular_meshing/IO/internal/Mesh_nodes.h>
 #include <CGAL/Tubular_meshing/IO/internal/Number_writer.h>
 #include <CGAL/Tubular_meshing/IO/internal/element_kinds.h>
 
@@ -22,10 +23,11 @@ namespace CGAL::Tubular_meshing::IO::internal {
 // are numbered in the mesh's order, so that it can be restored although 4.1 lists elements by entity.
 class Msh_writer {
 public:
-  Msh_writer(Output_file& file, const Mixed_mesh& mesh)
+  Msh_writer(Output_file& file, const Mesh_nodes& nodes)
       : file_(file)
       , out_(file)
-      , mesh_(mesh) {
+      , nodes_(nodes)
+      , mesh_(nodes.mesh()) {
     for_each_block(mesh_, [&](const auto& block, const Element_kind& kind) {
       for (int label : block.label)
         highest_label_[kind.dimension] = (std::max)(highest_label_[kind.dimension], checked(label));
@@ -76,6 +78,14 @@ protected:
   // Entities are numbered from 1.
   std::int32_t entity(int dimension, int label) const { return label > 0 ? label : highest_label_[dimension] + 1; }
 
+  int type_of(const Element_kind& kind) const {
+    const Quadratic_kind& q = quadratic_kinds[&kind - element_kinds];
+    return nodes_.is_complete() ? q.complete_gmsh_type : nodes_.is_quadratic() ? q.gmsh_type : kind.gmsh_type;
+  }
+  template <class Block> Element_nodes nodes_of(const Block& block, const Element_kind& kind, std::size_t i) const {
+    return nodes_.of(std::size_t(&kind - element_kinds), block.vertices[i].data(), i, gmsh_order);
+  }
+
   void write_names() {
     if (mesh_.region_names.empty() && mesh_.patch_names.empty())
       return;
@@ -90,9 +100,9 @@ protected:
   // The box of the points; Gmsh needs one for each entity, but no tight one.
   std::array<double, 6> bounding_box() const {
     std::array<double, 6> box = {0, 0, 0, 0, 0, 0};
-    for (std::size_t i = 0; i < mesh_.points.size(); ++i)
+    for (std::size_t i = 0; i < nodes_.size(); ++i)
       for (int k = 0; k < 3; ++k) {
-        const double x = mesh_.points[i][k];
+        const double x = nodes_.point(i)[k];
         box[k] = i == 0 ? x : (std::min)(box[k], x);
         box[k + 3] = i == 0 ? x : (std::max)(box[k + 3], x);
       }
@@ -127,16 +137,16 @@ protected:
   // All nodes in one block, in order: classified on patches they would have to be listed patch by patch, and programs
   // that take nodes in the file's order would take other data for theirs.
   void write_nodes_4(int dimension, std::int32_t entity) {
-    const std::uint64_t n = mesh_.points.size();
+    const std::uint64_t n = nodes_.size();
     out_ << "$Nodes\n";
     out_.bytes(std::uint64_t(1)).bytes(n).bytes(std::uint64_t(1)).bytes(n);
     out_.bytes(std::int32_t(dimension)).bytes(entity);
     out_.bytes(std::int32_t(0)).bytes(n);
     for (std::uint64_t i = 1; i <= n; ++i)
       out_.bytes(i);
-    for (const Point_3& p : mesh_.points)
+    for (std::uint64_t i = 0; i < n; ++i)
       for (int k = 0; k < 3; ++k)
-        out_.bytes(double(p[k]));
+        out_.bytes(double(nodes_.point(i)[k]));
     out_ << "\n$EndNodes\n";
   }
 
@@ -158,10 +168,10 @@ protected:
     for_each_block(mesh_, [&](const auto& block, const Element_kind& kind) {
       for (const auto& m : members[static_cast<std::size_t>(&kind - element_kinds)]) {
         out_.bytes(std::int32_t(kind.dimension)).bytes(entity_of(kind.dimension, m.first));
-        out_.bytes(std::int32_t(kind.gmsh_type)).bytes(std::uint64_t(m.second.size()));
+        out_.bytes(std::int32_t(type_of(kind))).bytes(std::uint64_t(m.second.size()));
         for (std::size_t i : m.second) {
           out_.bytes(std::uint64_t(first + i));
-          for (std::uint32_t v : block.vertices[i])
+          for (std::uint32_t v : nodes_of(block, kind, i))
             out_.bytes(std::uint64_t(v) + 1);
         }
       }
@@ -171,11 +181,11 @@ protected:
   }
 
   void write_nodes_2() {
-    out_ << "$Nodes\n" << mesh_.points.size() << '\n';
-    for (std::size_t i = 0; i < mesh_.points.size(); ++i) {
+    out_ << "$Nodes\n" << nodes_.size() << '\n';
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
       out_ << i + 1;
       for (int k = 0; k < 3; ++k)
-        out_ << ' ' << mesh_.points[i][k];
+        out_ << ' ' << nodes_.point(i)[k];
       out_ << '\n';
     }
     out_ << "$EndNodes\n";
@@ -186,9 +196,9 @@ protected:
     std::size_t number = 1;
     for_each_block(mesh_, [&](const auto& block, const Element_kind& kind) {
       for (std::size_t i = 0; i < block.size(); ++i, ++number) {
-        out_ << number << ' ' << kind.gmsh_type << " 2 " << block.label[i] << ' '
+        out_ << number << ' ' << type_of(kind) << " 2 " << block.label[i] << ' '
              << entity(kind.dimension, block.label[i]);
-        for (std::uint32_t v : block.vertices[i])
+        for (std::uint32_t v : nodes_of(block, kind, i))
           out_ << ' ' << v + std::size_t(1);
         out_ << '\n';
       }
@@ -201,14 +211,15 @@ protected:
     const std::size_t stored = static_cast<std::size_t>(a.components), written = stored == 6 ? 9 : stored;
     if (written != 1 && written != 3 && written != 9)
       fail("its format has no arrays of " + std::to_string(stored) + " components, as '" + a.name + "' is");
-    out_ << "$NodeData\n1\n\"" << a.name << "\"\n1\n0\n3\n0\n" << written << '\n' << mesh_.points.size() << '\n';
-    for (std::size_t i = 0; i < mesh_.points.size(); ++i) {
+    out_ << "$NodeData\n1\n\"" << a.name << "\"\n1\n0\n3\n0\n" << written << '\n' << nodes_.size() << '\n';
+    const std::vector<double> values = nodes_.values(a);
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
       if (binary)
         out_.bytes(static_cast<std::int32_t>(i + 1));
       else
         out_ << i + 1;
       for (std::size_t k = 0; k < written; ++k) {
-        const double x = a.values[stored * i + (stored == 6 ? symmetric_component[k] : k)];
+        const double x = values[stored * i + (stored == 6 ? symmetric_component[k] : k)];
         if (binary)
           out_.bytes(x);
         else
@@ -222,6 +233,7 @@ protected:
 
   Output_file& file_;
   Number_writer out_;
+  const Mesh_nodes nodes_;
   const Mixed_mesh& mesh_;
   std::array<std::map<int, bool>, 4> labels_; // that occur, by dimension
   std::array<int, 4> highest_label_ = {0, 0, 0, 0};
