@@ -16,13 +16,10 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <iterator>
 #include <limits>
-#include <map>
 #include <numeric>
 #include <optional>
 #include <set>
-#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -44,8 +41,7 @@ public:
       , rings_(wall_, rims_, blocks_points(options.points_per_circumference))
       , network_(graph, rims_, nearness, {}) {}
 
-  /* Where hexahedra do not untangle, the junction begins from another start, or is made one with the nearest, if there
-   * is one as near. */
+  /* Where hexahedra do not untangle, the junction is made one with the nearest, if there is one as near. */
   Hexahedral_blocks make() {
     std::set<std::size_t> joined;
     for (int round = 0;; ++round) {
@@ -59,11 +55,6 @@ public:
         return result;
       result.twist = blocks.twist;
       untangle(blocks, result);
-      if (start_elsewhere(tangled(blocks, 0))) {
-        blocks = builder(shapes_).build();
-        result.twist = blocks.twist;
-        untangle(blocks, result);
-      }
       if (round == most_rounds || !join(tangled(blocks, 0), joined)) {
         improve(blocks, result);
         return result;
@@ -76,7 +67,6 @@ private:
   static constexpr double nearness = 1.3;        // of junctions that are one, in radii
   static constexpr std::size_t most_vessels = 8; // of a junction
   static constexpr double fair = 0.15;           // the scaled Jacobian from which on a start is as good as any
-  static constexpr double untangled = 0.1;       // before they are improved
   static constexpr double least = 0.02;          // that a hexahedron has in the end
 
   static constexpr int most_rounds = 1; // in which junctions are joined
@@ -161,80 +151,9 @@ private:
     return result;
   }
 
-  std::vector<double> least_qualities(const Network_blocks& blocks) const {
-    std::vector<double> result(network_.nodes.size(), 1);
-    const std::vector<double> q = qualities(blocks.mesh);
-    for (std::size_t i = 0; i < q.size(); ++i)
-      result[blocks.node[i]] = (std::min)(result[blocks.node[i]], q[i]);
-    return result;
-  }
-
   Block_builder builder(const std::vector<std::optional<Junction_shape>>& shapes) const {
     const double core = (std::min)(0.72, 0.9 - options_.layer_thickness);
     return Block_builder(network_, shapes, wall_, rings_, rims_, size_, core);
-  }
-
-  // Gives junctions the shape of a start, where that is one.
-  void try_start(const Junction_start& start, const std::vector<std::size_t>& nodes,
-                 std::vector<std::optional<Junction_shape>>& shapes) const {
-    std::vector<std::optional<Junction_shape>> tried(nodes.size());
-    for_each_task(nodes.size(), options_.number_of_threads, [&](std::size_t k) {
-      tried[k].emplace(network_, nodes[k], rings_, wall_, start, rings_.around() / 4);
-    });
-    for (std::size_t k = 0; k < nodes.size(); ++k)
-      if (tried[k]->partition)
-        shapes[nodes[k]] = std::move(tried[k]);
-  }
-
-  // The blocks of the vessels that meet in some nodes.
-  Network_blocks build_round(const std::vector<std::size_t>& nodes,
-                             const std::vector<std::optional<Junction_shape>>& shapes) const {
-    const std::set<std::size_t> wanted(nodes.begin(), nodes.end());
-    return builder(shapes).build([&](std::size_t v) {
-      const auto& ends = network_.vessels[v].nodes;
-      return wanted.count(ends[0]) > 0 || wanted.count(ends[1]) > 0;
-    });
-  }
-
-  /* Junctions may not untangle from the start that looked best, but from another: each is tried to its end, in the vessels
-   * round these junctions alone. True if that has helped any of them. */
-  bool start_elsewhere(const std::vector<std::size_t>& tangled) {
-    std::vector<std::size_t> open;
-    std::copy_if(tangled.begin(), tangled.end(), std::back_inserter(open),
-                 [&](std::size_t n) { return network_.nodes[n].is_junction(); });
-    std::map<std::size_t, double> best; // of those that have been untangled, the least scaled Jacobian
-    std::vector<Junction_start> starts = Junction_start::tries_beyond_crotch();
-    starts.insert(starts.end(), Junction_start::tries().begin(), Junction_start::tries().end());
-    for (const Junction_start& start : starts) {
-      if (open.empty())
-        break;
-      std::vector<std::optional<Junction_shape>> shapes = shapes_;
-      try_start(start, open, shapes);
-      Network_blocks blocks = build_round(open, shapes);
-      untangle_round(open, blocks);
-      const std::vector<double> least = least_qualities(blocks);
-      for (std::size_t n : open)
-        if (least[n] > 0 && least[n] > best[n]) {
-          best[n] = least[n];
-          shapes_[n] = std::move(shapes[n]);
-        }
-      open.erase(std::remove_if(open.begin(), open.end(), [&](std::size_t n) { return best[n] > untangled; }),
-                 open.end());
-    }
-    return std::any_of(best.begin(), best.end(), [](const auto& b) { return b.second > 0; });
-  }
-
-  // What does not belong to these nodes stays.
-  void untangle_round(const std::vector<std::size_t>& nodes, Network_blocks& blocks) const {
-    std::vector<bool> fixed(blocks.mesh.points.size(), false);
-    const std::set<std::size_t> free(nodes.begin(), nodes.end());
-    for (std::size_t i = 0; i < blocks.mesh.hexahedra.size(); ++i)
-      if (free.count(blocks.node[i]) == 0)
-        for (std::uint32_t v : blocks.mesh.hexahedra.vertices[i])
-          fixed[v] = true;
-    Optimize_hexahedra_options options = optimization(untangled);
-    options.fixed_vertices = &fixed;
-    internal::optimize_hexahedra(blocks.mesh, surface_, patch_, options);
   }
 
   /* Gives each junction the start by which its hexahedra are best before optimization. */
@@ -249,13 +168,23 @@ private:
         open.push_back(i);
     for (const Junction_start& start : tries) {
       std::vector<std::optional<Junction_shape>> shapes = shapes_;
-      try_start(start, open, shapes);
+      std::vector<std::optional<Junction_shape>> tried(open.size());
+      for_each_task(open.size(), options_.number_of_threads, [&](std::size_t k) {
+        tried[k].emplace(network_, open[k], rings_, wall_, start, rings_.around() / 4);
+      });
+      for (std::size_t k = 0; k < open.size(); ++k)
+        if (tried[k]->partition)
+          shapes[open[k]] = std::move(tried[k]);
       for (std::size_t i : open)
         if (!shapes[i]) {
           refuse_node(result, i, "the directions of the vessels that meet cannot be divided into regions");
           return;
         }
-      const Network_blocks blocks = build_round(open, shapes);
+      const std::set<std::size_t> tried_nodes(open.begin(), open.end());
+      const Network_blocks blocks = builder(shapes).build([&](std::size_t v) {
+        const auto& nodes = network_.vessels[v].nodes;
+        return tried_nodes.count(nodes[0]) > 0 || tried_nodes.count(nodes[1]) > 0;
+      });
       const std::vector<double> shortfall = shortfalls(blocks, fair);
       std::vector<std::size_t> still_open;
       for (std::size_t i : open) {
@@ -281,7 +210,7 @@ private:
   }
 
   void untangle(Network_blocks& blocks, Hexahedral_blocks& result) const {
-    result.optimization = internal::optimize_hexahedra(blocks.mesh, surface_, patch_, optimization(untangled));
+    result.optimization = internal::optimize_hexahedra(blocks.mesh, surface_, patch_, optimization(0.1));
   }
 
   // Nodes with hexahedra that are not better than a bound.
@@ -308,8 +237,6 @@ private:
                                                   : "the hexahedra of a vessel's end do not untangle");
     if (result.refused.empty())
       check_cover(blocks.mesh, result);
-    if (result.refused.empty())
-      check_volume(blocks.mesh, result);
     result.mesh = std::move(blocks.mesh);
     result.structure = std::move(blocks.structure);
     result.irregular_edges = irregular_edges();
@@ -331,8 +258,9 @@ private:
     return result;
   }
 
-  // Of the surface's vertices from the mesh, in radii of the vessel that is nearest to them.
-  std::vector<double> distances_in_radii(const Mixed_mesh& mesh) const {
+  /* Refuses a mesh that misses parts of the surface, by more than a radius of the vessel nearest to them. */
+  void check_cover(const Mixed_mesh& mesh, Hexahedral_blocks& result) const {
+    constexpr double most = 1;
     const double size_of_radius = 2 * pi / options_.points_per_circumference;
     std::vector<std::array<Point_3, 3>> triangles;
     for (std::size_t i = 0; i < mesh.quads.size(); ++i) {
@@ -353,13 +281,6 @@ private:
         missed[i] = std::sqrt(CGAL::squared_distance(p, q.point)) / radius;
       }
     });
-    return missed;
-  }
-
-  /* Refuses a mesh that misses parts of the surface, by more than a radius of the vessel nearest to them. */
-  void check_cover(const Mixed_mesh& mesh, Hexahedral_blocks& result) const {
-    constexpr double most = 1;
-    std::vector<double> missed = distances_in_radii(mesh);
     std::vector<std::pair<double, std::size_t>> worst;
     for (std::size_t i = 0; i < missed.size(); ++i)
       if (missed[i] > most)
@@ -371,35 +292,6 @@ private:
         result.refused.push_back({surface_.point(tip), "a part of the vessel has no centerline", tip});
         forget_part(tip, most / 2, missed);
       }
-  }
-
-  /* Refuses a mesh that fills much less of the lumen than polygons do in circles, as where that is a slit. */
-  void check_volume(const Mixed_mesh& mesh, Hexahedral_blocks& result) const {
-    const auto volume = [](const Vector_3d& a, const Vector_3d& b, const Vector_3d& c) { return dot(a, cross(b, c)); };
-    double filled = 0, all = 0;
-    for (const auto& q : mesh.quads.vertices) {
-      std::array<Vector_3d, 4> p;
-      for (std::size_t k = 0; k < 4; ++k)
-        p[k] = Vector_3d(mesh.points[q[k]]);
-      filled += volume(p[0], p[1], p[2]) + volume(p[0], p[2], p[3]);
-    }
-    for (Face f : surface_.faces()) {
-      const Halfedge h = surface_.halfedge(f);
-      const auto at = [&](Halfedge g) { return Vector_3d(surface_.point(surface_.target(g))); };
-      all += volume(at(h), at(surface_.next(h)), at(surface_.prev(h)));
-    }
-    const double n = rings_.around(), polygon = n / (2 * pi) * std::sin(2 * pi / n);
-    const double missing = 1 - filled / (polygon * all);
-    const double most = 0.015 + 0.25 * (1 - polygon);
-    if (!(missing > most))
-      return;
-    std::ostringstream reason;
-    reason.precision(2);
-    reason << "the blocks leave out " << 100 * missing << " % of the lumen";
-    const std::vector<double> missed = distances_in_radii(mesh);
-    const std::size_t most_missed = std::size_t(std::max_element(missed.begin(), missed.end()) - missed.begin());
-    result.refused.push_back(
-        {surface_.point(Vertex(Surface::size_type(most_missed))), reason.str(), Surface::null_vertex()});
   }
 
   // Sets to 0 what is missed by more than a bound, from a vertex on.

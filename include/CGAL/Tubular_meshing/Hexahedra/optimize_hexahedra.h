@@ -39,9 +39,7 @@ Optimize_hexahedra_report optimize_hexahedra(Mixed_mesh& mesh, const Surface& su
  * patches that the surface does not have, and of cells of other kinds stay.
  *
  * Where vertices come off the surface, they go there first. If that turns hexahedra over, and these do not recover, all is
- * done once more with such vertices where they came from. Where hexahedra that were inverted stay so, as vertices on a wall
- * cannot get past each other, those of patches leave it until nothing is inverted, and come back step by step. The report
- * counts those that are left off the surface in the end.
+ * done once more with such vertices where they came from: the report counts them.
  *
  * Only hexahedra worse than `quality_wanted` and some rings around them are worked on; all other vertices stay bit for
  * bit where they are. If all is well already, that is all. A mesh that does not get better stays as it is.

@@ -286,14 +286,6 @@ private:
     return ends;
   }
 
-  double clear_of_crotch(std::size_t v, std::size_t e) const {
-    const auto& vessel = network_.vessels[v];
-    const std::size_t n = vessel.nodes[e];
-    if (!shapes_[n])
-      return 0;
-    return shapes_[n]->clear_of_crotch(e == 0 ? vessel.path : vessel.path.reversed(), network_.place_at(n, v, e == 1));
-  }
-
   void add_vessel(std::size_t v) {
     const auto& nodes = network_.vessels[v].nodes;
     const Vessel_path path = path_of(v);
@@ -305,7 +297,7 @@ private:
     // sections are planar from `first` to `last`, clear of both ends
     constexpr double clearance = 0.4; // in radii
     const double step = 0.05 * (path.radius(0) + path.radius(length));
-    double first = clear_of_crotch(v, 0), last = clear_of_crotch(v, 1);
+    double first = 0, last = 0;
     while (first < length &&
            ends[0].ring.reach(path.point(first), frames.at(first).tangent) > -clearance * path.radius(first))
       first += step;

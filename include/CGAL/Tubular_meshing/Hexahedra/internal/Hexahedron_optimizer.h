@@ -49,8 +49,6 @@ public:
       after = attempt(before);
       if (is_spoilt_ && turned_over_ > 0)
         hold_and_try_again(before, after);
-      if (before.inverted > 0 && after.inverted > 0)
-        untangle_off_surface(after);
       if (is_worse(after, before))
         keep_all(before, after);
       else
@@ -107,69 +105,6 @@ private:
       report_.held_vertices = number_held_;
     } else
       points_.swap(first);
-  }
-
-  /* Vertices that have to stay on a wall may not get past each other: from where they came, those of patches leave it until
-   * nothing is inverted, and come back as far as nothing becomes so, while the others make room for them. */
-  void untangle_off_surface(Summary& after) {
-    std::vector<Vector_3d> first(points_.size());
-    first.swap(points_);
-    for (std::size_t v = 0; v < first.size(); ++v)
-      points_[v] = Vector_3d(mesh_.points[v]);
-    measure_all();
-    prepare();
-    std::vector<Slide> slides = slide_;
-    for (Slide& slide : slide_)
-      if (slide.dimension == 2)
-        slide = Slide();
-    untangle();
-    std::vector<Index> off;
-    for (std::size_t v = 0; v < points_.size(); ++v)
-      if (slides[v].dimension == 2 && squared_norm(points_[v] - Vector_3d(mesh_.points[v])) > 0)
-        off.push_back(Index(v));
-    slide_ = slides;
-    constexpr double roomy = 0.4; // the quality of hexahedra that need not make room
-    constexpr int patience = 4;   // rounds in which none comes back all the way
-    constexpr int most_rounds = 24;
-    std::size_t fewest = off.size() + 1;
-    for (int round = 0, last = 0; !off.empty() && round < most_rounds && round <= last + patience; ++round) {
-      return_to_surface(off, slides);
-      if (off.size() < fewest) {
-        fewest = off.size();
-        last = round;
-      }
-      improve(1, (std::max)(roomy, options_.quality_wanted));
-    }
-    for (int power : {2, 4, 8})
-      improve(power);
-    const Summary again = measure_all();
-    if (again.inverted < after.inverted) {
-      after = again;
-      report_.held_vertices = off.size();
-    } else
-      points_.swap(first);
-  }
-
-  // Those that come back all the way are taken out, and slide again.
-  void return_to_surface(std::vector<Index>& off, const std::vector<Slide>& slides) {
-    off.erase(std::remove_if(off.begin(), off.end(),
-                             [&](Index v) {
-                               slide_[v].dimension = 0;
-                               const Vector_3d from = points_[v];
-                               const Vector_3d way = sliding_->nearest(slides[v], from).point - from;
-                               const bool was_valid = is_valid_around(v);
-                               for (double part : {1., 0.5, 0.2, 0.05}) {
-                                 points_[v] = from + part * way;
-                                 if (!was_valid || is_valid_around(v)) {
-                                   if (part == 1)
-                                     slide_[v] = slides[v];
-                                   return part == 1;
-                                 }
-                               }
-                               points_[v] = from;
-                               return false;
-                             }),
-              off.end());
   }
 
   // Where the caller has lengths in mind these may be worth some quality.
@@ -572,10 +507,9 @@ private:
   }
 
   // Sweeps until nearly all vertices have come to rest, or for long enough.
-  void improve(int power) { improve(power, options_.quality_wanted); }
-  void improve(int power, double quality_wanted) {
+  void improve(int power) {
     measure_all();
-    if (!activate(quality_wanted, options_.number_of_rings))
+    if (!activate(options_.quality_wanted, options_.number_of_rings))
       return;
     Corner_penalty penalty;
     penalty.power = power;

@@ -25,19 +25,10 @@ struct Junction_start {
   double depth = 1;   // of the center below the place where a vessel leaves the others, in its radii
   double weight = 4;  // with which power of their radii thin vessels draw the center to them
   double turning = 3; // how much it costs to turn away from the bisector between vessels, to their crotch
-  // whether vessels begin where the wall is between them: the lumen may be wide beyond the places where they leave each
-  // other's tubes
-  bool beyond_crotch = false;
 
   static const std::vector<Junction_start>& tries() {
     static const std::vector<Junction_start> all = {{1, 4, 3}, {1, 4, 30},  {1, 2, 3},    {0.5, 4, 3},  {1.5, 4, 3},
                                                     {1, 0, 3}, {0.5, 2, 3}, {1.5, 2, 30}, {0.5, 0, 30}, {0.2, 3, 3}};
-    return all;
-  }
-  // For junctions that do not untangle from the best of these.
-  static const std::vector<Junction_start>& tries_beyond_crotch() {
-    static const std::vector<Junction_start> all = {
-        {1, 4, 3, true}, {1, 2, 30, true}, {0.5, 4, 3, true}, {1.5, 2, 3, true}, {0.5, 0, 3, true}};
     return all;
   }
 };
@@ -57,28 +48,6 @@ inline std::vector<double> exit_abscissas(const std::vector<Vessel_path>& paths)
     while (a < last && is_inside(paths[i].point(a)))
       a += r / 8;
     exits.push_back((std::min)(a, paths[i].length()));
-  }
-  return exits;
-}
-
-/* The same, farther where the wall is not between a vessel and another one as far from the node. Those that lead apart
- * need none. */
-inline std::vector<double> abscissas_beyond_crotch(const std::vector<Vessel_path>& paths, std::vector<double> exits,
-                                                   const Wall_of_lumen& wall) {
-  const auto sees = [&](const Vector_3d& p, const Vector_3d& q) {
-    const double distance = norm(q - p);
-    return !(distance > 0) || wall.along(p, (1 / distance) * (q - p), distance) >= distance;
-  };
-  for (std::size_t i = 0; i < paths.size(); ++i) {
-    const double r = paths[i].radii.front(), last = (std::min)(paths[i].length(), exits[i] + 6 * r);
-    for (std::size_t j = 0; j < paths.size(); ++j) {
-      const auto at = [&](std::size_t k, double a) { return paths[k].point((std::min)(a, paths[k].length())); };
-      const Vector_3d node = paths[i].points.front();
-      if (j == i || !(dot(at(i, exits[i] + r) - node, at(j, exits[j] + r) - node) > 0))
-        continue;
-      while (exits[i] < last && sees(paths[i].point(exits[i]), at(j, exits[i])))
-        exits[i] = (std::min)(exits[i] + r / 8, last);
-    }
   }
   return exits;
 }
@@ -103,16 +72,9 @@ public:
       paths.push_back(network.path_from(e));
     exits = exit_abscissas(paths);
     place(paths);
-    if (start.beyond_crotch)
-      exits = abscissas_beyond_crotch(paths, exits, wall);
     partition = Junction_partitioner(directions_).partition();
     if (partition)
       find_wall(steps);
-  }
-
-  // How far from the center the section across a vessel may be planar.
-  double clear_of_crotch(const Vessel_path& from_node, std::size_t vessel) const {
-    return start_.beyond_crotch ? norm(from_node.point(exits[vessel]) - center) : 0;
   }
 
   // Round one of the vessels.
