@@ -36,6 +36,12 @@ py::dict description_of(const CLI::Option& option) {
   return d;
 }
 
+// Those of what is not made of arrays of cells with corners alone: only the program writes it.
+bool is_of_files_alone(const CLI::Option& option) {
+  const std::string name = option.get_lnames().front();
+  return name == "order" || name == "order-2-complete" || name == "partitions";
+}
+
 py::list descriptions() {
   CLI::App app;
   Options options;
@@ -43,7 +49,7 @@ py::list descriptions() {
   py::list list;
   for (const CLI::Option* option : static_cast<const CLI::App&>(app).get_options()) {
     const bool is_of_terminal = option == app.get_help_ptr() || option == app.get_version_ptr();
-    if (!is_of_terminal && !option->get_positional() && !option->get_lnames().empty())
+    if (!is_of_terminal && !option->get_positional() && !option->get_lnames().empty() && !is_of_files_alone(*option))
       list.append(description_of(*option));
   }
   return list;

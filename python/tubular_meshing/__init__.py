@@ -10,7 +10,8 @@
     mesh = tm.mesh(model, type="hexahedral", points_per_circumference=24, boundary_layer=0.3)
     mesh.write("aorta.vtu")
 
-Lengths are in the unit of the surface. Every option of the program tubular_mesh is a keyword argument of its name, with _
+Lengths are in the unit of the surface. Every option of the program tubular_mesh, but for those of
+quadratic elements and of meshes in parts, is a keyword argument of its name, with _
 for -, and means the same; help(tm.mesh) lists them.
 """
 
