@@ -15,14 +15,6 @@ using namespace tool_test;
 
 namespace {
 
-std::set<std::string> files_below(const fs::path& folder) {
-  std::set<std::string> files;
-  for (const auto& file : fs::recursive_directory_iterator(folder))
-    if (!file.is_directory())
-      files.insert(file.path().lexically_relative(folder).string());
-  return files;
-}
-
 const std::set<std::string> poly_mesh = {"points", "faces", "owner", "neighbour", "boundary"};
 
 std::set<std::string> below(const std::string& folder, const std::set<std::string>& files) {
@@ -30,16 +22,6 @@ std::set<std::string> below(const std::string& folder, const std::set<std::strin
   for (const std::string& f : files)
     result.insert(folder + "/" + f);
   return result;
-}
-
-// A run that is refused as wrong usage, in a sentence with these words, and leaves all as it was.
-void expect_refused(const Tool& t, const Arguments& arguments, const std::set<std::string>& mentioned) {
-  const auto before = files_below(t.output_directory());
-  const Outcome outcome = t.run(arguments);
-  EXPECT_EQ(outcome.status, usage) << outcome.err;
-  for (const std::string& word : mentioned)
-    EXPECT_NE(outcome.err.find(word), std::string::npos) << word << " is not in: " << outcome.err;
-  EXPECT_EQ(files_below(t.output_directory()), before);
 }
 
 } // namespace

@@ -193,6 +193,25 @@ inline Arguments tube_run(const Tool& t) {
   return run_to(t, t.out("mesh.vtu"));
 }
 
+inline std::set<std::string> files_below(const std::filesystem::path& folder) {
+  std::set<std::string> files;
+  for (const auto& file : std::filesystem::recursive_directory_iterator(folder))
+    if (!file.is_directory())
+      files.insert(file.path().lexically_relative(folder).string());
+  return files;
+}
+
+// A run that is refused as wrong usage, in one line with these words, and leaves all as it was.
+inline void expect_refused(const Tool& t, const Arguments& arguments, const std::set<std::string>& mentioned) {
+  const auto before = files_below(t.output_directory());
+  const Outcome outcome = t.run(arguments);
+  EXPECT_EQ(outcome.status, usage) << outcome.err;
+  for (const std::string& word : mentioned)
+    EXPECT_NE(outcome.err.find(word), std::string::npos) << word << " is not in: " << outcome.err;
+  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+  EXPECT_EQ(files_below(t.output_directory()), before);
+}
+
 } // namespace tool_test
 
 #endif // TUBULAR_MESHING_TEST_TOOL_HELPERS_H

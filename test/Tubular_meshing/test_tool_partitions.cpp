@@ -19,24 +19,6 @@ namespace {
 
 #define NEEDS_METIS() NEEDS("METIS", tubular::has_metis())
 
-std::set<std::string> files_below(const fs::path& folder) {
-  std::set<std::string> files;
-  for (const auto& file : fs::recursive_directory_iterator(folder))
-    if (!file.is_directory())
-      files.insert(file.path().lexically_relative(folder).string());
-  return files;
-}
-
-void expect_refused(const Tool& t, const Arguments& arguments, const std::set<std::string>& mentioned) {
-  const auto before = files_below(t.output_directory());
-  const Outcome outcome = t.run(arguments);
-  EXPECT_EQ(outcome.status, usage) << outcome.err;
-  for (const std::string& word : mentioned)
-    EXPECT_NE(outcome.err.find(word), std::string::npos) << word << " is not in: " << outcome.err;
-  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
-  EXPECT_EQ(files_below(t.output_directory()), before);
-}
-
 } // namespace
 
 TEST_F(Tool, Meshes_are_written_in_parts) {
