@@ -73,13 +73,15 @@ struct Mesher_options {
   bool preserve_volume = true;               ///< whether the wall is moved so that the mesh has the surface's volume
   std::function<void(const char*)> observer; ///< receives the name of each stage as it begins
 
-  // Of hexahedra by subdivision most are worse than that which is wanted of others, and would be moved: more sweeps, or a
-  // higher quality, take long, and win a hundredth.
+  // Of hexahedra by subdivision most are worse than that which is wanted of others, and would be moved: more sweeps, a
+  // second ring, or a higher quality take long, and win a hundredth.
   static constexpr int sweeps_of_hexahedra = 4;
+  static constexpr int rings_of_hexahedra = 1;
   static constexpr double quality_of_hexahedra = 0.4;
 
   Mesher_options() {
     hexahedra.number_of_sweeps = sweeps_of_hexahedra;
+    hexahedra.number_of_rings = rings_of_hexahedra;
     hexahedra.quality_wanted = quality_of_hexahedra;
   }
   template <class NamedParameters>
@@ -100,6 +102,7 @@ struct Mesher_options {
     using internal::choose;
     volume_mesher = choose(np, internal_np::volume_mesher, volume_mesher);
     hexahedra.number_of_sweeps = choose(np, internal_np::number_of_sweeps, sweeps_of_hexahedra);
+    hexahedra.number_of_rings = choose(np, internal_np::number_of_rings, rings_of_hexahedra);
     hexahedra.quality_wanted = choose(np, internal_np::quality_wanted, quality_of_hexahedra);
     // Mesh_3 meshes the surface itself: patches before it would be work for nothing
     surface_mesher = choose(np, internal_np::surface_mesher,

@@ -79,12 +79,19 @@ private:
     report_.held_vertices = 0;
   }
 
-  // From where the vertices are.
+  // From where the vertices are; given up where vertices that have come onto the surface keep hexahedra inverted.
   Summary attempt(const Summary& before) {
     prepare();
     untangle();
-    for (int power : {1, 2, 4, 8})
+    for (int power : {1, 2, 4, 8}) {
       improve(power);
+      is_spoilt_ = power == 1 && !holds_ && turned_over_ > 0 && before.inverted == 0;
+      if (is_spoilt_) {
+        const Summary now = measure_all();
+        if (now.inverted > 0)
+          return now;
+      }
+    }
     is_spoilt_ = before.inverted == 0 && options_.target_lengths == nullptr && send_back(before.least);
     const Summary after = measure_all();
     is_spoilt_ = is_spoilt_ || is_worse(after, before);

@@ -55,24 +55,33 @@ inline void keep_shapes(const Surface& mesh, Shift_holder& shifts) {
   }
 }
 
-// Moves a surface; where it would meet itself, less.
+// Moves a surface; where it would meet itself, less. After the first round only what has been held back is looked at.
 inline void move_without_crossings(Surface& mesh, Shift_holder& shifts) {
   keep_shapes(mesh, shifts);
   constexpr int most_rounds = 24;
-  for (int round = 0; round < most_rounds; ++round) {
+  std::vector<Face> faces(mesh.faces_begin(), mesh.faces_end());
+  std::vector<char> is_held(mesh.num_vertices(), 0);
+  const auto move = [&] {
     for (auto v : mesh.vertices())
       mesh.point(v) = shifts.point(std::size_t(v));
+  };
+  move();
+  for (int round = 0; round < most_rounds; ++round) {
     std::vector<std::size_t> at_fault;
-    for (const auto& c : crossing_faces(mesh))
+    for (const auto& c : crossing_faces(faces, mesh))
       for (auto f : {c.first, c.second})
         for (auto v : mesh.vertices_around_face(mesh.halfedge(f)))
           at_fault.push_back(std::size_t(v));
+    is_held.assign(is_held.size(), 0);
+    for (std::size_t v : at_fault)
+      is_held[v] = 1;
     if (!hold_back(std::move(at_fault), shifts))
       return;
+    move();
+    faces = faces_near(mesh, [&](Vertex v) { return is_held[std::size_t(v)] != 0; });
   }
   shifts.hold_all_back();
-  for (auto v : mesh.vertices())
-    mesh.point(v) = shifts.point(std::size_t(v));
+  move();
 }
 
 /* A hexahedron keeps a fair scaled Jacobian at a corner, or most of what it had. */
