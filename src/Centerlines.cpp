@@ -10,3 +10,4 @@
 #include <CGAL/Tubular_meshing/Centerlines/clip_to_openings_impl.h>
 #include <CGAL/Tubular_meshing/Centerlines/compute_centerlines_impl.h>
 #include <CGAL/Tubular_meshing/Centerlines/cross_sections_impl.h>
+#include <CGAL/Tubular_meshing/Centerlines/zero_d_model_impl.h>

@@ -10,3 +10,4 @@
 #include <CGAL/Tubular_meshing/IO/write_centerlines_impl.h>
 #include <CGAL/Tubular_meshing/IO/write_mesh_impl.h>
 #include <CGAL/Tubular_meshing/IO/write_surface_impl.h>
+#include <CGAL/Tubular_meshing/IO/write_sections_impl.h>

@@ -9,6 +9,7 @@
 #include "tubular_mesh/Run_report.h"
 #include "tubular_mesh/execute.h"
 #include "tubular_mesh/stages.h"
+#include "tubular_mesh/walls.h"
 #include "views.h"
 
 #include <CGAL/Tubular_meshing/IO/Mesh_format.h>
@@ -57,7 +58,9 @@ std::unique_ptr<Python_mesh> mesh_of_model(const Python_model& model, std::vecto
     check(options, !options.output.empty());
     clock.continue_from(model.clock);
     auto mesh = std::make_unique<Python_mesh>();
-    mesh->run = make_mesh(copy_of(model.prepared, options, size_requests(options, *model.data)), clock);
+    mesh->run = make_mesh(
+        copy_of(model.prepared, options, size_requests(options, *model.data), wall_requests(options, *model.data)),
+        clock);
     if (!options.output.empty())
       note_changes(mesh->run);
     if (prints || has_outputs(options)) {
@@ -95,6 +98,17 @@ py::dict point_arrays_of(const py::object& self) {
   for (const tubular::Point_array& a : self.cast<const Python_mesh&>().run.mesh.point_arrays)
     arrays[py::str(a.name)] =
         read_only_view(a.values.data(), {py::ssize_t(a.values.size()) / a.components, py::ssize_t(a.components)}, self);
+  return arrays;
+}
+
+// The directions of fibres, if there are any.
+py::dict cell_arrays_of(const py::object& self) {
+  py::dict arrays;
+  const Run& run = self.cast<const Python_mesh&>().run;
+  if (run.options.fibres)
+    for (const tubular::Cell_array* a : {&run.fibres.circumferential, &run.fibres.longitudinal})
+      arrays[py::str(a->name)] = read_only_view(
+          a->values.data(), {py::ssize_t(a->values.size()) / a->components, py::ssize_t(a->components)}, self);
   return arrays;
 }
 
@@ -137,7 +151,8 @@ void write_to_file(const Python_mesh& mesh, const std::string& file, const std::
     if (options.makes_surface_only())
       write_mesh_as_surface(mesh, file);
     else
-      tubular::IO::write_mesh(file, mesh.run.mesh, tubular::parameters::format(options.mesh_format()));
+      tubular::IO::write_mesh(file, mesh.run.mesh, cell_arrays(mesh.run),
+                              tubular::parameters::format(options.mesh_format()));
   });
 }
 
@@ -160,6 +175,7 @@ void add_mesh(py::module_& module) {
           [](const py::object& self) { return view_of(self.cast<const Python_mesh&>().run.mesh.points, self); })
       .def("elements", &elements_of)
       .def_property_readonly("point_arrays", &point_arrays_of)
+      .def_property_readonly("cell_arrays", &cell_arrays_of)
       .def_property_readonly("patch_names", [](const Python_mesh& m) { return m.run.mesh.patch_names; })
       .def_property_readonly("region_names", [](const Python_mesh& m) { return m.run.mesh.region_names; })
       .def_property_readonly("measures", [](const Python_mesh& m) { return tubular::element_measures(m.run.mesh); })

@@ -36,10 +36,11 @@ py::dict description_of(const CLI::Option& option) {
   return d;
 }
 
-// Those of what is not made of arrays of cells with corners alone: only the program writes it.
+// Those of what is not made of arrays of cells with corners alone, or of no mesh at all: only the program writes it.
 bool is_of_files_alone(const CLI::Option& option) {
   const std::string name = option.get_lnames().front();
-  return name == "order" || name == "order-2-complete" || name == "partitions";
+  return name == "order" || name == "order-2-complete" || name == "partitions" ||
+         option.get_group() == reduced_model_group;
 }
 
 py::list descriptions() {

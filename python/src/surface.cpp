@@ -42,7 +42,8 @@ Python_surface surface_of_file(const std::string& file, const std::string& faces
 Python_surface surface_of_arrays(const Numbers& points, const Integers& triangles,
                                  const std::optional<Integers>& labels, const std::string& array,
                                  const tubular::Label_names& names, const std::optional<int>& wall,
-                                 const std::map<std::string, std::vector<double>>& point_arrays) {
+                                 const std::map<std::string, std::vector<double>>& point_arrays,
+                                 const std::map<std::string, std::vector<double>>& cell_arrays) {
   auto data = std::make_shared<tubular::IO::Surface_data>();
   data->points.reserve(std::size_t(points.shape(0)));
   for (py::ssize_t i = 0; i < points.shape(0); ++i)
@@ -52,6 +53,8 @@ Python_surface surface_of_arrays(const Numbers& points, const Integers& triangle
     data->triangles.push_back(
         {std::size_t(triangles.at(i, 0)), std::size_t(triangles.at(i, 1)), std::size_t(triangles.at(i, 2))});
   data->point_arrays = point_arrays;
+  data->cell_arrays = cell_arrays;
+  data->names = names;
   if (labels) {
     tubular::Surface_labels& l = data->labels;
     l.source = array.empty() ? "labels" : "cell array " + array;
@@ -133,6 +136,7 @@ void add_surface(py::module_& module) {
       .def_property_readonly("labels", &labels_of)
       .def_property_readonly("label_names", [](const Python_surface& s) { return s.data->labels.names; })
       .def_property_readonly("point_arrays", [](const Python_surface& s) { return s.data->point_arrays; })
+      .def_property_readonly("cell_arrays", [](const Python_surface& s) { return s.data->cell_arrays; })
       .def_property_readonly("notes", [](const Python_surface& s) { return s.data->notes; })
       .def_property_readonly("is_repaired", [](const Python_surface& s) { return s.repaired != nullptr; })
       .def_property_readonly("repairs", &repairs_of);

@@ -45,12 +45,18 @@ VALUES = {
     "hex_method": "subdivision",
     "hex_fallback": "none",
     "wall": 0.2,
+    "wall_thickness": 0.15,
+    "wall_thickness_array": "thickness",
+    "wall_thickness_table": "thickness.csv",
     "wall_layers": 2,
     "wall_growth": 1.5,
     "wall_elements": "tetrahedra",
     "second_wall": 0.1,
+    "second_wall_thickness": 0.1,
     "second_wall_layers": 1,
     "second_wall_growth": 1.2,
+    "material_array": "material",
+    "fibres": True,
     "boundary_layer_prisms": 2,
     "boundary_layer": 0.2,
     "first_height": 0.05,
@@ -81,6 +87,9 @@ COMPANIONS = {
     "wall_growth": {"wall": 0.2},
     "wall_elements": {"wall": 0.2},
     "second_wall": {"wall": 0.2},
+    "second_wall_thickness": {"wall": 0.2},
+    "material_array": {"wall": 0.2},
+    "fibres": {"wall": 0.2},
     "second_wall_layers": {"wall": 0.2, "second_wall": 0.1},
     "second_wall_growth": {"wall": 0.2, "second_wall": 0.1},
     "smoothing_ratio": {"type": "anisotropic"},
@@ -114,7 +123,13 @@ def test_every_option_does_something(name, tmp_path, monkeypatch, capfd):
     """Either the mesh is another one, or there is a file, or what the option asks for is to be seen."""
     monkeypatch.chdir(tmp_path)
     points, triangles = tube(bend=0.5, around=16, along=16)
-    surface = tm.Surface(points, triangles, point_arrays={"size": np.full(len(points), 0.5)})
+    surface = tm.Surface(
+        points,
+        triangles,
+        point_arrays={"size": np.full(len(points), 0.5), "thickness": 0.1 + 0.01 * points[:, 2]},
+        cell_arrays={"material": (points[triangles].mean(axis=1)[:, 2] > 4).astype(int)},
+    )
+    (tmp_path / "thickness.csv").write_text("0,0.15\n")
     companions = {"points_per_circumference": 9, **COMPANIONS.get(name, {})}
     if name == "elements":
         del companions["points_per_circumference"]
@@ -132,6 +147,10 @@ def test_every_option_does_something(name, tmp_path, monkeypatch, capfd):
         assert mesh.report["volume"]["preserved"] is False
     if name in ("output", "format", "report", "write_surface", "write_centerlines", "write_blocks"):
         assert [p.name for p in tmp_path.iterdir() if p.stat().st_size > 500] == [companions.get("output", value)]
+    elif name == "fibres":
+        lengths = np.linalg.norm(mesh.cell_arrays["longitudinal"], axis=1)
+        assert set(mesh.cell_arrays) == {"longitudinal", "circumferential"}
+        assert np.allclose(lengths[len(mesh.cells["tetra"]) :], 1) and not lengths[: len(mesh.cells["tetra"])].any()
     elif name in ("verbose", "quiet"):
         printed = capfd.readouterr().out
         assert "tetrahedra, gamma_tau" in printed and ("\nbranch " in printed) == (name == "verbose")

@@ -23,6 +23,7 @@ class Surface:
     labels: Optional[NDArray[np.int32]]
     label_names: dict[int, str]
     point_arrays: dict[str, list[float]]
+    cell_arrays: dict[str, list[float]]
     notes: list[str]
     is_repaired: bool
     repairs: list[tuple[str, int, float, Optional[Floats], str]]
@@ -36,6 +37,7 @@ def surface_of_arrays(
     names: Mapping[int, str],
     wall: Optional[int],
     point_arrays: Mapping[str, Floats],
+    cell_arrays: Mapping[str, Floats],
 ) -> Surface: ...
 def repair(surface: Surface, arguments: Sequence[str], progress: Progress) -> Surface: ...
 
@@ -57,6 +59,7 @@ class Model:
 class Mesh:
     points: Floats
     point_arrays: dict[str, Floats]
+    cell_arrays: dict[str, Floats]
     patch_names: dict[int, str]
     region_names: dict[int, str]
     measures: list[str]

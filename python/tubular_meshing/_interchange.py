@@ -36,6 +36,7 @@ def arrays_of(surface: Any, faces: Optional[str] = None) -> dict[str, Any]:
             f"a {type(surface).__name__} is no surface: give points and triangles, or an object of VTK, PyVista, meshio "
             "or trimesh"
         )
+    arrays["cell_arrays"] = {name: v for name, v in cell_arrays.items() if np.issubdtype(np.asarray(v).dtype, np.number)}
     arrays.update(_labels(cell_arrays, faces))
     return arrays
 

@@ -91,6 +91,9 @@ class Mesh:
         `cells`), ``non_orthogonality`` (degrees) and ``skewness`` of faces between cells.
     point_arrays : dict
         Values at the points by name, each of shape (n, number of components).
+    cell_arrays : dict
+        Values of cells by name, of all kinds in the order of `cells`, each of shape (m, number of components): with
+        ``fibres=True``, ``circumferential`` and ``longitudinal``, which are 0 in the lumen.
     report : dict
         What ``tubular_mesh --report`` writes.
     fallbacks : list of str
@@ -112,6 +115,7 @@ class Mesh:
         self.regions: Mapping[str, Region] = Lazy("region", list(core.region_names.values()), self._region)
         self.quality: Mapping[str, NDArray[np.float64]] = Lazy("measure of quality", core.measures, core.quality)
         self.point_arrays: dict[str, NDArray[np.float64]] = core.point_arrays
+        self.cell_arrays: dict[str, NDArray[np.float64]] = core.cell_arrays
         self.fallbacks: list[str] = core.fallbacks
 
     @property
@@ -206,12 +210,18 @@ def mesh(
     hex_method: Optional[str] = None,
     hex_fallback: Optional[str] = None,
     wall: Optional[float] = None,
+    wall_thickness: Optional[float] = None,
+    wall_thickness_array: Optional[str] = None,
+    wall_thickness_table: Optional[Path] = None,
     wall_layers: Optional[int] = None,
     wall_growth: Optional[float] = None,
     wall_elements: Optional[str] = None,
     second_wall: Optional[float] = None,
+    second_wall_thickness: Optional[float] = None,
     second_wall_layers: Optional[int] = None,
     second_wall_growth: Optional[float] = None,
+    material_array: Optional[str] = None,
+    fibres: Optional[bool] = None,
     boundary_layer_prisms: Optional[int] = None,
     boundary_layer: Optional[float] = None,
     first_height: Optional[float] = None,

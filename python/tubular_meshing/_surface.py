@@ -43,7 +43,9 @@ class Surface:
     label_array : str, optional
         The array whose conventions the labels follow: ``ModelFaceID``, ``CapID``, ``CellEntityIds`` or ``patch``.
     point_arrays : dict from names to arrays of shape (n,), optional
-        Values at the points, for ``size_array``.
+        Values at the points, for ``size_array``, ``wall_thickness_array`` and ``material_array``.
+    cell_arrays : dict from names to arrays of shape (m,), optional
+        Values of the triangles, for the latter two.
     faces : str, optional
         Of an object that has it all: its cell array that is to be the labels.
     """
@@ -57,6 +59,7 @@ class Surface:
         label_names: Optional[Mapping[int, str]] = None,
         label_array: Optional[str] = None,
         point_arrays: Optional[Mapping[str, ArrayLike]] = None,
+        cell_arrays: Optional[Mapping[str, ArrayLike]] = None,
         faces: Optional[str] = None,
     ) -> None:
         self._core: _core.Surface
@@ -76,6 +79,8 @@ class Surface:
             given_arrays.update(labels=labels, label_array=label_array, label_names=label_names)
         if point_arrays is not None:
             given_arrays["point_arrays"] = point_arrays
+        if cell_arrays is not None:
+            given_arrays["cell_arrays"] = cell_arrays
         self._core = _surface_of_arrays(**given_arrays)
 
     @classmethod
@@ -110,6 +115,11 @@ class Surface:
         return {name: np.asarray(values) for name, values in self._core.point_arrays.items()}
 
     @property
+    def cell_arrays(self) -> dict[str, NDArray[np.float64]]:
+        """Values of the triangles as they came, each of shape (m,)."""
+        return {name: np.asarray(values) for name, values in self._core.cell_arrays.items()}
+
+    @property
     def notes(self) -> list[str]:
         """A sentence for each kind of thing in the file that was skipped."""
         return self._core.notes
@@ -130,6 +140,7 @@ def _surface_of_arrays(
     label_array: Optional[str] = None,
     label_names: Optional[Mapping[int, str]] = None,
     point_arrays: Optional[Mapping[str, ArrayLike]] = None,
+    cell_arrays: Optional[Mapping[str, ArrayLike]] = None,
 ) -> _core.Surface:
     points = array_of(points, 3, "The points of a surface", float)
     triangles = array_of(triangles, 3, "The triangles of a surface", int)
@@ -151,8 +162,12 @@ def _surface_of_arrays(
     for name, values in arrays.items():
         if values.shape != (len(points),):
             raise ParameterError(f"The point array {name!r} has one number for each of the {len(points)} points.")
+    of_cells = {name: np.asarray(values, dtype=float) for name, values in (cell_arrays or {}).items()}
+    for name, values in of_cells.items():
+        if values.shape != (len(triangles),):
+            raise ParameterError(f"The cell array {name!r} has one number for each of the {len(triangles)} triangles.")
     return _core.surface_of_arrays(
-        points, triangles, labels, label_array or "", dict(label_names or {}), _wall_of(labels, label_array), arrays
+        points, triangles, labels, label_array or "", dict(label_names or {}), _wall_of(labels, label_array), arrays, of_cells
     )
 
 

@@ -17,6 +17,7 @@ struct Options {
     double thickness; // in local radii
     int number;
     double growth;
+    double length = 0; // the thickness in the unit of the surface, in place of the other
   };
 
   std::string surface, centerlines, output, type = "isotropic";
@@ -24,7 +25,10 @@ struct Options {
   std::string surface_mesher, volume_mesher; // empty: not said
   double boundary_layer = 0.3, first_height = 0, growth = 1.3, smoothing_ratio = 1.5, curvature_points = 20;
   std::string surface_elements = "triangles";
-  Layers wall = {0, 4, 1}, second_wall = {0, 0, 0}; // 0: as the wall
+  Layers wall = {0, 0, 0}, second_wall = {0, 0, 0}; // 0: not said
+  std::string wall_array, wall_table;               // the thickness by an array of the surface, or by branch
+  std::string material_array;
+  bool fibres = false;
   std::string wall_elements = "auto";
   int boundary_layer_prisms = 0;
   std::string hex_method = "blocks", hex_fallback = "subdivision";
@@ -44,7 +48,12 @@ struct Options {
   std::vector<std::string> refined_balls, refined_branches;
   std::string size_array;
   double min_size = 0, max_size = (std::numeric_limits<double>::infinity)(), gradation = 1.3;
-  std::string report, surface_output, centerlines_output, blocks_output;
+  std::string report, surface_output, centerlines_output, blocks_output, sections_output, zero_d_output;
+  double section_spacing = 0.5;                                                          // in local radii
+  std::string length_unit;                                                               // of the surface
+  double density = 1060, viscosity = 0.004, youngs_modulus = 4e5, mean_pressure = 13332; // kg, m, s
+  double flow_rate = 0;                                                                  // in ml/s; 0: not said
+  bool murray = false;
   bool preserve_volume = true;
   int partitions = 0; // that the mesh is written in; 0: as a whole
   int order = 1;      // of the elements
@@ -68,13 +77,17 @@ struct Options {
   bool makes_prisms() const {
     return !is_mixed() && !is_hexahedral() && (boundary_layer_prisms > 0 || (has_wall() && wall_elements == "auto"));
   }
-  bool has_wall() const { return wall.thickness > 0; }
+  bool has_wall() const { return wall.thickness > 0 || wall.length > 0 || !wall_array.empty() || !wall_table.empty(); }
+  bool has_second_wall() const { return second_wall.thickness > 0 || second_wall.length > 0; }
+  int wall_layers() const { return wall.number > 0 ? wall.number : 4; }
+  double wall_growth() const { return wall.growth > 0 ? wall.growth : 1; }
   // Patch by patch; else surface and volume at once, by Mesh_3.
   bool meshes_patches() const;
 
   std::vector<std::string> outputs() const {
     std::vector<std::string> files = {output};
-    for (const std::string& f : {report, surface_output, centerlines_output, blocks_output})
+    for (const std::string& f :
+         {report, surface_output, centerlines_output, blocks_output, sections_output, zero_d_output})
       if (!f.empty())
         files.push_back(f);
     return files;

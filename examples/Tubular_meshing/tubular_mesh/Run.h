@@ -7,8 +7,14 @@
 #include "Options.h"
 
 #include <CGAL/Tubular_meshing/Centerlines/Centerline_graph.h>
+#include <CGAL/Tubular_meshing/Centerlines/cross_sections.h>
+#include <CGAL/Tubular_meshing/Centerlines/zero_d_model.h>
 #include <CGAL/Tubular_meshing/Fields/Size_requests.h>
 #include <CGAL/Tubular_meshing/Layers/Layer_report.h>
+#include <CGAL/Tubular_meshing/Layers/Wall_array.h>
+#include <CGAL/Tubular_meshing/Layers/Wall_materials.h>
+#include <CGAL/Tubular_meshing/Layers/Wall_thickness.h>
+#include <CGAL/Tubular_meshing/Layers/wall_fibres.h>
 #include <CGAL/Tubular_meshing/Openings/Round_end_report.h>
 #include <CGAL/Tubular_meshing/Openings/labelled_ends.h>
 #include <CGAL/Tubular_meshing/Partition/Cell_partition.h>
@@ -22,6 +28,7 @@
 #include <CGAL/Tubular_meshing/base/Opening.h>
 
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -40,6 +47,17 @@ struct Named_points {
   std::vector<CGAL::Tubular_meshing::Point_3> blind_ends;
 };
 
+/* What is asked of the vessel's wall beside numbers, and what it comes to once the vessels are known. */
+struct Wall_requests {
+  std::optional<CGAL::Tubular_meshing::Wall_array> thickness_array, material_array;
+  std::map<std::size_t, double> of_branches; ///< the thickness
+  double of_other_branches = 0;              ///< 0: not said
+  CGAL::Tubular_meshing::Label_names material_names;
+
+  CGAL::Tubular_meshing::Wall_thickness thickness, second_thickness;
+  CGAL::Tubular_meshing::Wall_materials materials;
+};
+
 /* What was asked for, and what came of it: of a vessel, or of all. */
 struct Run {
   Options options;
@@ -52,6 +70,7 @@ struct Run {
   CGAL::Tubular_meshing::Repair_report repairs;
   CGAL::Tubular_meshing::Labelled_ends labels;
   CGAL::Tubular_meshing::Size_requests sizes;
+  Wall_requests walls;
   Flow_extensions extensions;
   CGAL::Tubular_meshing::Tubular_model model;
   CGAL::Tubular_meshing::Remeshed_surface surface; ///< as it was meshed by patches; else empty
@@ -63,6 +82,9 @@ struct Run {
   CGAL::Tubular_meshing::Cell_partition partition; ///< of the mesh, if it is written in parts
   CGAL::Tubular_meshing::Mesher_report meshing;
   CGAL::Tubular_meshing::Layer_report wall;
+  CGAL::Tubular_meshing::Wall_fibres fibres; ///< if they were asked for
+  std::vector<CGAL::Tubular_meshing::Cross_section> sections;
+  CGAL::Tubular_meshing::Zero_d_model zero_d;
 
   // The mesh by its corners, of whatever order.
   const CGAL::Tubular_meshing::Mixed_mesh& cells() const { return options.is_quadratic() ? quadratic.linear : mesh; }

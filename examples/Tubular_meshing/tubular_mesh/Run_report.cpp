@@ -169,6 +169,9 @@ Json description_of(const Run& run) {
   tubular::Validity_report validity = tubular::validity_report(mesh);
   if (run.options.is_quadratic()) // whose cells are judged as they are curved
     validity.inverted_cells = 0;
+  if (!run.options.material_array.empty()) // which may be in several places, and part the wall
+    validity.region_components.erase(validity.region_components.lower_bound(tubular::labels::wall_region),
+                                     validity.region_components.end());
   const tubular::Quality_report quality = tubular::quality_report(mesh);
   const std::size_t openings_of_all = run.model.openings.size();
   const tubular::Lumen_measures measures = run.options.is_quadratic()
@@ -415,8 +418,47 @@ void add_layers(Json& report, const char* name, const tubular::Layer_report& lay
                   {"reduced_vertices", layers.reduced_vertices},
                   {"min_ratio", layers.min_ratio},
                   {"mean_ratio", layers.mean_ratio},
+                  {"steep_vertices", layers.steep_vertices},
                   {"worst_place", vector_of(layers.worst_place)},
                   {"sentence", layers.text()}};
+}
+
+// Of the wall's materials.
+void add_materials(Json& report, const tubular::Mixed_mesh& mesh) {
+  std::map<int, std::size_t> cells;
+  for (const auto* labels : {&mesh.tetrahedra.label, &mesh.pyramids.label, &mesh.prisms.label, &mesh.hexahedra.label})
+    for (int region : *labels)
+      ++cells[region];
+  Json list = Json::array();
+  for (const auto& name : mesh.region_names)
+    if (name.first == tubular::labels::wall_region || name.first >= tubular::labels::first_material)
+      list.push_back({{"region", name.first}, {"name", name.second}, {"cells", cells[name.first]}});
+  report["materials"] = list;
+}
+
+void print_materials(const Json& materials) {
+  std::string text;
+  for (const auto& m : materials)
+    text += (text.empty() ? "" : ", ") + m["name"].get<std::string>() + " " + std::to_string(m["cells"].get<long>()) +
+            " cells";
+  std::printf("materials of the wall: %s\n", text.c_str());
+}
+
+void add_zero_d_model(Json& report, const tubular::Zero_d_model& model) {
+  double resistance = 0;
+  for (const auto& v : model.vessels)
+    resistance = (std::max)(resistance, v.resistance);
+  report["zero_d_model"] = {{"vessels", model.vessels.size()},
+                            {"junctions", model.junctions.size()},
+                            {"boundary_conditions", model.boundary_conditions.size()},
+                            {"flow_rate", model.flow_rate},
+                            {"largest_resistance", resistance},
+                            {"openings_left_out", model.openings_left_out}};
+}
+
+void print_zero_d_model(const Json& m) {
+  std::printf("0D model: %ld vessels, %ld junctions, %ld ends; flow at the inlet %g ml/s\n", m["vessels"].get<long>(),
+              m["junctions"].get<long>(), m["boundary_conditions"].get<long>(), m["flow_rate"].get<double>());
 }
 
 // Of a mesh in a metric, with layers at the wall.
@@ -608,6 +650,10 @@ void print_summary(const Json& r, bool verbose) {
   for (const auto& layers : {std::make_pair("wall", "wall"), std::make_pair("boundary_layer", "boundary layer")})
     if (r.contains(layers.first))
       std::printf("%s: %s\n", layers.second, r[layers.first]["sentence"].get<std::string>().c_str());
+  if (r.contains("materials"))
+    print_materials(r["materials"]);
+  if (r.contains("zero_d_model"))
+    print_zero_d_model(r["zero_d_model"]);
   if (r.contains("patches"))
     print_patches(r["patches"]);
   if (r.contains("quads"))
@@ -673,6 +719,14 @@ Run_report::Run_report(const Run& run)
     add_metric_quality(report, run.surface);
   if (run.options.has_wall())
     add_layers(report, "wall", run.wall);
+  if (!run.options.material_array.empty())
+    add_materials(report, run.cells());
+  if (run.options.fibres)
+    report["fibres"] = {{"cells", run.fibres.cells}, {"undirected", run.fibres.undirected}};
+  if (!run.sections.empty())
+    report["sections"] = {{"count", run.sections.size()}};
+  if (!run.options.zero_d_output.empty())
+    add_zero_d_model(report, run.zero_d);
   if (run.options.boundary_layer_prisms > 0)
     add_layers(report, "boundary_layer", run.meshing.boundary_layer);
   if (run.options.is_anisotropic())

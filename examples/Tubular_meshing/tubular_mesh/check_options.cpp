@@ -6,6 +6,7 @@
 #include <CGAL/Tubular_meshing/IO/write_centerlines.h>
 #include <CGAL/Tubular_meshing/IO/write_mesh.h>
 #include <CGAL/Tubular_meshing/IO/write_partitioned_mesh.h>
+#include <CGAL/Tubular_meshing/IO/write_sections.h>
 #include <CGAL/Tubular_meshing/IO/write_surface.h>
 #include <CGAL/Tubular_meshing/Partition/partition_cells.h>
 #include <CGAL/Tubular_meshing/Volume/Volume_mesher.h>
@@ -16,6 +17,7 @@
 #include <set>
 #include <string>
 #include <system_error>
+#include <utility>
 
 namespace tubular = CGAL::Tubular_meshing;
 using tubular::IO::Mesh_format;
@@ -130,6 +132,9 @@ void check_mesh_format(const Options& o) {
   const std::string why_not = tubular::IO::why_not_built_in(o.mesh_format());
   if (!why_not.empty())
     throw tubular::Parameter_error(why_not);
+  const std::string why_no_fibres = o.fibres ? tubular::IO::why_no_cell_arrays(o.mesh_format()) : "";
+  if (!why_no_fibres.empty())
+    throw tubular::Parameter_error(why_no_fibres);
   check_cells(o);
   if (o.is_quadratic())
     check_quadratic_cells(o);
@@ -175,7 +180,26 @@ void check_output(const Options& o, bool has_output) {
                                    "\": give a .vtu, .msh, .mesh or .inp file.");
 }
 
+// What is said of a wall needs one.
+void check_wall(const Options& o) {
+  const std::pair<bool, const char*> said[] = {{o.wall.number > 0, "--wall-layers"},
+                                               {o.wall.growth > 0, "--wall-growth"},
+                                               {o.wall_elements != "auto", "--wall-elements"},
+                                               {o.has_second_wall(), "--second-wall"},
+                                               {!o.material_array.empty(), "--material-array"},
+                                               {o.fibres, "--fibres"}};
+  for (const auto& option : said)
+    if (option.first && !o.has_wall())
+      throw tubular::Parameter_error(std::string(option.second) +
+                                     " needs a wall: add --wall, --wall-thickness, --wall-thickness-array or "
+                                     "--wall-thickness-table.");
+  if ((o.second_wall.number > 0 || o.second_wall.growth > 0) && !o.has_second_wall())
+    throw tubular::Parameter_error("--second-wall-layers and --second-wall-growth need a second wall: add "
+                                   "--second-wall or --second-wall-thickness.");
+}
+
 void check_layers(const Options& o) {
+  check_wall(o);
   if (o.makes_surface_only() && o.has_wall())
     throw tubular::Parameter_error("A surface has no cells, hence no --wall; choose another --type.");
   if (!o.makes_surface_only() && o.surface_elements != "triangles")
@@ -197,6 +221,15 @@ void check_layers(const Options& o) {
   if (o.boundary_layer_prisms > 0 && o.volume_mesher == "mesh_3")
     throw tubular::Parameter_error("Mesh_3 would not keep the sides of layers inside the lumen: these need "
                                    "--volume-mesher tetgen or ccdt.");
+}
+
+void check_reduced_model(const Options& o) {
+  if (!o.sections_output.empty() && !tubular::IO::is_supported_sections_format(o.sections_output))
+    throw tubular::Parameter_error("The cross-sections cannot be written to \"" + o.sections_output +
+                                   "\": give a .csv or .vtp file.");
+  if (!o.zero_d_output.empty() && std::filesystem::path(o.zero_d_output).extension() != ".json")
+    throw tubular::Parameter_error("The zero-dimensional model cannot be written to \"" + o.zero_d_output +
+                                   "\": give a .json file.");
 }
 
 // Devices and pipes pass: opening them would be seen at their other end.
@@ -239,12 +272,13 @@ void check(const Options& o, bool has_output) {
   if (!o.centerlines_output.empty() && !tubular::IO::is_supported_centerlines_format(o.centerlines_output))
     throw tubular::Parameter_error("The centerlines cannot be written to \"" + o.centerlines_output +
                                    "\": give a .vtp or .vtk file.");
+  check_reduced_model(o);
   const auto same_file = [](const std::string& f) {
     std::error_code ignored;
     return std::filesystem::weakly_canonical(std::filesystem::absolute(f), ignored).string();
   };
   std::set<std::string> files;
-  for (const std::string& f : {o.surface, o.centerlines, o.seeds})
+  for (const std::string& f : {o.surface, o.centerlines, o.seeds, o.wall_table})
     if (!f.empty())
       files.insert(same_file(f));
   for (const std::string& f : o.outputs())

@@ -58,38 +58,56 @@ inline void declare_hexahedral_options(CLI::App& app, Options& o) {
       ->group(group);
 }
 
-inline void declare_wall_options(CLI::App& app, const std::string& name, const char* what, Options::Layers& layers) {
+inline void declare_wall_options(CLI::App& app, const std::string& name, const std::string& what, const std::string& of,
+                                 Options::Layers& layers) {
   const char* const group = "Layers outside the lumen";
-  auto* wall = app.add_option("--" + name, layers.thickness, std::string("thickness of ") + what + ", in local radii")
+  const bool is_first = name == "wall";
+  auto* wall = app.add_option("--" + name, layers.thickness, "thickness of " + what + ", in local radii")
                    ->check(in_range((std::numeric_limits<double>::min)(), 10))
                    ->group(group);
-  const bool as_the_wall = layers.number == 0;
-  auto* number =
-      app.add_option("--" + name + "-layers", layers.number,
-                     std::string("number of its layers of cells") + (as_the_wall ? " (default: as of the wall)" : ""))
-          ->check(CLI::Range(1, 1000))
-          ->needs(wall)
-          ->group(group);
-  auto* growth = app.add_option("--" + name + "-growth", layers.growth,
-                                std::string("ratio of the thicknesses of successive layers, outward") +
-                                    (as_the_wall ? " (default: as of the wall)" : ""))
-                     ->check(in_range(0.1, 10))
-                     ->needs(wall)
-                     ->group(group);
-  if (!as_the_wall)
-    for (CLI::Option* o : {number, growth})
-      o->capture_default_str();
+  app.add_option("--" + name + "-thickness", layers.length, "thickness of " + of + ", in the unit of the surface")
+      ->check(in_range((std::numeric_limits<double>::min)(), (std::numeric_limits<double>::max)()))
+      ->excludes(wall)
+      ->group(group);
+  app.add_option("--" + name + "-layers", layers.number,
+                 std::string("number of its layers of cells (default: ") + (is_first ? "4)" : "as of the wall)"))
+      ->check(CLI::Range(1, 1000))
+      ->group(group);
+  app.add_option("--" + name + "-growth", layers.growth,
+                 std::string("ratio of the thicknesses of successive layers, outward (default: ") +
+                     (is_first ? "1)" : "as of the wall)"))
+      ->check(in_range(0.1, 10))
+      ->group(group);
 }
 
 inline void declare_layer_options(CLI::App& app, Options& o) {
-  declare_wall_options(app, "wall", "the vessel's wall, of prisms or hexahedra", o.wall);
+  const char* const group = "Layers outside the lumen";
+  declare_wall_options(app, "wall", "the vessel's wall, of prisms or hexahedra", "the wall", o.wall);
+  auto* array =
+      app.add_option("--wall-thickness-array", o.wall_array,
+                     "point or cell array of the surface: the thickness of the wall there, in the unit of the surface")
+          ->group(group);
+  auto* table = app.add_option("--wall-thickness-table", o.wall_table,
+                               "file of lines BRANCH,THICKNESS, as -v and --report number branches, from 0; * for all "
+                               "others")
+                    ->excludes(array)
+                    ->group(group);
+  for (CLI::Option* option : {array, table})
+    for (const char* other : {"--wall", "--wall-thickness"})
+      option->excludes(app.get_option(other));
   app.add_option("--wall-elements", o.wall_elements, "auto: prisms on triangles, hexahedra on quads; or tetrahedra")
       ->capture_default_str()
       ->check(CLI::IsMember({"auto", "tetrahedra"}).description(""))
-      ->needs("--wall")
-      ->group("Layers outside the lumen");
-  declare_wall_options(app, "second-wall", "a second wall around it", o.second_wall);
-  app.get_option("--second-wall")->needs("--wall");
+      ->group(group);
+  declare_wall_options(app, "second-wall", "a second wall around it", "the second wall", o.second_wall);
+  app.add_option("--material-array", o.material_array,
+                 "cell or point array of the surface, of integers: areas of the wall that are regions of their own, as "
+                 "plaque or a stent; 0 is the wall itself")
+      ->group(group);
+  app.add_flag("--fibres", o.fibres,
+               "write the circumferential and the longitudinal direction of each cell of the wall: .vtu .pvtu .msh "
+               ".xdmf and mesh-complete")
+      ->group(group);
   app.add_option("--boundary-layer-prisms", o.boundary_layer_prisms,
                  "layers of prisms, or hexahedra, along the wall inside the lumen; of --first-height, by --growth")
       ->check(CLI::Range(1, 1000))
@@ -221,6 +239,44 @@ inline void declare_name_options(CLI::App& app, Options& o) {
       ->check(command_line::is_renaming());
 }
 
+constexpr const char* reduced_model_group = "Cross-sections and zero-dimensional models";
+
+inline void declare_reduced_model_options(CLI::App& app, Options& o) {
+  const char* const group = reduced_model_group;
+  const double least = (std::numeric_limits<double>::min)(), most = (std::numeric_limits<double>::max)();
+  app.add_option("--write-sections", o.sections_output,
+                 "write the cross-sections of all branches: area, perimeter, hydraulic diameter, inscribed radius, "
+                 "eccentricity, curvature and torsion: .csv .vtp")
+      ->group(group);
+  app.add_option("--section-spacing", o.section_spacing, "of the cross-sections, in local radii")
+      ->capture_default_str()
+      ->check(in_range(0.01, 1e3))
+      ->group(group);
+  auto* model = app.add_option("--write-0d", o.zero_d_output,
+                               "write a zero-dimensional model of the vessels for SimVascular's svZeroDSolver: .json")
+                    ->group(group);
+  auto* unit = app.add_option("--length-unit", o.length_unit, "of the surface: m, cm, mm or um")
+                   ->check(CLI::IsMember({"m", "cm", "mm", "um"}).description(""))
+                   ->needs(model)
+                   ->group(group);
+  model->needs(unit);
+  const auto add = [&](const char* name, double& value, const char* what) {
+    return app.add_option(name, value, what)->check(in_range(least, most))->needs(model)->group(group);
+  };
+  add("--density", o.density, "of blood, in kg/m3")->capture_default_str();
+  add("--viscosity", o.viscosity, "dynamic, of blood, in Pa s")->capture_default_str();
+  add("--youngs-modulus", o.youngs_modulus, "of the wall, in Pa; its thickness is that of --wall, else 0.2 radii")
+      ->capture_default_str();
+  add("--flow-rate", o.flow_rate,
+      "at the inlet, in ml/s (default: that of a wall shear stress of 1.5 Pa at the inlet)");
+  app.add_flag(
+         "--murray", o.murray,
+         "resistances at the outlets by Murray's law, flow by the cube of the radius (default: no, a pressure of 0)")
+      ->needs(model)
+      ->group(group);
+  add("--mean-pressure", o.mean_pressure, "at these outlets, in Pa")->capture_default_str()->needs("--murray");
+}
+
 inline void declare_options(CLI::App& app, Options& o, const std::string& version) {
   app.description("Makes a mesh of a vessel or airway tree from its triangulated surface, along its "
                   "centerlines.\nLengths are in the unit of the surface.");
@@ -275,6 +331,7 @@ inline void declare_options(CLI::App& app, Options& o, const std::string& versio
                  "write the closed, labelled surface, as it is meshed by the parametric mesher, else as it came: .stl "
                  ".vtp .msh .ply .off .obj .vtk");
   app.add_option("--write-centerlines", o.centerlines_output, "write the branches and their radii: .vtp .vtk");
+  declare_reduced_model_options(app, o);
   app.add_option("--partitions", o.partitions,
                  "write the mesh in so many parts of about equal numbers of cells, with ghost cells, for as many "
                  "processors: .pvtu, .msh, or OpenFOAM's processor folders")

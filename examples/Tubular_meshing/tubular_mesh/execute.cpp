@@ -3,12 +3,15 @@
 
 #include "execute.h"
 
+#include "reduced_model.h"
 #include "renames.h"
 #include "stages.h"
+#include "walls.h"
 
 #include <CGAL/Tubular_meshing/IO/write_centerlines.h>
 #include <CGAL/Tubular_meshing/IO/write_mesh.h>
 #include <CGAL/Tubular_meshing/IO/write_partitioned_mesh.h>
+#include <CGAL/Tubular_meshing/IO/write_sections.h>
 #include <CGAL/Tubular_meshing/IO/write_surface.h>
 #include <CGAL/Tubular_meshing/Partition/partition_cells.h>
 
@@ -42,6 +45,10 @@ void write_surface(tubular::IO::Output_file& file, const tubular::Tubular_model&
       tubular::parameters::face_patch_map(model.patch).patch_names(model.patch_names).patch_ids(model.patch_ids));
 }
 
+std::vector<tubular::Cell_array> cell_arrays(const Run& run) {
+  return run.options.fibres ? run.fibres.arrays() : std::vector<tubular::Cell_array>();
+}
+
 void write(const Run& run, Run_report& report, Stage_clock& clock) {
   const Options& o = run.options;
   std::vector<std::unique_ptr<tubular::IO::Output>> outputs;
@@ -56,14 +63,14 @@ void write(const Run& run, Run_report& report, Stage_clock& clock) {
     write_surface(open(o.output), run.surface, run.model);
   } else if (o.partitions > 0) {
     outputs.push_back(tubular::IO::open_partitioned_mesh(o.output, std::size_t(o.partitions), o.mesh_format()));
-    tubular::IO::write_partitioned_mesh(*outputs.back(), run.mesh, run.partition, o.mesh_format());
+    tubular::IO::write_partitioned_mesh(*outputs.back(), run.mesh, run.partition, cell_arrays(run), o.mesh_format());
   } else {
     const auto format = tubular::parameters::format(o.mesh_format());
     outputs.push_back(tubular::IO::open_mesh(o.output, format));
     if (o.is_quadratic())
-      tubular::IO::write_mesh(*outputs.back(), run.quadratic, format);
+      tubular::IO::write_mesh(*outputs.back(), run.quadratic, cell_arrays(run), format);
     else
-      tubular::IO::write_mesh(*outputs.back(), run.mesh, format);
+      tubular::IO::write_mesh(*outputs.back(), run.mesh, cell_arrays(run), format);
   }
   if (!o.surface_output.empty() && run.surface.surface.number_of_faces() > 0)
     write_surface(open(o.surface_output), run.surface, run.model);
@@ -73,6 +80,10 @@ void write(const Run& run, Run_report& report, Stage_clock& clock) {
     tubular::IO::write_mesh(open(o.blocks_output), run.block_mesh);
   if (!o.centerlines_output.empty())
     tubular::IO::write_centerlines(open(o.centerlines_output), run.model.centerlines);
+  if (!o.sections_output.empty())
+    tubular::IO::write_sections(open(o.sections_output), run.sections);
+  if (!o.zero_d_output.empty())
+    tubular::IO::write_zero_d_model(open(o.zero_d_output), run.zero_d);
   clock.finish();
   report.add_times(clock);
   if (!o.report.empty())
@@ -94,7 +105,8 @@ Prepared prepare(Run& run, const tubular::Surface& surface, Stage_clock& clock) 
   return {std::move(run), std::move(parts)};
 }
 
-Prepared copy_of(const Prepared& prepared, const Options& options, const tubular::Size_requests& sizes) {
+Prepared copy_of(const Prepared& prepared, const Options& options, const tubular::Size_requests& sizes,
+                 const Wall_requests& walls) {
   Prepared copy;
   copy.run.options = options;
   copy.run.version = prepared.run.version;
@@ -102,6 +114,7 @@ Prepared copy_of(const Prepared& prepared, const Options& options, const tubular
   copy.run.repairs = prepared.run.repairs;
   copy.run.labels = prepared.run.labels;
   copy.run.sizes = sizes;
+  copy.run.walls = walls;
   copy.parts = copy_of(prepared.parts, options, sizes);
   return copy;
 }
@@ -110,10 +123,13 @@ Run make_mesh(Prepared prepared, Stage_clock& clock) {
   Run run = std::move(prepared.run);
   std::vector<Part> parts = std::move(prepared.parts);
   distribute_branches(run, parts);
+  distribute_walls(run, parts);
   rename_patches(run, parts);
   make_meshes(parts, clock);
   join(run, std::move(parts));
   rename_wall_patches(run);
+  finish_walls(run, clock);
+  make_reduced_model(run, clock);
   return run;
 }
 

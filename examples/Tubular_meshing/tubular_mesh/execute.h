@@ -29,14 +29,18 @@ struct Prepared {
 // Takes the run over.
 Prepared prepare(Run& run, const CGAL::Tubular_meshing::Surface& surface, Stage_clock& clock);
 
-// For another mesh of it, with other options and sizes.
-Prepared copy_of(const Prepared& prepared, const Options& options, const CGAL::Tubular_meshing::Size_requests& sizes);
+// For another mesh of it, with other options, sizes and walls.
+Prepared copy_of(const Prepared& prepared, const Options& options, const CGAL::Tubular_meshing::Size_requests& sizes,
+                 const Wall_requests& walls);
 
 // The mesh of all vessels.
 Run make_mesh(Prepared prepared, Stage_clock& clock);
 
 // What the format of the output changes is noted in the run, for the report.
 void note_changes(Run& run);
+
+// That are written with the mesh.
+std::vector<CGAL::Tubular_meshing::Cell_array> cell_arrays(const Run& run);
 
 // Writes everything that was asked for; nothing gets its name before all of it is whole.
 void write(const Run& run, Run_report& report, Stage_clock& clock);

@@ -98,6 +98,7 @@ void add(tubular::Layer_report& all, const tubular::Layer_report& part) {
   all.min_ratio = (std::min)(all.min_ratio, part.min_ratio);
   all.vertices += part.vertices;
   all.reduced_vertices += part.reduced_vertices;
+  all.steep_vertices += part.steep_vertices;
   all.prisms += part.prisms;
   all.hexahedra += part.hexahedra;
   all.tetrahedra += part.tetrahedra;

@@ -55,7 +55,10 @@ tubular::Tubular_model outline(const std::vector<Part>& parts) {
 void check(const Options& o, const tubular::Label_names& before, const tubular::Label_names& after) {
   tubular::Label_names names = after;
   if (o.has_wall())
-    tubular::add_wall_patch_names(names, o.second_wall.thickness > 0);
+    tubular::add_wall_patch_names(names, o.has_second_wall());
+  if (!o.material_array.empty())
+    names[tubular::labels::material_interface(tubular::labels::outer_wall_for(after.rbegin()->first))] =
+        "material_interface";
   tubular::Label_names known = names;
   for (const auto& n : before)
     known[n.first] = n.second;

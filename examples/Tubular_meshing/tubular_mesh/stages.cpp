@@ -3,6 +3,8 @@
 
 #include "stages.h"
 
+#include "walls.h"
+
 #include "../command_line/Points.h"
 
 #include <CGAL/Tubular_meshing/Centerlines/Centerline_field.h>
@@ -218,14 +220,14 @@ void add_wall(Run& run, Stage_clock& clock) {
   clock.begin("wall");
   const tubular::Local_radius radius = local_radius(run);
   const auto or_as_the_wall = [](auto given, auto of_the_wall) { return given > 0 ? given : of_the_wall; };
-  run.wall = tubular::extrude_wall(run.mesh, radius,
-                                   tubular::parameters::wall_thickness(o.wall.thickness)
-                                       .wall_layers(o.wall.number)
-                                       .wall_growth(o.wall.growth)
+  run.wall = tubular::extrude_wall(run.mesh, radius, run.walls.materials,
+                                   tubular::parameters::wall_thickness(run.walls.thickness)
+                                       .wall_layers(o.wall_layers())
+                                       .wall_growth(o.wall_growth())
                                        .tetrahedral_wall(o.wall_elements == "tetrahedra")
-                                       .second_wall_thickness(o.second_wall.thickness)
-                                       .second_wall_layers(or_as_the_wall(o.second_wall.number, o.wall.number))
-                                       .second_wall_growth(or_as_the_wall(o.second_wall.growth, o.wall.growth))
+                                       .second_wall_thickness(run.walls.second_thickness)
+                                       .second_wall_layers(or_as_the_wall(o.second_wall.number, o.wall_layers()))
+                                       .second_wall_growth(or_as_the_wall(o.second_wall.growth, o.wall_growth()))
                                        .number_of_threads(o.threads));
 }
 
@@ -265,6 +267,7 @@ void take_requests(Run& run, const tubular::IO::Surface_data& data, tubular::Sur
   open_labelled_ends(run, data, surface);
   begin_at_inlet(run);
   run.sizes = size_requests(o, data);
+  run.walls = wall_requests(o, data);
   if (!o.centerlines.empty())
     tubular::IO::read_centerlines(o.centerlines, run.lines);
 }

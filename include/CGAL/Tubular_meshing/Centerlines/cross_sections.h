@@ -24,9 +24,14 @@ struct Cross_section {
   double area = 0;     ///< 0 where the plane meets no closed loop of the wall round the point
   double perimeter = 0;
   double inscribed_radius = 0; ///< of the centerline there: its points' radius, linear between them
+  double eccentricity = 0; ///< of the ellipse with the same second moments of area: 0 of a disk, towards 1 of a slit
+  double curvature = 0;    ///< of the centerline, 1 / length
+  double torsion = 0;      ///< of the centerline, 1 / length; positive of a right-handed helix, 0 where it is straight
 
   /// Of the disk of the same area.
   double radius() const;
+  /// 4 area / perimeter; 0 where there is no section.
+  double hydraulic_diameter() const;
 };
 
 /*! \ingroup PkgTubularMeshingCenterlines
@@ -35,6 +40,9 @@ struct Cross_section {
  * branch as it runs over one local radius; the first and the last are half the spacing from the branch's ends, so that
  * none lies in a flat cap. In and near a bifurcation a plane cuts several vessels where they are one: sections are large
  * there.
+ *
+ * Curvature and torsion are those of the polynomials of degree 4 that fit the branch best over two local radii to each
+ * side; where the radius of curvature is more than 50 local radii, the torsion is 0.
  *
  * \param surface the lumen's surface, closed, of triangles
  * \param graph its branches, with radii

@@ -29,7 +29,11 @@ struct Surface_data {
   std::vector<std::array<std::size_t, 3>> triangles;
   Surface_labels labels;                                   ///< of the triangles
   std::map<std::string, std::vector<double>> point_arrays; ///< those of one number a point
-  std::vector<std::string> notes;                          ///< a sentence for each kind of thing that was skipped
+  std::map<std::string, std::vector<double>> cell_arrays;  ///< those of one number a cell: here one a triangle; and
+                                                           ///< `solids`, `groups`, `physical groups`
+  Label_names names;        ///< that the file has for labels, of whatever array; in VTK's files fields of dimension 2
+  Label_names region_names; ///< for regions: fields of dimension 3; in PLY files comments, "region 4 plaque"
+  std::vector<std::string> notes; ///< a sentence for each kind of thing that was skipped
 };
 
 namespace internal {
@@ -71,7 +75,7 @@ void read_triangle_soup(const std::string& file, std::vector<Point>& points,
 
 /*! \ingroup PkgTubularMeshingIO
  *
- * reads the triangles of a surface with their labels, and the arrays at its points.
+ * reads the triangles of a surface with their labels, and the arrays at its points and in its cells.
  *
  * Labels are, in this order: the cell array that is asked for; the solids of an ASCII STL file, the groups (`g`, `o`)
  * of an OBJ file, the physical groups of an MSH file, if there are two at least; a cell array (in PLY files a property

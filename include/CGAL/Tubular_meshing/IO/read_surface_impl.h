@@ -46,8 +46,8 @@ inline void keep_legacy_vtk_arrays(Legacy_vtk_file& vtk, Polygon_soup& soup) {
       soup.cell_arrays[a.first] = std::move(a.second);
   for (const auto& f : vtk.fields)
     for (std::size_t i = 0; i + 1 < f.second.size(); i += 2)
-      if (f.second[i + 1] == 2 && std::abs(f.second[i]) < 1e9)
-        soup.names[static_cast<int>(f.second[i])] = f.first;
+      if ((f.second[i + 1] == 2 || f.second[i + 1] == 3) && std::abs(f.second[i]) < 1e9)
+        (f.second[i + 1] == 2 ? soup.names : soup.region_names)[static_cast<int>(f.second[i])] = f.first;
 }
 
 // Polygons and strips of a POLYDATA; triangles, polygons and quads of an UNSTRUCTURED_GRID.
@@ -132,6 +132,15 @@ inline Polygon_soup read_polygon_soup(const Input_file& file) {
       "is in no known format; surfaces are read from .stl, .off, .obj, .ply, .vtp, .vtu, .vtk, .msh and .mesh files");
 }
 
+// One a triangle, of one a cell.
+inline std::vector<double> values_of_triangles(const Polygon_soup& soup, const std::vector<std::size_t>& polygon,
+                                               const std::vector<double>& of_cell) {
+  std::vector<double> values;
+  for (std::size_t p : polygon)
+    values.push_back(soup.cell_of(p) < of_cell.size() ? of_cell[soup.cell_of(p)] : std::nan(""));
+  return values;
+}
+
 inline std::string note_of_few_corners(const Polygon_soup& polygons) {
   std::size_t few = 0, begin = 0;
   for (std::size_t end : polygons.ends) {
@@ -172,6 +181,13 @@ CGAL_TUBULAR_MESHING_INLINE Surface_data read_surface_data(const std::string& na
   for (auto& a : polygons.point_arrays)
     if (a.second.size() == data.points.size())
       data.point_arrays[a.first].swap(a.second);
+  for (const auto& a : polygons.cell_arrays)
+    data.cell_arrays[a.first] = values_of_triangles(polygons, polygon, a.second);
+  if (!polygons.groups.empty())
+    for (std::size_t p : polygon)
+      data.cell_arrays[polygons.group_kind].push_back(polygons.groups[p]);
+  data.names = polygons.names;
+  data.region_names = polygons.region_names;
   const std::string note = note_of_few_corners(polygons);
   if (!note.empty())
     data.notes.push_back(note);

@@ -7,6 +7,7 @@
 #include <CGAL/Tubular_meshing/IO/Mesh_format.h>
 #include <CGAL/Tubular_meshing/IO/Output_file.h>
 #include <CGAL/Tubular_meshing/Quadratic/Quadratic_mesh.h>
+#include <CGAL/Tubular_meshing/base/Cell_array.h>
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/base/config.h>
 #include <CGAL/Tubular_meshing/base/parameters.h>
@@ -36,6 +37,10 @@ struct Format_choice {
 std::unique_ptr<Output> open_mesh(const std::string& file, const Format_choice& choice);
 void write_mesh(Output& output, const Mixed_mesh& mesh, const Format_choice& choice);
 void write_mesh(Output& output, const Quadratic_mesh& mesh, const Format_choice& choice);
+void write_mesh(Output& output, const Mixed_mesh& mesh, const std::vector<Cell_array>& arrays,
+                const Format_choice& choice);
+void write_mesh(Output& output, const Quadratic_mesh& mesh, const std::vector<Cell_array>& arrays,
+                const Format_choice& choice);
 
 } // namespace internal
 
@@ -54,6 +59,10 @@ Label_names patch_names_in(const Mixed_mesh& mesh, Mesh_format format);
  * What a format changes of a mesh or leaves out, a sentence each: names that are spelled otherwise, point arrays that
  * are not written. */
 std::vector<std::string> changes_in(const Mixed_mesh& mesh, Mesh_format format);
+
+/*! \ingroup PkgTubularMeshingIO
+ * Why write_mesh() cannot write values of cells in a format: a sentence; empty if it can. */
+std::string why_no_cell_arrays(Mesh_format format);
 
 /*! \ingroup PkgTubularMeshingIO
  *
@@ -165,6 +174,51 @@ void write_mesh(const std::string& file, const Quadratic_mesh& mesh,
                 const NamedParameters& np = CGAL::parameters::default_values()) {
   const std::unique_ptr<Output> out = open_mesh(file, np);
   write_mesh(*out, mesh, np);
+  out->commit();
+}
+
+/*! \ingroup PkgTubularMeshingIO
+ *
+ * writes a mesh, of linear or quadratic elements, with values of its cells into what open_mesh() has opened, which the
+ * caller commits.
+ *
+ * | format | values of cells are |
+ * |---|---|
+ * | `.vtu`, `.pvtu` | cell arrays, 0 on facets |
+ * | `.msh` | element data, of 1, 3, 6 (written as 9) or 9 components |
+ * | `.xdmf` | attributes of the grid `mesh` |
+ * | svMultiPhysics | those of three components: directions of fibres, in a file each, `fibers-NAME.vtu`, with the cell array `FIB_DIR` |
+ *
+ * \exception Output_error as write_mesh() does; if the format has no place for them, see why_no_cell_arrays(); or if
+ *   an array has not a value for each cell
+ */
+template <class NamedParameters = CGAL::parameters::Default_named_parameters>
+void write_mesh(Output& output, const Mixed_mesh& mesh, const std::vector<Cell_array>& cell_arrays,
+                const NamedParameters& np = CGAL::parameters::default_values()) {
+  internal::write_mesh(output, mesh, cell_arrays,
+                       Tubular_meshing::internal::choose(np, internal_np::format, internal::Format_choice()));
+}
+template <class NamedParameters = CGAL::parameters::Default_named_parameters>
+void write_mesh(Output& output, const Quadratic_mesh& mesh, const std::vector<Cell_array>& cell_arrays,
+                const NamedParameters& np = CGAL::parameters::default_values()) {
+  internal::write_mesh(output, mesh, cell_arrays,
+                       Tubular_meshing::internal::choose(np, internal_np::format, internal::Format_choice()));
+}
+
+/*! \ingroup PkgTubularMeshingIO
+ * writes a mesh with values of its cells into a file. */
+template <class NamedParameters = CGAL::parameters::Default_named_parameters>
+void write_mesh(const std::string& file, const Mixed_mesh& mesh, const std::vector<Cell_array>& cell_arrays,
+                const NamedParameters& np = CGAL::parameters::default_values()) {
+  const std::unique_ptr<Output> out = open_mesh(file, np);
+  write_mesh(*out, mesh, cell_arrays, np);
+  out->commit();
+}
+template <class NamedParameters = CGAL::parameters::Default_named_parameters>
+void write_mesh(const std::string& file, const Quadratic_mesh& mesh, const std::vector<Cell_array>& cell_arrays,
+                const NamedParameters& np = CGAL::parameters::default_values()) {
+  const std::unique_ptr<Output> out = open_mesh(file, np);
+  write_mesh(*out, mesh, cell_arrays, np);
   out->commit();
 }
 

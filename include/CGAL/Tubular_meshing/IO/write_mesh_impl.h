@@ -97,8 +97,7 @@ inline void write_nodes(Output& output, const Mesh_nodes& nodes, const Format_ch
   check_mesh(nodes.mesh(), output.name());
   const Mesh_format format = checked_format(output.name(), choice);
   if (format == Mesh_format::pvtu)
-    return write_partitioned_mesh(output, nodes.mesh(),
-                                  {1, std::vector<std::uint32_t>(nodes.mesh().number_of_cells(), 0)}, format);
+    return write_parts(output, nodes, {1, std::vector<std::uint32_t>(nodes.mesh().number_of_cells(), 0)}, format);
   if (auto* folder = dynamic_cast<Output_folder*>(&output); folder != nullptr && is_folder(format))
     write_mesh_folder(*folder, nodes, format);
   else if (auto* file = dynamic_cast<Output_file*>(&output); file != nullptr && !is_folder(format))
@@ -133,6 +132,34 @@ CGAL_TUBULAR_MESHING_INLINE void write_mesh(Output& output, const Quadratic_mesh
 }
 
 // Those that VTK's, Gmsh's and MEDIT's files keep as they are.
+CGAL_TUBULAR_MESHING_INLINE void check_arrays(const std::vector<Cell_array>& arrays, const Mixed_mesh& mesh,
+                                              Mesh_format format, const std::string& file) {
+  const std::string why_not = arrays.empty() ? "" : why_no_cell_arrays(format);
+  if (!why_not.empty())
+    throw Output_error(why_not);
+  for (const Cell_array& a : arrays) {
+    check_names({{0, a.name}}, file);
+    if (a.components < 1 || a.values.size() != std::size_t(a.components) * mesh.number_of_cells())
+      throw Output_error("The file " + quoted(file) + " cannot be written: the cell array " + quoted(a.name) + " has " +
+                         std::to_string(a.values.size()) + " values, which are not " + std::to_string(a.components) +
+                         " for each of the " + std::to_string(mesh.number_of_cells()) + " cells.");
+  }
+}
+
+CGAL_TUBULAR_MESHING_INLINE void write_mesh(Output& output, const Mixed_mesh& mesh,
+                                            const std::vector<Cell_array>& arrays, const Format_choice& choice) {
+  check_arrays(arrays, mesh, checked_format(output.name(), choice), output.name());
+  write_nodes(output, Mesh_nodes(mesh, &arrays), choice);
+}
+
+CGAL_TUBULAR_MESHING_INLINE void write_mesh(Output& output, const Quadratic_mesh& mesh,
+                                            const std::vector<Cell_array>& arrays, const Format_choice& choice) {
+  const Mesh_format format = checked_format(output.name(), choice);
+  check_quadratic(mesh, format, output.name());
+  check_arrays(arrays, mesh.linear, format, output.name());
+  write_nodes(output, Mesh_nodes(mesh, &arrays), choice);
+}
+
 inline bool keeps_names(Mesh_format format) {
   return format == Mesh_format::vtu || format == Mesh_format::pvtu || format == Mesh_format::gmsh ||
          format == Mesh_format::medit || format == Mesh_format::xdmf;
@@ -175,6 +202,21 @@ CGAL_TUBULAR_MESHING_INLINE std::vector<std::string> changes_in(const Mixed_mesh
       changes.push_back("The file has no place for the point array " + internal::quoted(a.name) +
                         ", which is not written; a .vtu file has.");
   return changes;
+}
+
+CGAL_TUBULAR_MESHING_INLINE std::string why_no_cell_arrays(Mesh_format format) {
+  switch (format) {
+  case Mesh_format::vtu:
+  case Mesh_format::pvtu:
+  case Mesh_format::gmsh:
+  case Mesh_format::xdmf:
+  case Mesh_format::svmultiphysics:
+  case Mesh_format::by_name:
+    return "";
+  default:
+    return "Directions of fibres, or other values of cells, are written to .vtu, .pvtu, .msh and .xdmf files and for "
+           "svMultiPhysics alone: choose one of these formats.";
+  }
 }
 
 CGAL_TUBULAR_MESHING_INLINE bool is_supported_mesh_format(const std::string& file) {

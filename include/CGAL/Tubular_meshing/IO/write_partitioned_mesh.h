@@ -7,12 +7,14 @@
 #include <CGAL/Tubular_meshing/IO/Mesh_format.h>
 #include <CGAL/Tubular_meshing/IO/Output_file.h>
 #include <CGAL/Tubular_meshing/Partition/Cell_partition.h>
+#include <CGAL/Tubular_meshing/base/Cell_array.h>
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/base/config.h>
 
 #include <cstddef>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace CGAL::Tubular_meshing::IO {
 
@@ -35,6 +37,11 @@ std::unique_ptr<Output> open_partitioned_mesh(const std::string& file, std::size
  */
 void write_partitioned_mesh(Output& output, const Mixed_mesh& mesh, const Cell_partition& partition,
                             Mesh_format format = Mesh_format::by_name);
+
+/*! \ingroup PkgTubularMeshingIO
+ * writes values of its cells as well, where the format has a place for them, see why_no_cell_arrays(). */
+void write_partitioned_mesh(Output& output, const Mixed_mesh& mesh, const Cell_partition& partition,
+                            const std::vector<Cell_array>& cell_arrays, Mesh_format format = Mesh_format::by_name);
 
 /*! \ingroup PkgTubularMeshingIO
  *

@@ -13,6 +13,7 @@
 #include <CGAL/Tubular_meshing/IO/internal/check_mesh.h>
 #include <CGAL/Tubular_meshing/IO/internal/openfoam_processor_folders.h>
 #include <CGAL/Tubular_meshing/IO/internal/refuse.h>
+#include <CGAL/Tubular_meshing/IO/internal/write_nodes.h>
 #include <CGAL/Tubular_meshing/IO/internal/write_pvtu.h>
 #include <CGAL/Tubular_meshing/IO/write_openfoam.h>
 #include <CGAL/Tubular_meshing/IO/write_partitioned_mesh.h>
@@ -24,6 +25,7 @@
 #include <memory>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace CGAL::Tubular_meshing::IO {
 
@@ -109,23 +111,39 @@ open_partitioned_mesh(const std::string& file, std::size_t number_of_parts, Mesh
   }
 }
 
+namespace internal {
+
+CGAL_TUBULAR_MESHING_INLINE void write_parts(Output& output, const Mesh_nodes& nodes, const Cell_partition& partition,
+                                             Mesh_format format) {
+  check_mesh(nodes.mesh(), output.name());
+  check_partition(nodes.mesh(), partition, output.name());
+  format = format_with_parts(output.name(), format);
+  auto* const set = dynamic_cast<Output_set*>(&output);
+  auto* const file = dynamic_cast<Output_file*>(&output);
+  if ((set == nullptr ? 0 : set->size()) != size_of_set(format, partition.number_of_parts) ||
+      (set == nullptr && file == nullptr))
+    throw Output_error(quoted(output.name()) + " was not opened for the format that is to be written.");
+  if (format == Mesh_format::gmsh)
+    return partition.number_of_parts == 1 ? Msh_writer(*file, nodes).write_4_1()
+                                          : Partitioned_msh_writer(*file, nodes, partition).write();
+  if (format == Mesh_format::pvtu)
+    return write_pvtu(dynamic_cast<Output_file&>((*set)[0]), dynamic_cast<Output_folder&>((*set)[1]), nodes, partition);
+  write_openfoam_parts(*set, nodes.mesh(), partition, format == Mesh_format::openfoam_binary);
+}
+
+} // namespace internal
+
 CGAL_TUBULAR_MESHING_INLINE void write_partitioned_mesh(Output& output, const Mixed_mesh& mesh,
                                                         const Cell_partition& partition, Mesh_format format) {
-  internal::check_mesh(mesh, output.name());
-  internal::check_partition(mesh, partition, output.name());
-  format = internal::format_with_parts(output.name(), format);
-  auto* const set = dynamic_cast<internal::Output_set*>(&output);
-  auto* const file = dynamic_cast<Output_file*>(&output);
-  if ((set == nullptr ? 0 : set->size()) != internal::size_of_set(format, partition.number_of_parts) ||
-      (set == nullptr && file == nullptr))
-    throw Output_error(internal::quoted(output.name()) + " was not opened for the format that is to be written.");
-  if (format == Mesh_format::gmsh)
-    return partition.number_of_parts == 1 ? internal::Msh_writer(*file, mesh).write_4_1()
-                                          : internal::Partitioned_msh_writer(*file, mesh, partition).write();
-  if (format == Mesh_format::pvtu)
-    return internal::write_pvtu(dynamic_cast<Output_file&>((*set)[0]), dynamic_cast<Output_folder&>((*set)[1]), mesh,
-                                partition);
-  internal::write_openfoam_parts(*set, mesh, partition, format == Mesh_format::openfoam_binary);
+  internal::write_parts(output, mesh, partition, format);
+}
+
+CGAL_TUBULAR_MESHING_INLINE void write_partitioned_mesh(Output& output, const Mixed_mesh& mesh,
+                                                        const Cell_partition& partition,
+                                                        const std::vector<Cell_array>& cell_arrays,
+                                                        Mesh_format format) {
+  internal::check_arrays(cell_arrays, mesh, internal::format_with_parts(output.name(), format), output.name());
+  internal::write_parts(output, internal::Mesh_nodes(mesh, &cell_arrays), partition, format);
 }
 
 CGAL_TUBULAR_MESHING_INLINE void write_partitioned_mesh(const std::string& file, const Mixed_mesh& mesh,

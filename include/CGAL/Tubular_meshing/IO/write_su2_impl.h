@@ -12,12 +12,12 @@
 #include <CGAL/Tubular_meshing/IO/internal/refuse.h>
 #include <CGAL/Tubular_meshing/IO/write_su2.h>
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <map>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Tubular_meshing::IO {
@@ -55,8 +55,8 @@ private:
   // The markers of the side of the lower region, or the only one, and those of the other side.
   void name_markers() {
     std::set<std::string> used;
-    names_[0] = patch_names_in_file(mesh_, Mesh_format::su2);
-    for (const auto& n : names_[0])
+    names_ = patch_names_in_file(mesh_, Mesh_format::su2);
+    for (const auto& n : names_)
       used.insert(n.second);
     const Label_names regions = region_names_in_file(mesh_, Mesh_format::su2);
     for (std::size_t f = 0; f < facets_.size(); ++f) {
@@ -66,11 +66,11 @@ private:
       const int low = cells_.region(s[0].cell), high = cells_.region(s[1].cell), label = facets_.label(f);
       if (low == high)
         refuse(file_.name(),
-               "its patch \"" + names_[0].at(label) +
+               "its patch \"" + names_.at(label) +
                    "\" lies inside of a region, and its format has patches around regions only",
                write_vtu_instead);
-      if (names_[1].count(label) == 0)
-        used.insert(names_[1][label] = unused_name(names_[0].at(label) + '_' + regions.at(high), used));
+      if (other_names_.count({label, high}) == 0)
+        used.insert(other_names_[{label, high}] = unused_name(names_.at(label) + '_' + regions.at(high), used));
     }
   }
 
@@ -114,7 +114,7 @@ private:
       for (std::size_t s = 0; s < 2; ++s) {
         const Side& side = facets_.sides(f)[s];
         if (side.is_there() && cells_.region(side.cell) == region)
-          markers[names_[s].at(facets_.label(f))].push_back(side);
+          markers[s == 0 ? names_.at(facets_.label(f)) : other_names_.at({facets_.label(f), region})].push_back(side);
       }
     out_ << "NMARK= " << markers.size() << '\n';
     for (const auto& m : markers) {
@@ -135,7 +135,8 @@ private:
   const Mixed_mesh& mesh_;
   const Numbered_cells cells_;
   const Facet_sides facets_;
-  std::array<Label_names, 2> names_;
+  Label_names names_;
+  std::map<std::pair<int, int>, std::string> other_names_; // of a patch, on the side of a region
 };
 
 } // namespace internal

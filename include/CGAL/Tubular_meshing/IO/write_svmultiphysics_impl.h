@@ -138,6 +138,25 @@ private:
 
   // Returns the number of each cell in the region.
   std::vector<std::uint32_t> write_cells(int region, const Used_points& points, const std::string& path) {
+    const std::vector<std::uint32_t> number = write_cells(region, points, path + "mesh-complete.mesh.vtu", nullptr);
+    for (const Cell_array& a : nodes_.cell_arrays())
+      if (a.components == 3 && has_values(a, region))
+        write_cells(region, points, path + "fibers-" + as_file_name(a.name) + ".vtu", &a);
+    return number;
+  }
+
+  bool has_values(const Cell_array& array, int region) const {
+    for (std::size_t c = 0; c < cells_.size(); ++c)
+      if (cells_.region(c) == region)
+        for (std::size_t k = 0; k < 3; ++k)
+          if (array.values[3 * c + k] != 0)
+            return true;
+    return false;
+  }
+
+  // The mesh itself, or directions of fibres in its cells, which svMultiPhysics reads from a file for each family.
+  std::vector<std::uint32_t> write_cells(int region, const Used_points& points, const std::string& file,
+                                         const Cell_array* fibres) {
     std::vector<std::uint32_t> number(cells_.size());
     std::uint32_t size = 0;
     std::size_t first = no_cell;
@@ -161,6 +180,8 @@ private:
     id = 0;
     out.array_of<std::int32_t>("GlobalElementID", 1, size, [&] { return ++id; });
     out.array_of<std::int32_t>("ModelRegionID", 1, size, [&] { return region; });
+    if (fibres != nullptr)
+      out.array("FIB_DIR", 3, values_in(region, *fibres));
     out.end("CellData");
     write_points(out, points);
     out.begin("Cells");
@@ -181,8 +202,17 @@ private:
     out.array_of<std::uint8_t>("types", 1, size, [&] { return vtk_type; });
     out.end("Cells");
     out.end("Piece");
-    out.write(folder_.file(path + "mesh-complete.mesh.vtu"));
+    out.write(folder_.file(file));
     return number;
+  }
+
+  std::vector<double> values_in(int region, const Cell_array& array) const {
+    std::vector<double> values;
+    for (std::size_t c = 0; c < cells_.size(); ++c)
+      if (cells_.region(c) == region)
+        values.insert(values.end(), array.values.begin() + std::ptrdiff_t(3 * c),
+                      array.values.begin() + std::ptrdiff_t(3 * c + 3));
+    return values;
   }
 
   void write_points(Vtk_xml_writer& out, const Used_points& points) const {

@@ -76,6 +76,12 @@ private:
                    [&](std::size_t c) { return nodes_.of_cell(cells_, c, vtk_order); });
     i = 0;
     out.table<std::int32_t>("/regions", cells_.size(), 1, [&] { return cells_.region(i++); });
+    for (std::size_t a = 0; a < nodes_.cell_arrays().size(); ++a) {
+      const Cell_array& array = nodes_.cell_arrays()[a];
+      i = 0;
+      out.table<double>(path_of_array(a).c_str(), cells_.size(), std::size_t(array.components),
+                        [&] { return array.values[i++]; });
+    }
     if (facets_.size() > 0) {
       write_elements(out, "/facets", facets_.size(), nodes_of_facet_,
                      [&](std::size_t f) { return nodes_.of_face(facets_.face(facets_.sides(f)[0]), vtk_order); });
@@ -98,6 +104,8 @@ private:
       return std::int32_t(points_.number(nodes[k++]));
     });
   }
+
+  static std::string path_of_array(std::size_t array) { return "/cell_array_" + std::to_string(array); }
 
   static const char* name_of(std::size_t nodes_of_cell, bool is_facet) {
     switch (nodes_of_cell) {
@@ -122,6 +130,16 @@ private:
     const char* const cell = name_of(nodes_of_cell_, false);
     out_ << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<Xdmf Version=\"3.0\">\n<Domain>\n";
     begin_grid(numbers, "mesh", cell, "/cells", cells_.size(), nodes_of_cell_);
+    for (std::size_t a = 0; a < nodes_.cell_arrays().size(); ++a) {
+      const Cell_array& array = nodes_.cell_arrays()[a];
+      out_ << "<Attribute Name=\"" << escaped_for_xml(array.name) << "\" AttributeType=\""
+           << (array.components == 3   ? "Vector"
+               : array.components == 1 ? "Scalar"
+                                       : "Matrix")
+           << "\" Center=\"Cell\">\n";
+      write_item(numbers, cells_.size(), std::size_t(array.components), true, path_of_array(a).c_str());
+      out_ << "</Attribute>\n";
+    }
     end_grid();
     begin_grid(numbers, "cell_tags", cell, "/cells", cells_.size(), nodes_of_cell_);
     write_tags(numbers, "cell_tags", "/regions", cells_.size(), mesh_.region_names);

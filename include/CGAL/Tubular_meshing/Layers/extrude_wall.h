@@ -5,6 +5,8 @@
 #define CGAL_TUBULAR_MESHING_LAYERS_EXTRUDE_WALL_H
 
 #include <CGAL/Tubular_meshing/Layers/Layer_report.h>
+#include <CGAL/Tubular_meshing/Layers/Wall_materials.h>
+#include <CGAL/Tubular_meshing/Layers/Wall_thickness.h>
 #include <CGAL/Tubular_meshing/Layers/local_radius.h>
 #include <CGAL/Tubular_meshing/base/Function_view.h>
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
@@ -18,13 +20,14 @@ namespace CGAL::Tubular_meshing {
  *
  * The options of extrude_wall(): its named parameters. */
 struct Extrude_wall_options {
-  double wall_thickness = 0.2;
+  Wall_thickness wall_thickness = 0.2;
   int wall_layers = 4;
   double wall_growth = 1;
   bool tetrahedral_wall = false;
-  double second_wall_thickness = 0;
+  Wall_thickness second_wall_thickness;
   int second_wall_layers = 4;
   double second_wall_growth = 1;
+  Wall_materials materials; ///< an argument of its own
   int number_of_threads = 0;
 
   Extrude_wall_options() = default;
@@ -69,7 +72,7 @@ Extruded_wall extrude_wall(const Surface& surface, Face_patch_map patch, Length_
  *
  * The wall is as thick as wanted where there is room. Two vessels, or the two sides of a crotch, share the gap between
  * them, and keep a quarter of it free; from there on the thickness grows by at most 0.4 of the distance, which bounds
- * the field's own jumps too. What comes out is checked: no corner of a cell is inverted, and the outer surface, with
+ * jumps of the radius, and of thicknesses that are given, too. What comes out is checked: no corner of a cell is inverted, and the outer surface, with
  * its rings and the openings, does not cross itself, so that no cell overlaps another. Where one or the other happens
  * the wall is made thinner around, until all is well. What it came to is reported.
  *
@@ -80,13 +83,16 @@ Extruded_wall extrude_wall(const Surface& surface, Face_patch_map patch, Length_
  * | labels | |
  * |---|---|
  * | region 2 `wall`, region 3 `second_wall` | the cells |
+ * | region 4, 5, … | the cells of the wall over areas of other materials, see Wall_materials |
  * | patch 1 `wall` | the facets that the wall grew on: now the interface |
  * | patch 100 `outer_wall` | |
  * | patch 101 `middle_wall` | the interface between the wall and the second one |
  * | patch 102 `inlet_ring`, 103, … `outlet_ring_1`, … | the wall's ends, those of both walls: 100 + that of the opening
  * |
+ * | patch 200 `material_interface` | the facets between the wall and its materials |
  *
- * Where the mesh has more than 98 openings, 100 is 1000 in all of that: see labels::outer_wall_for().
+ * Where the mesh has more than 98 openings, 100 is 1000 in all of that, and 200 is 2000: see
+ * labels::outer_wall_for().
  *
  * O(n log n) in the number of facets; the result does not depend on the number of threads.
  *
@@ -99,8 +105,8 @@ Extruded_wall extrude_wall(const Surface& surface, Face_patch_map patch, Length_
  *
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{wall_thickness}
- *     \cgalParamDescription{α, relative to the local radius; above 0, at most 10}
- *     \cgalParamType{`double`}
+ *     \cgalParamDescription{α, relative to the local radius; above 0, at most 10. Or lengths, in the unit of the mesh}
+ *     \cgalParamType{`double`, or Wall_thickness}
  *     \cgalParamDefault{0.2}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{wall_layers}
@@ -121,7 +127,7 @@ Extruded_wall extrude_wall(const Surface& surface, Face_patch_map patch, Length_
  *   \cgalParamNEnd
  *   \cgalParamNBegin{second_wall_thickness}
  *     \cgalParamDescription{the same for a second wall around the first, say the adventitia; 0: there is none}
- *     \cgalParamType{`double`}
+ *     \cgalParamType{`double`, or Wall_thickness}
  *     \cgalParamDefault{0}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{second_wall_layers}
@@ -145,7 +151,8 @@ Extruded_wall extrude_wall(const Surface& surface, Face_patch_map patch, Length_
  *
  * \throws Parameter_error if a parameter is out of its range, or the wall cannot be of tetrahedra
  * \throws Input_error if the mesh has a wall already, or no facets to grow one on; if those are not a manifold surface,
- *   cross themselves, or have angles of 0 or 180 degrees; or if a radius is not above 0
+ *   cross themselves, or have angles of 0 or 180 degrees; if a radius is not above 0; or if a thickness is not above 0,
+ *   or more than ten local radii
  * \throws Meshing_error if the surface is folded so that no valid cell has room on it. The mesh is as it was, after any
  *   exception
  */
@@ -153,6 +160,20 @@ template <class LocalRadius, class NamedParameters = CGAL::parameters::Default_n
 Layer_report extrude_wall(Mixed_mesh& mesh, const LocalRadius& radius,
                           const NamedParameters& np = CGAL::parameters::default_values()) {
   return internal::extrude_wall(mesh, internal::radius_function(radius), Extrude_wall_options(np));
+}
+
+/*! \ingroup PkgTubularMeshingLayers
+ *
+ * the same, of a wall that parts of are of other materials.
+ *
+ * \param materials a region of its own for each; the cells over a facet of the lumen's surface belong to that of the
+ *   facet's middle. The second wall has none */
+template <class LocalRadius, class NamedParameters = CGAL::parameters::Default_named_parameters>
+Layer_report extrude_wall(Mixed_mesh& mesh, const LocalRadius& radius, const Wall_materials& materials,
+                          const NamedParameters& np = CGAL::parameters::default_values()) {
+  Extrude_wall_options options(np);
+  options.materials = materials;
+  return internal::extrude_wall(mesh, internal::radius_function(radius), options);
 }
 
 /*! \ingroup PkgTubularMeshingLayers

@@ -79,8 +79,9 @@ struct Mesher_report {
  *     \cgalParamDefault{0}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{wall_thickness}
- *     \cgalParamDescription{of the wall of a mixed or hexahedral mesh, in local radii; 0: there is none}
- *     \cgalParamType{double}
+ *     \cgalParamDescription{of the wall of a mixed or hexahedral mesh, in local radii, or lengths in the unit of the
+ *       model; 0: there is none. Materials of the wall are set in Mesher_options}
+ *     \cgalParamType{double, or Wall_thickness}
  *     \cgalParamDefault{0}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{hexahedral_method}

@@ -490,7 +490,7 @@ private:
     if (!options_.wall)
       return;
     stage("wall");
-    report_.wall = internal::extrude_wall(mesh, radius(), *options_.wall);
+    report_.wall = internal::extrude_wall(mesh, radius(), frame_.in_frame(*options_.wall));
     report_.wall.worst_place = frame_.from_frame(report_.wall.worst_place);
   }
 

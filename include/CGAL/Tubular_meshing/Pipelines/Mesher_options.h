@@ -107,7 +107,7 @@ struct Mesher_options {
     // Mesh_3 meshes the surface itself: patches before it would be work for nothing
     surface_mesher = choose(np, internal_np::surface_mesher,
                             volume_mesher == Volume_mesher::mesh_3 ? Surface_mesher::mesh_3 : surface_mesher);
-    if (choose(np, internal_np::wall_thickness, 0.) != 0)
+    if (choose(np, internal_np::wall_thickness, Wall_thickness()).is_there())
       wall.emplace(np);
     hexahedral_method = choose(np, internal_np::hexahedral_method, hexahedral_method);
     hexahedral_fallback = choose(np, internal_np::hexahedral_fallback, hexahedral_fallback);

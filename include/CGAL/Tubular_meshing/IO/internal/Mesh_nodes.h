@@ -8,6 +8,7 @@
 #include <CGAL/Tubular_meshing/IO/internal/Node_order.h>
 #include <CGAL/Tubular_meshing/IO/internal/element_kinds.h>
 #include <CGAL/Tubular_meshing/Quadratic/Quadratic_mesh.h>
+#include <CGAL/Tubular_meshing/base/Cell_array.h>
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 
 #include <cstddef>
@@ -17,17 +18,24 @@
 
 namespace CGAL::Tubular_meshing::IO::internal {
 
-/* The nodes of a mesh, linear or quadratic, for writers: what lies beside what is a matter of the corners. */
+/* The nodes of a mesh, linear or quadratic, for writers: what lies beside what is a matter of the corners. With values of
+ * its cells, if there are any. */
 class Mesh_nodes {
 public:
-  Mesh_nodes(const Mixed_mesh& mesh)
+  Mesh_nodes(const Mixed_mesh& mesh, const std::vector<Cell_array>* cell_arrays = nullptr)
       : mesh_(mesh)
-      , quadratic_(nullptr) {}
-  Mesh_nodes(const Quadratic_mesh& mesh)
+      , quadratic_(nullptr)
+      , cell_arrays_(cell_arrays) {}
+  Mesh_nodes(const Quadratic_mesh& mesh, const std::vector<Cell_array>* cell_arrays = nullptr)
       : mesh_(mesh.linear)
-      , quadratic_(&mesh) {}
+      , quadratic_(&mesh)
+      , cell_arrays_(cell_arrays) {}
 
   const Mixed_mesh& mesh() const { return mesh_; }
+  const std::vector<Cell_array>& cell_arrays() const {
+    static const std::vector<Cell_array> none;
+    return cell_arrays_ == nullptr ? none : *cell_arrays_;
+  }
   bool is_quadratic() const { return quadratic_ != nullptr; }
   bool is_complete() const { return is_quadratic() && quadratic_->is_complete; }
   std::size_t size() const { return is_quadratic() ? quadratic_->number_of_nodes() : mesh_.points.size(); }
@@ -86,6 +94,7 @@ public:
 private:
   const Mixed_mesh& mesh_;
   const Quadratic_mesh* quadratic_;
+  const std::vector<Cell_array>* cell_arrays_;
 };
 
 } // namespace CGAL::Tubular_meshing::IO::internal

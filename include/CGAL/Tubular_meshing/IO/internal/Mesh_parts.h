@@ -33,17 +33,19 @@ public:
   struct Part {
     Mixed_mesh mesh;
     Vtu_part ids;
+    std::vector<Cell_array> cell_arrays;
   };
 
-  Mesh_parts(const Mixed_mesh& mesh, const Cell_partition& partition, const std::string& file)
-      : mesh_(mesh)
+  Mesh_parts(const Mesh_nodes& nodes, const Cell_partition& partition, const std::string& file)
+      : mesh_(nodes.mesh())
+      , cell_arrays_(nodes.cell_arrays())
       , partition_(partition)
-      , numbered_(mesh)
+      , numbered_(mesh_)
       , facets_(numbered_, file)
       , cells_(partition)
-      , ghosts_(mesh, partition)
+      , ghosts_(mesh_, partition)
       , has_facet_(numbered_.size(), false)
-      , local_point_(mesh.points.size()) {
+      , local_point_(mesh_.points.size()) {
     for (std::size_t f = 0; f < facets_.size(); ++f)
       for (const Facet_sides::Side& side : facets_.sides(f))
         if (side.is_there()) {
@@ -65,6 +67,13 @@ public:
     part.mesh.region_names = mesh_.region_names;
     part.mesh.patch_names = mesh_.patch_names;
     part.mesh.patch_ids = mesh_.patch_ids;
+    for (const Cell_array& a : cell_arrays_) {
+      part.cell_arrays.push_back({a.name, a.components, {}});
+      for (std::uint32_t c : cells) {
+        const auto first = a.values.begin() + std::ptrdiff_t(c) * a.components;
+        part.cell_arrays.back().values.insert(part.cell_arrays.back().values.end(), first, first + a.components);
+      }
+    }
     add_points(p, cells, part);
     for (std::uint32_t c : cells) {
       const Numbered_cells::Corners corners = numbered_.corners(c);
@@ -132,6 +141,7 @@ private:
   }
 
   const Mixed_mesh& mesh_;
+  const std::vector<Cell_array>& cell_arrays_;
   const Cell_partition& partition_;
   const Numbered_cells numbered_;
   const Facet_sides facets_;

@@ -24,10 +24,10 @@ namespace CGAL::Tubular_meshing::IO::internal {
  * group. Ghost cells are told by their numbers. */
 class Partitioned_msh_writer : private Msh_writer {
 public:
-  Partitioned_msh_writer(Output_file& file, const Mixed_mesh& mesh, const Cell_partition& partition)
-      : Msh_writer(file, mesh)
+  Partitioned_msh_writer(Output_file& file, const Mesh_nodes& nodes, const Cell_partition& partition)
+      : Msh_writer(file, nodes)
       , partition_(partition)
-      , cells_(mesh)
+      , cells_(nodes.mesh())
       , facets_(cells_, file.name()) {
     std::size_t element = 0;
     for_each_block(mesh_, [&](const auto& block, const Element_kind& kind) {
@@ -50,8 +50,7 @@ public:
     write_elements_4([&](std::size_t element, int label) { return std::make_pair(label, part_of_element(element)); },
                      [&](int dimension, const Label_and_part& l) { return entities_[std::size_t(dimension)].at(l); });
     write_ghost_elements();
-    for (const Point_array& a : mesh_.point_arrays)
-      write_node_data(a, true);
+    write_arrays(true);
     out_.flush();
   }
 

@@ -36,6 +36,7 @@ struct Polygon_soup {
   // Arrays of one number each, by name: at points, and at the cells of the file.
   typedef std::map<std::string, std::vector<double>> Arrays;
   Arrays point_arrays, cell_arrays;
+  Label_names region_names;       // of dimension 3, as of materials
   std::vector<std::size_t> cells; // the cell that polygon i is, or is a part of; empty: cell i
 
   // Named sets of polygons: solids, groups.

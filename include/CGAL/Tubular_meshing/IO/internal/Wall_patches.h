@@ -5,6 +5,7 @@
 #define CGAL_TUBULAR_MESHING_IO_INTERNAL_WALL_PATCHES_H
 
 #include <CGAL/Tubular_meshing/IO/internal/Facet_sides.h>
+#include <CGAL/Tubular_meshing/Layers/Wall_materials.h>
 #include <CGAL/Tubular_meshing/base/labels.h>
 
 #include <algorithm>
@@ -12,7 +13,8 @@
 
 namespace CGAL::Tubular_meshing::IO::internal {
 
-/* Which patches are walls, by the labels of this package: the lumen's surface, the outer and the middle wall; not
+/* Which patches are walls, by the labels of this package: the lumen's surface, the outer and the middle wall, and the
+ * interfaces of materials; not
  * openings, nor the rings around them. */
 class Wall_patches {
 public:
@@ -24,7 +26,10 @@ public:
     outer_ = labels::outer_wall_for(largest);
   }
 
-  bool contain(int label) const { return label == labels::wall || label == outer_ || label == outer_ + 1; }
+  bool contain(int label) const {
+    return label == labels::wall || label == outer_ || label == outer_ + 1 ||
+           label == labels::material_interface(outer_);
+  }
 
 private:
   int outer_;

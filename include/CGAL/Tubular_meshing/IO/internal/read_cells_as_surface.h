@@ -64,7 +64,7 @@ inline void add_vtk_polygon(const std::vector<std::int64_t>& corners, std::size_
 inline Polygon_soup read_vtu_surface(const Input_file& file) {
   Polygon_soup soup;
   const Vtk_xml_file vtu(file, "UnstructuredGrid");
-  read_vtp_names(vtu, soup.names);
+  read_vtp_names(vtu, soup);
   std::size_t first_cell = 0;
   bool is_first = true;
   for (const pugi::xml_node piece : vtu.dataset().children("Piece")) {

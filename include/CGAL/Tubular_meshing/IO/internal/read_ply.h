@@ -63,6 +63,7 @@ public:
     read_header();
     Polygon_soup soup;
     soup.names = names_;
+    soup.region_names = region_names_;
     for (const Ply_element& e : elements_)
       read_element(e, soup);
     return soup;
@@ -124,18 +125,19 @@ private:
     elements_.back().properties.push_back(p);
   }
 
-  // "patch 2 inlet", as this package writes names
+  // "patch 2 inlet", as this package writes names, or "region 4 plaque"
   void read_comment() {
     const std::size_t position = text_.position();
     std::string_view line = trimmed(text_.line());
     text_.move_to(position);
     std::int64_t label;
-    if (line.substr(0, 6) != "patch ")
+    const bool is_region = line.substr(0, 7) == "region ";
+    if (!is_region && line.substr(0, 6) != "patch ")
       return;
-    line = trimmed(line.substr(6));
+    line = trimmed(line.substr(is_region ? 7 : 6));
     const std::size_t end = line.find(' ');
     if (end != line.npos && parse_number(line.substr(0, end), label) && label == static_cast<int>(label))
-      names_[static_cast<int>(label)] = std::string(trimmed(line.substr(end)));
+      (is_region ? region_names_ : names_)[static_cast<int>(label)] = std::string(trimmed(line.substr(end)));
   }
 
   void read_element(const Ply_element& e, Polygon_soup& soup) {
@@ -225,7 +227,7 @@ private:
   bool ascii_ = true;
   bool little_endian_ = true;
   std::vector<Ply_element> elements_;
-  Label_names names_;
+  Label_names names_, region_names_;
 };
 
 inline Polygon_soup read_ply(const Input_file& file) {

@@ -53,15 +53,17 @@ inline Polygon_soup::Arrays vtp_arrays(const Vtk_xml_file& vtp, pugi::xml_node d
   return arrays;
 }
 
-// Fields of pairs of a label and a dimension, as this package writes names; other fields are passed over.
-inline void read_vtp_names(const Vtk_xml_file& vtp, Label_names& names) {
+// Fields of pairs of a label and a dimension, 2 or 3, as this package writes names; other fields are passed over.
+inline void read_vtp_names(const Vtk_xml_file& vtp, Polygon_soup& soup) {
   for (const pugi::xml_node array : vtp.dataset().child("FieldData").children("DataArray")) {
     if (array.attribute("type").value() != std::string("Int32"))
       continue;
     const std::vector<std::int32_t> pairs = values_if_whole<std::int32_t>(vtp, array);
     for (std::size_t i = 0; i + 1 < pairs.size(); i += 2)
       if (pairs[i + 1] == 2)
-        names[pairs[i]] = array.attribute("Name").value();
+        soup.names[pairs[i]] = array.attribute("Name").value();
+      else if (pairs[i + 1] == 3)
+        soup.region_names[pairs[i]] = array.attribute("Name").value();
   }
 }
 
@@ -69,7 +71,7 @@ inline void read_vtp_names(const Vtk_xml_file& vtp, Label_names& names) {
 inline Polygon_soup read_vtp_surface(const Input_file& file) {
   Polygon_soup soup;
   const Vtk_xml_file vtp(file, "PolyData");
-  read_vtp_names(vtp, soup.names);
+  read_vtp_names(vtp, soup);
   std::size_t first_cell = 0;
   bool is_first = true;
   for (const pugi::xml_node piece : vtp.dataset().children("Piece")) {

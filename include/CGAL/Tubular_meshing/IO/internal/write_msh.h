@@ -43,8 +43,7 @@ public:
     const int dimension = labels_[3].empty() ? 2 : 3;
     write_nodes_4(dimension, entity(dimension, labels_[dimension].begin()->first));
     write_elements_4([](std::size_t, int label) { return label; }, [&](int d, int label) { return entity(d, label); });
-    for (const Point_array& a : mesh_.point_arrays)
-      write_node_data(a, true);
+    write_arrays(true);
     out_.flush();
   }
 
@@ -53,8 +52,7 @@ public:
     write_names();
     write_nodes_2();
     write_elements_2();
-    for (const Point_array& a : mesh_.point_arrays)
-      write_node_data(a, false);
+    write_arrays(false);
     out_.flush();
   }
 
@@ -206,14 +204,23 @@ protected:
     out_ << "$EndElements\n";
   }
 
-  // Gmsh knows scalars, vectors and tensors of nine components: a symmetric one is written in full.
-  void write_node_data(const Point_array& a, bool binary) {
-    const std::size_t stored = static_cast<std::size_t>(a.components), written = stored == 6 ? 9 : stored;
+  void write_arrays(bool binary) {
+    for (const Point_array& a : mesh_.point_arrays)
+      write_data("NodeData", a.name, a.components, nodes_.values(a), binary);
+    for (const Cell_array& a : nodes_.cell_arrays())
+      write_data("ElementData", a.name, a.components, a.values, binary);
+  }
+
+  // Of the first nodes, or elements. Gmsh knows scalars, vectors and tensors of nine components: a symmetric one is
+  // written in full.
+  void write_data(const std::string& section, const std::string& name, int components,
+                  const std::vector<double>& values, bool binary) {
+    const std::size_t stored = static_cast<std::size_t>(components), written = stored == 6 ? 9 : stored;
     if (written != 1 && written != 3 && written != 9)
-      fail("its format has no arrays of " + std::to_string(stored) + " components, as '" + a.name + "' is");
-    out_ << "$NodeData\n1\n\"" << a.name << "\"\n1\n0\n3\n0\n" << written << '\n' << nodes_.size() << '\n';
-    const std::vector<double> values = nodes_.values(a);
-    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+      fail("its format has no arrays of " + std::to_string(stored) + " components, as '" + name + "' is");
+    const std::size_t number = values.size() / stored;
+    out_ << "$" << section << "\n1\n\"" << name << "\"\n1\n0\n3\n0\n" << written << '\n' << number << '\n';
+    for (std::size_t i = 0; i < number; ++i) {
       if (binary)
         out_.bytes(static_cast<std::int32_t>(i + 1));
       else
@@ -228,7 +235,7 @@ protected:
       if (!binary)
         out_ << '\n';
     }
-    out_ << (binary ? "\n" : "") << "$EndNodeData\n";
+    out_ << (binary ? "\n" : "") << "$End" << section << "\n";
   }
 
   Output_file& file_;

@@ -35,7 +35,8 @@ inline bool belongs_to_pvtu(const std::filesystem::path& file) {
 }
 
 // What the arrays of the parts are: a reader learns it before it opens any of them.
-inline std::string pvtu_text(const std::string& file, const Mixed_mesh& mesh, std::size_t parts) {
+inline std::string pvtu_text(const std::string& file, const Mesh_nodes& nodes, std::size_t parts) {
+  const Mixed_mesh& mesh = nodes.mesh();
   std::string text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"PUnstructuredGrid\" version=\"1.0\" byte_order=\"" +
                      std::string(host_is_little_endian() ? "LittleEndian" : "BigEndian") +
                      "\" header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\">\n"
@@ -66,6 +67,8 @@ inline std::string pvtu_text(const std::string& file, const Mixed_mesh& mesh, st
   array("Int32", "patch", 1);
   if (!mesh.patch_ids.empty())
     array("Int32", mesh.patch_ids.array, 1);
+  for (const Cell_array& a : nodes.cell_arrays())
+    array("Float64", a.name, a.components);
   array("Int64", global_cell_ids_name, 1);
   array("UInt8", vtk_ghost_array_name, 1);
   text += "</PCellData>\n<PPoints>\n";
@@ -77,14 +80,14 @@ inline std::string pvtu_text(const std::string& file, const Mixed_mesh& mesh, st
   return text + "</PUnstructuredGrid>\n</VTKFile>\n";
 }
 
-inline void write_pvtu(Output_file& file, Output_folder& folder, const Mixed_mesh& mesh,
+inline void write_pvtu(Output_file& file, Output_folder& folder, const Mesh_nodes& nodes,
                        const Cell_partition& partition) {
-  Mesh_parts parts(mesh, partition, file.name());
+  Mesh_parts parts(nodes, partition, file.name());
   for (std::size_t p = 0; p < parts.size(); ++p) {
     const Mesh_parts::Part part = parts[p];
-    write_vtu(folder.file(file_of_part(file.name(), p)), part.mesh, &part.ids);
+    write_vtu(folder.file(file_of_part(file.name(), p)), Mesh_nodes(part.mesh, &part.cell_arrays), &part.ids);
   }
-  file.write(pvtu_text(file.name(), mesh, parts.size()));
+  file.write(pvtu_text(file.name(), nodes, parts.size()));
 }
 
 } // namespace CGAL::Tubular_meshing::IO::internal

@@ -69,6 +69,11 @@ inline void write_cells(const Mesh_nodes& nodes, const Vtu_part* part, Vtk_xml_w
   out.array("patch", 1, patches);
   if (!mesh.patch_ids.empty())
     out.array(mesh.patch_ids.array, 1, ids_of(patches, mesh.patch_ids));
+  for (const Cell_array& a : nodes.cell_arrays()) {
+    std::vector<double> values = a.values;
+    values.resize(std::size_t(a.components) * offsets.size(), 0); // of facets
+    out.array(a.name, std::size_t(a.components), values);
+  }
   if (part) {
     out.array(global_cell_ids_name, 1, part->cell_ids);
     out.array(vtk_ghost_array_name, 1, part->cell_ghosts);

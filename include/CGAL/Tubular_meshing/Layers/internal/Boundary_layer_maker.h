@@ -94,7 +94,7 @@ private:
   }
 
   void make_layers(const Layer_surface& surface, const std::vector<Index>& vertices, const Layer_engine& engine,
-                   const std::vector<double>& levels) {
+                   const Layer_levels& levels) {
     Mixed_mesh& mesh = result_.layers;
     const std::size_t layers = levels.size() - 1;
     std::vector<Index> base;

@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_LAYERS_INTERNAL_LAYER_BUILDER_H
 #define CGAL_TUBULAR_MESHING_LAYERS_INTERNAL_LAYER_BUILDER_H
 
+#include <CGAL/Tubular_meshing/Layers/internal/Layer_levels.h>
 #include <CGAL/Tubular_meshing/Layers/internal/Layer_surface.h>
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 
@@ -35,11 +36,11 @@ public:
       , mesh_(mesh) {}
 
   // \param vectors to the far side
-  void add_points(const std::vector<double>& levels, Function_view<Vector_3d(Index)> vector) {
+  void add_points(const Layer_levels& levels, Function_view<Vector_3d(Index)> vector) {
     mesh_.points.reserve(mesh_.points.size() + layers_ * base_.size());
     for (std::size_t k = 1; k < levels.size(); ++k)
       for (Index v = 0; v < base_.size(); ++v) {
-        const Vector_3d p = surface_.points[v] + levels[k] * vector(v);
+        const Vector_3d p = surface_.points[v] + levels(v, k) * vector(v);
         mesh_.points.emplace_back(p.x, p.y, p.z);
       }
   }
@@ -50,8 +51,15 @@ public:
   }
 
   void add_cells(std::size_t first_layer, std::size_t last_layer, int region, bool tetrahedral) {
+    add_cells(first_layer, last_layer, std::vector<int>(surface_.faces.size(), region), tetrahedral);
+  }
+
+  // \param regions one a face
+  void add_cells(std::size_t first_layer, std::size_t last_layer, const std::vector<int>& regions, bool tetrahedral) {
     for (std::size_t k = first_layer; k < last_layer; ++k)
-      for (const Face& f : surface_.faces)
+      for (std::size_t i = 0; i < surface_.faces.size(); ++i) {
+        const Face& f = surface_.faces[i];
+        const int region = regions[i];
         if (Layer_surface::degree(f) == 4)
           mesh_.hexahedra.push_back({point(f[0], k), point(f[1], k), point(f[2], k), point(f[3], k), point(f[0], k + 1),
                                      point(f[1], k + 1), point(f[2], k + 1), point(f[3], k + 1)},
@@ -62,6 +70,37 @@ public:
           mesh_.prisms.push_back({point(f[0], k), point(f[1], k), point(f[2], k), point(f[0], k + 1),
                                   point(f[1], k + 1), point(f[2], k + 1)},
                                  region);
+      }
+  }
+
+  /* The facets between columns of different regions, as the face of the higher one turns: seen from the lower one.
+   * O(n log n). */
+  void add_interfaces(std::size_t first_layer, std::size_t last_layer, const std::vector<int>& regions, int label,
+                      bool tetrahedral) {
+    struct Side {
+      std::array<Index, 2> edge; // lower vertex first
+      std::size_t face;
+      bool is_turned;
+      bool operator<(const Side& s) const { return edge != s.edge ? edge < s.edge : face < s.face; }
+    };
+    std::vector<Side> sides;
+    for (std::size_t i = 0; i < surface_.faces.size(); ++i) {
+      const Face& f = surface_.faces[i];
+      const std::size_t n = std::size_t(Layer_surface::degree(f));
+      for (std::size_t j = 0; j < n; ++j) {
+        const Index v = f[j], w = f[(j + 1) % n];
+        sides.push_back({{(std::min)(v, w), (std::max)(v, w)}, i, w < v});
+      }
+    }
+    std::sort(sides.begin(), sides.end());
+    for (std::size_t k = first_layer; k < last_layer; ++k)
+      for (std::size_t s = 1; s < sides.size(); ++s) {
+        if (sides[s].edge != sides[s - 1].edge || regions[sides[s].face] == regions[sides[s - 1].face])
+          continue;
+        const Side& higher = regions[sides[s].face] > regions[sides[s - 1].face] ? sides[s] : sides[s - 1];
+        add_ring_facet(higher.edge[higher.is_turned ? 1 : 0], higher.edge[higher.is_turned ? 0 : 1], k, label,
+                       tetrahedral);
+      }
   }
 
   // The faces of the surface at a level, turned as it is, or the other way where layers grow inward.

@@ -6,6 +6,7 @@
 
 #include <CGAL/Tubular_meshing/Layers/Layer_report.h>
 #include <CGAL/Tubular_meshing/Layers/internal/Column_optimizer.h>
+#include <CGAL/Tubular_meshing/Layers/internal/Layer_levels.h>
 #include <CGAL/Tubular_meshing/Layers/internal/Layer_thickness.h>
 #include <CGAL/Tubular_meshing/Rims/planar_cap.h>
 #include <CGAL/Tubular_meshing/base/Function_view.h>
@@ -21,10 +22,10 @@
 namespace CGAL::Tubular_meshing::internal {
 
 struct Layer_options {
-  std::vector<double> levels; // 0 at the surface, …, 1 on the far side of the last layer
-  double part_of_gap = 0.75;  // that a thickness may take of the way to the middle of a gap
-  bool tetrahedral = false;   // cells will be cut
-  bool inward = false; // the far side is closed by new caps in its own rims, not by the rings and those there are
+  Layer_levels levels;       // 0 at the surface, …, 1 on the far side of the last layer
+  double part_of_gap = 0.75; // that a thickness may take of the way to the middle of a gap
+  bool tetrahedral = false;  // cells will be cut
+  bool inward = false;       // the far side is closed by new caps in its own rims, not by the rings and those there are
   int threads = 0;
 };
 
@@ -54,7 +55,8 @@ public:
       , options_(options)
       , directions_(surface)
       , direction_(directions_.directions())
-      , wanted_(std::move(wanted)) {
+      , asked_(std::move(wanted))
+      , wanted_(asked_) {
     limit_slope(surface_, largest_slope, wanted_);
     thickness_ = wanted_;
     share_gaps(surface_, points_, obstacles_, direction_, options_.part_of_gap, options_.threads, thickness_);
@@ -65,6 +67,8 @@ public:
 
   Vector_3d vector(Index v) const { return thickness_[v] * direction_[v]; }
   double thickness(Index v) const { return thickness_[v]; }
+  // What was asked for, and as much of it as may be: it changes along no edge by more than a part of the length.
+  double asked(Index v) const { return asked_[v]; }
   double wanted(Index v) const { return wanted_[v]; }
   int rounds() const { return rounds_; }
 
@@ -90,6 +94,9 @@ private:
                         ", however thin: the surface may intersect itself there, or have folds; repair it, or mesh it "
                         "again.");
   }
+
+  // From a vertex to a side of a layer.
+  Vector_3d at_level(Index v, std::size_t k) const { return options_.levels(v, k) * vector(v); }
 
   // By the direction that was there before the column was turned, for which gaps were measured; then by the thickness.
   void give_way(const std::vector<Index>& bad) {
@@ -119,11 +126,10 @@ private:
       for (const Corner* c = surface_.corners_begin(v); c != surface_.corners_end(v); ++c) {
         const Vector_3d a = surface_.points[c->next] - surface_.points[v],
                         b = surface_.points[c->previous] - surface_.points[v];
-        const Vector_3d da = vector(c->next) - d, db = vector(c->previous) - d;
         const double area = dot(cross(a, b), d);
         for (std::size_t k = 1; k < options_.levels.size(); ++k) {
-          const double s = options_.levels[k];
-          if (!(dot(cross(a + s * da, b + s * db), d) > least_area * area)) {
+          const Vector_3d from = at_level(v, k), da = at_level(c->next, k) - from, db = at_level(c->previous, k) - from;
+          if (!(dot(cross(a + da, b + db), d) > least_area * area)) {
             bad.insert(bad.end(), {v, c->next, c->previous});
             break;
           }
@@ -139,13 +145,13 @@ private:
 
   // What is far from the origin, and thin, may be folded by the rounding of its points.
   void check_rounded_cells() const {
-    const std::vector<double>& s = options_.levels;
-    const auto at = [&](Index v, std::size_t k) { return surface_.points[v] + s[k] * vector(v); };
+    const std::size_t levels = options_.levels.size();
+    const auto at = [&](Index v, std::size_t k) { return surface_.points[v] + at_level(v, k); };
     for (Index v = 0; v < surface_.number_of_vertices(); ++v)
       for (const Corner* c = surface_.corners_begin(v); c != surface_.corners_end(v); ++c)
-        for (std::size_t k = 0; k < s.size(); ++k) {
+        for (std::size_t k = 0; k < levels; ++k) {
           const Vector_3d p = at(v, k), n = cross(at(c->next, k) - p, at(c->previous, k) - p);
-          if ((k > 0 && !(dot(n, p - at(v, k - 1)) > 0)) || (k + 1 < s.size() && !(dot(n, at(v, k + 1) - p) > 0)))
+          if ((k > 0 && !(dot(n, p - at(v, k - 1)) > 0)) || (k + 1 < levels && !(dot(n, at(v, k + 1) - p) > 0)))
             throw Meshing_error("The layers at " + place_of(surface_.points[v]) +
                                 " are thinner than coordinates can tell apart: ask for fewer or thicker ones, or move "
                                 "the model closer to the origin.");
@@ -158,8 +164,8 @@ private:
     std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
     const bool turned = t[2] < t[1];
     for (std::size_t k = 0; k + 1 < options_.levels.size(); ++k) {
-      const double low = options_.levels[k], high = options_.levels[k + 1];
-      const auto at = [&](Index v, double s) { return surface_.points[v] + s * vector(v); };
+      const std::size_t low = k, high = k + 1;
+      const auto at = [&](Index v, std::size_t level) { return surface_.points[v] + at_level(v, level); };
       // the middle one has an edge below, from the smallest vertex to the middle one, and one above
       const Index m = turned ? t[2] : t[1], l = turned ? t[1] : t[2];
       const Vector_3d a = at(t[0], low), b = at(m, low), upper_b = at(m, high), upper_c = at(l, high);
@@ -231,6 +237,7 @@ private:
   const Layer_options options_;
   Layer_directions directions_;
   std::vector<Vector_3d> direction_;
+  const std::vector<double> asked_;
   std::vector<double> wanted_, thickness_;
   Vector_3d place_;
   int rounds_ = 0;

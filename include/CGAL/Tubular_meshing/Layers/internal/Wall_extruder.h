@@ -13,33 +13,36 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Tubular_meshing::internal {
 
-/* One wall, or the second one: its thickness in local radii, its layers, and how they grow outward. */
+/* One wall, or the second one: its thickness, its layers, and how they grow outward. */
 struct Wall_layers {
-  double thickness;
+  Wall_thickness thickness;
   int layers;
   double growth;
 
-  // Appends the distances of the far sides of the layers from the lumen.
-  void append_heights(std::vector<double>& heights) const {
+  // The far sides of the layers, from 0 to 1.
+  std::vector<double> levels() const {
     double sum = 0;
     for (int k = 0; k < layers; ++k)
       sum += std::pow(growth, k);
-    const double first = heights.back();
+    std::vector<double> levels = {0};
     double part = 0;
     for (int k = 0; k < layers; ++k) {
       part += std::pow(growth, k);
-      heights.push_back(first + thickness * (k + 1 == layers ? 1 : part / sum));
+      levels.push_back(k + 1 == layers ? 1 : part / sum);
     }
+    return levels;
   }
 
   void check(const std::string& wall) const {
-    if (!(thickness > 0 && thickness <= 10))
-      throw Parameter_error("The thickness of the " + wall + " is " + std::to_string(thickness) +
+    if (thickness.is_relative() && !(thickness.radii() > 0 && thickness.radii() <= 10))
+      throw Parameter_error("The thickness of the " + wall + " is " + std::to_string(thickness.radii()) +
                             ": give a part of the local radius, above 0 and at most 10; 0.2 is usual.");
     if (layers < 1 || layers > 1000)
       throw Parameter_error("The number of layers of the " + wall + " is " + std::to_string(layers) +
@@ -47,6 +50,21 @@ struct Wall_layers {
     if (!(growth >= 0.1 && growth <= 10))
       throw Parameter_error("The growth of the " + wall + "'s layers is " + std::to_string(growth) +
                             ": give the ratio of successive thicknesses, from 0.1 to 10; 1 is usual.");
+  }
+
+  // At a point of the surface.
+  double at(const Vector_3d& p, double radius, const char* wall) const {
+    const double t = thickness(as<Point_3>(p), radius);
+    if (thickness.is_relative())
+      return t;
+    if (!(t > 0) || !std::isfinite(t))
+      throw Input_error(std::string("The thickness of the ") + wall + " at " + place_of(p) + " is " +
+                        std::to_string(t) + "; a wall is thicker than 0 everywhere.");
+    if (t > 10 * radius)
+      throw Input_error(std::string("The thickness of the ") + wall + " at " + place_of(p) +
+                        " is more than ten times the local radius, " + std::to_string(t / radius) +
+                        " times: is it in the unit of the surface?");
+    return t;
   }
 };
 
@@ -58,7 +76,8 @@ public:
       : mesh_(mesh)
       , first_{options.wall_thickness, options.wall_layers, options.wall_growth}
       , second_{options.second_wall_thickness, options.second_wall_layers, options.second_wall_growth}
-      , has_second_(second_.thickness != 0)
+      , has_second_(second_.thickness.is_there())
+      , materials_(options.materials)
       , tetrahedral_(options.tetrahedral_wall)
       , threads_(options.number_of_threads) {
     first_.check("wall");
@@ -76,18 +95,21 @@ public:
       split_wall_quads(facets);
     const Wall_facets wall(facets);
     const Layer_surface surface = wall.surface(false);
-    const Layer_options options = options_for_layers();
+    std::vector<double> shares;
+    std::vector<double> wanted = thicknesses(surface, radius, shares);
+    const Layer_options options = options_for_layers(std::move(shares));
     std::vector<Vector_3d> points = surface.points;
     std::vector<Layer_surface::Triangle> closure;
     wall.caps(points, closure);
     const std::vector<Layer_surface::Triangle> caps = closure;
     if (!wall.has_all_caps(surface)) // an open surface: then the wall is closed by its own near side
       closure = surface.triangles(true);
-    const Layer_engine engine(surface, std::move(points), caps, std::move(closure),
-                              multiples_of_radius(surface, radius, total_thickness()), options);
+    const Layer_engine engine(surface, std::move(points), caps, std::move(closure), std::move(wanted), options);
 
     Layer_report report = report_of(surface, engine);
     report.relabelled_facets = wall.number_of_relabelled_facets();
+    for (Index v = 0; v < report.vertices && !is_relative(); ++v)
+      report.steep_vertices += engine.wanted(v) < 0.99 * engine.asked(v);
     mesh_.triangles = std::move(facets.triangles);
     mesh_.quads = std::move(facets.quads);
     build(surface, wall.mesh_vertices(), engine, options.levels, report);
@@ -95,18 +117,46 @@ public:
   }
 
 private:
-  double total_thickness() const { return first_.thickness + (has_second_ ? second_.thickness : 0); }
+  bool is_relative() const {
+    return first_.thickness.is_relative() && (!has_second_ || second_.thickness.is_relative());
+  }
 
-  Layer_options options_for_layers() const {
-    std::vector<double> heights = {0};
-    first_.append_heights(heights);
-    if (has_second_)
-      second_.append_heights(heights);
+  /* Of both walls, one a vertex; and the first one's shares of it, where these are not the same everywhere. */
+  std::vector<double> thicknesses(const Layer_surface& surface, Length_function radius,
+                                  std::vector<double>& shares) const {
+    if (is_relative())
+      return multiples_of_radius(surface, radius,
+                                 first_.thickness.radii() + (has_second_ ? second_.thickness.radii() : 0));
+    const std::vector<double> radii = multiples_of_radius(surface, radius, 1);
+    std::vector<double> wanted;
+    for (Index v = 0; v < radii.size(); ++v) {
+      const double first = first_.at(surface.points[v], radii[v], "wall");
+      const double second = has_second_ ? second_.at(surface.points[v], radii[v], "second wall") : 0;
+      wanted.push_back(first + second);
+      if (has_second_)
+        shares.push_back(first / (first + second));
+    }
+    return wanted;
+  }
+
+  Layer_options options_for_layers(std::vector<double> shares) const {
     Layer_options options;
-    for (double h : heights)
-      options.levels.push_back(h / heights.back());
     options.tetrahedral = tetrahedral_;
     options.threads = threads_;
+    if (!has_second_) {
+      options.levels = first_.levels();
+    } else if (!shares.empty()) {
+      options.levels = Layer_levels(first_.levels(), second_.levels(), std::move(shares));
+    } else {
+      const double first = first_.thickness.radii(), second = second_.thickness.radii();
+      std::vector<double> levels;
+      for (double level : first_.levels())
+        levels.push_back(first * level / (first + second));
+      for (double level : second_.levels())
+        if (level > 0)
+          levels.push_back(level == 1 ? 1 : (first + second * level) / (first + second));
+      options.levels = std::move(levels);
+    }
     return options;
   }
 
@@ -146,7 +196,7 @@ private:
   }
 
   void build(const Layer_surface& surface, const std::vector<Index>& base, const Layer_engine& engine,
-             const std::vector<double>& levels, Layer_report& report) {
+             const Layer_levels& levels, Layer_report& report) {
     const std::size_t layers = levels.size() - 1, first = std::size_t(first_.layers);
     report.prisms = mesh_.prisms.size();
     report.hexahedra = mesh_.hexahedra.size();
@@ -154,7 +204,8 @@ private:
     const int outer = labels::outer_wall_for(largest_patch(surface));
     Layer_builder builder(surface, base, layers, false, mesh_);
     builder.add_points(levels, [&](Index v) { return engine.vector(v); });
-    builder.add_cells(0, first, labels::wall_region, tetrahedral_);
+    const std::vector<int> regions = regions_of(surface);
+    builder.add_cells(0, first, regions, tetrahedral_);
     builder.add_cells(first, layers, labels::wall_region + 1, tetrahedral_);
     report.prisms = mesh_.prisms.size() - report.prisms;
     report.hexahedra = mesh_.hexahedra.size() - report.hexahedra;
@@ -163,8 +214,23 @@ private:
       builder.add_facets(first, outer + (labels::middle_wall - labels::outer_wall));
     builder.add_facets(layers, outer);
     builder.add_rings([&](int label) { return outer + label; }, tetrahedral_);
-    add_names(surface);
+    builder.add_interfaces(0, first, regions, labels::material_interface(outer), tetrahedral_);
+    add_names(surface, regions, outer);
     extend_point_arrays(base, layers);
+  }
+
+  // Of the first wall, one a face.
+  std::vector<int> regions_of(const Layer_surface& surface) const {
+    std::vector<int> regions(surface.faces.size(), labels::wall_region);
+    for (std::size_t i = 0; i < regions.size() && !materials_.empty(); ++i) {
+      const Layer_surface::Face& f = surface.faces[i];
+      const int n = Layer_surface::degree(f);
+      Vector_3d middle;
+      for (int k = 0; k < n; ++k)
+        middle += (1. / n) * surface.points[f[std::size_t(k)]];
+      regions[i] = materials_.region(as<Point_3>(middle));
+    }
+    return regions;
   }
 
   // Of the lumen's own.
@@ -180,13 +246,22 @@ private:
     return largest;
   }
 
-  void add_names(const Layer_surface& surface) {
+  void add_names(const Layer_surface& surface, const std::vector<int>& regions, int outer) {
     for (const Layer_surface::Rim_edge& e : surface.rim_edges)
       if (e.label >= labels::inlet && mesh_.patch_names.count(e.label) == 0)
         mesh_.patch_names[e.label] = lumen_patch_names(e.label - labels::inlet + 1)[e.label];
     mesh_.patch_names.insert({labels::wall, "wall"});
     add_wall_patch_names(mesh_.patch_names, has_second_);
-    mesh_.region_names[labels::wall_region] = "wall";
+    if (std::count(regions.begin(), regions.end(), labels::wall_region) > 0)
+      mesh_.region_names[labels::wall_region] = "wall";
+    for (const auto& name : materials_.names) // of all, whether or not they are on this vessel
+      mesh_.region_names.insert(name);
+    if (!materials_.empty()) {
+      std::set<std::string> used;
+      for (const auto& name : mesh_.patch_names)
+        used.insert(name.second);
+      mesh_.patch_names[labels::material_interface(outer)] = unused_name("material_interface", used);
+    }
     if (has_second_)
       mesh_.region_names[labels::wall_region + 1] = "second_wall";
   }
@@ -206,7 +281,9 @@ private:
 
   Mixed_mesh& mesh_;
   const Wall_layers first_, second_;
-  const bool has_second_, tetrahedral_;
+  const bool has_second_;
+  const Wall_materials materials_;
+  const bool tetrahedral_;
   const int threads_;
 };
 

@@ -13,6 +13,7 @@
 #include <CGAL/Tubular_meshing/Fields/Centerline_sizing_field.h>
 #include <CGAL/Tubular_meshing/Fields/Metric_tensor_3.h>
 #include <CGAL/Tubular_meshing/Fields/Size_requests.h>
+#include <CGAL/Tubular_meshing/Layers/extrude_wall.h>
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/Patches/Remeshed_surface.h>
 #include <CGAL/Tubular_meshing/Pipelines/Tubular_model.h>
@@ -77,6 +78,23 @@ public:
         h /= frame_.scale();
     }
     return requests;
+  }
+
+  // Functions of places and lengths stay those of the model.
+  Wall_thickness in_frame(const Wall_thickness& thickness) const {
+    if (thickness.is_relative())
+      return thickness;
+    return Wall_thickness(
+        [this, length = thickness.length()](const Point_3& p) { return length(from_frame(p)) / frame_.scale(); });
+  }
+  Extrude_wall_options in_frame(Extrude_wall_options options) const {
+    options.wall_thickness = in_frame(options.wall_thickness);
+    options.second_wall_thickness = in_frame(options.second_wall_thickness);
+    if (!options.materials.empty())
+      options.materials.region = [this, region = options.materials.region](const Point_3& p) {
+        return region(from_frame(p));
+      };
+    return options;
   }
 
   // Brings volumes, areas and lengths back.

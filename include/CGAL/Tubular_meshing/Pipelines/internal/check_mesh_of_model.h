@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_PIPELINES_INTERNAL_CHECK_MESH_OF_MODEL_H
 #define CGAL_TUBULAR_MESHING_PIPELINES_INTERNAL_CHECK_MESH_OF_MODEL_H
 
+#include <CGAL/Tubular_meshing/Layers/Wall_materials.h>
 #include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/Quality/lumen_measures.h>
@@ -31,7 +32,12 @@ constexpr double largest_loss_of_volume = 0.3;
 // What a mesh of the model must be beyond valid: of the model's topology, with all of its patches, and as large.
 // `surface`: the model's, where the mesh is.
 inline std::string differences(const Mixed_mesh& mesh, const Tubular_model& model, const Surface& surface) {
-  const Validity_report report = validity_report(mesh);
+  Validity_report report = validity_report(mesh);
+  const bool has_materials =
+      !report.region_components.empty() && report.region_components.rbegin()->first >= labels::first_material;
+  if (has_materials) // which may be in several places, and part the wall
+    report.region_components.erase(report.region_components.lower_bound(labels::wall_region),
+                                   report.region_components.end());
   std::string s = report.defects();
   const auto add = [&](const std::string& what) { s += (s.empty() ? "" : ", ") + what; };
   const std::ptrdiff_t euler = std::ptrdiff_t(num_vertices(model.surface)) - std::ptrdiff_t(num_edges(model.surface)) +

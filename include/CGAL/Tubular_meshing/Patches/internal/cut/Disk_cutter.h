@@ -5,7 +5,7 @@
 #define CGAL_TUBULAR_MESHING_PATCHES_INTERNAL_CUT_DISK_CUTTER_H
 
 #include <CGAL/Tubular_meshing/base/Kernel.h>
-#include <CGAL/Tubular_meshing/Patches/internal/cut/Branch_axis.h>
+#include <CGAL/Tubular_meshing/Centerlines/Branch_curve.h>
 #include <CGAL/Tubular_meshing/Patches/internal/cut/Cut_surface.h>
 #include <CGAL/Tubular_meshing/Patches/internal/cut/Section_finder.h>
 #include <CGAL/Tubular_meshing/Patches/internal/cut/Section_snapper.h>
@@ -50,7 +50,7 @@ public:
       , cuts_of_branch_(graph.branches().size()) {}
 
   const Centerline_graph& graph() const { return graph_; }
-  Branch_axis axis(size_type branch) const { return Branch_axis(graph_, branch); }
+  Branch_curve axis(size_type branch) const { return Branch_curve(graph_, branch); }
   const std::vector<Branch_cut>& cuts() const { return cuts_; }
 
   // The numbers of a branch's cuts, by abscissa.
@@ -95,14 +95,14 @@ private:
   static constexpr double reach = 8; // radii
 
   bool find_curve(size_type branch, const Disk& disk) {
-    const Branch_axis a = axis(branch);
+    const Branch_curve a = axis(branch);
     const Section_plane plane(a.point(disk.abscissa), normal(a, disk));
     return finder_.find(plane, reach * a.radius(disk.abscissa), section_) && snapper_.snap(section_, curve_);
   }
 
   /* The tangent, or a direction tilted off it by 20 or 40 degrees to one of eight sides; which sides, the direction
    * towards the root tells, as coordinate axes would make the result depend on the surface's position. */
-  Vector_3d normal(const Branch_axis& a, const Disk& disk) const {
+  Vector_3d normal(const Branch_curve& a, const Disk& disk) const {
     const Vector_3d t = a.tangent(disk.abscissa);
     if (disk.tilt == 0)
       return t;

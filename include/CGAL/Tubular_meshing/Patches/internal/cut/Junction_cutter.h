@@ -31,7 +31,7 @@ public:
 
   // Cuts one branch off the junctions that it joins.
   void cut_off(size_type branch) {
-    const Branch_axis axis = cutter_.axis(branch);
+    const Branch_curve axis = cutter_.axis(branch);
     const auto& b = graph_.branches()[branch];
     const bool at_source = is_junction(b.source), at_target = is_junction(b.target);
     if (!at_source && !at_target)
@@ -62,7 +62,7 @@ private:
       return cut_tilted(branch, from, to);
     if (!first.is_cuttable() || !last.is_cuttable())
       return cutter_.cut(branch, (std::min)(first, last));
-    const Branch_axis axis = cutter_.axis(branch);
+    const Branch_curve axis = cutter_.axis(branch);
     const double gap = (axis.radius(first.abscissa) + axis.radius(last.abscissa)) / 2;
     if (last.abscissa - first.abscissa < gap)
       return cutter_.cut(branch, (std::min)(first, last));
@@ -82,7 +82,7 @@ private:
   /* The first disk on the way from one abscissa to another that is hardly wider than all those within its own radius
    * behind it. */
   Disk nearest_good_disk(size_type branch, double from, double to) {
-    const Branch_axis axis = cutter_.axis(branch);
+    const Branch_curve axis = cutter_.axis(branch);
     const double direction = to >= from ? 1 : -1, length = std::abs(to - from);
     std::vector<Disk> disks;
     std::vector<double> way;
@@ -139,7 +139,7 @@ private:
   // Between bifurcations so close that there is no tube of the branch's own, one cut may part them yet.
   bool cut_short(size_type branch) {
     const auto& b = graph_.branches()[branch];
-    const Branch_axis axis = cutter_.axis(branch);
+    const Branch_curve axis = cutter_.axis(branch);
     const double from = axis.exit(true, outside / 2 * radius_at(b.source));
     const double to = axis.length() - axis.exit(false, outside / 2 * radius_at(b.target));
     if (from > to)

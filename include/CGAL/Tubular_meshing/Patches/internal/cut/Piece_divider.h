@@ -108,7 +108,7 @@ private:
   // Every so often between two abscissae, half a radius away from them.
   template <class Order>
   void add_places(size_type branch, double from, double to, const Order& order, std::vector<Place>& places) const {
-    const Branch_axis axis = cutter_.axis(branch);
+    const Branch_curve axis = cutter_.axis(branch);
     const double first = from + 0.5 * axis.radius(from), last = to - 0.5 * axis.radius(to);
     for (double s = first; s <= last; s += (std::max)(step * axis.radius(s), 1e-3 * axis.length()))
       places.push_back(Place{branch, s, order(s)});

@@ -45,7 +45,7 @@ private:
   static constexpr double price_of_a_step = 0.04; // what a disk must be narrower by to be worth it
 
   void divide(size_type branch, double from, double to) {
-    const Branch_axis axis = cutter_.axis(branch);
+    const Branch_curve axis = cutter_.axis(branch);
     const double eta = axis.aspect_ratio(from, to);
     if (eta <= aspect_ratio_)
       return;
@@ -60,7 +60,7 @@ private:
 
   // A cuttable disk near the place wanted: the narrowest within a radius, if any, or the nearest.
   Disk disk_near(size_type branch, double wanted, double from, double to) {
-    const Branch_axis axis = cutter_.axis(branch);
+    const Branch_curve axis = cutter_.axis(branch);
     const double step = 0.2 * axis.radius(wanted), least_part = (std::min)(axis.radius(wanted), (to - from) / 4);
     const double first = from + least_part, last = to - least_part;
     Disk best;

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tubular_meshing authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_TUBULAR_MESHING_PATCHES_INTERNAL_CUT_BRANCH_AXIS_H
-#define CGAL_TUBULAR_MESHING_PATCHES_INTERNAL_CUT_BRANCH_AXIS_H
+#ifndef CGAL_TUBULAR_MESHING_CENTERLINES_BRANCH_CURVE_H
+#define CGAL_TUBULAR_MESHING_CENTERLINES_BRANCH_CURVE_H
 
 #include <CGAL/Tubular_meshing/Centerlines/Centerline_graph.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
@@ -15,9 +15,9 @@
 namespace CGAL::Tubular_meshing::internal {
 
 /* A branch as a curve: position, direction and radius by abscissa. */
-class Branch_axis {
+class Branch_curve {
 public:
-  Branch_axis(const Centerline_graph& graph, std::size_t branch)
+  Branch_curve(const Centerline_graph& graph, std::size_t branch)
       : graph_(graph)
       , branch_(graph.branches()[branch]) {}
 
@@ -41,7 +41,8 @@ public:
     if (squared_norm(chord) > 0)
       return normalized(chord);
     const Place p = place(s);
-    return normalized(at(p.segment + 1) - at(p.segment));
+    const Vector_3d segment = at(p.segment + 1) - at(p.segment);
+    return normalized(squared_norm(segment) > 0 ? segment : point(length()) - point(0));
   }
 
   // The least and the greatest radius between two abscissae.
@@ -107,4 +108,4 @@ private:
 
 } // namespace CGAL::Tubular_meshing::internal
 
-#endif // CGAL_TUBULAR_MESHING_PATCHES_INTERNAL_CUT_BRANCH_AXIS_H
+#endif // CGAL_TUBULAR_MESHING_CENTERLINES_BRANCH_CURVE_H
