@@ -4,6 +4,7 @@
 
 CMAKE_ARGS has further options, such as those for a library that is installed already:
 -DTUBULAR_MESHING_USE_INSTALLED=ON -DTubular_meshing_DIR=<folder of Tubular_meshingConfig.cmake>
+or -DTUBULAR_MESHING_WITH_VIEWER=ON, for pages of reports with the mesh in 3D, which npm downloads the parts for.
 """
 
 import os
@@ -30,6 +31,7 @@ class BuildByCMake(build_ext):
             f"-DTUBULAR_MESHING_PYTHON={sys.executable}",
             "-DCMAKE_BUILD_TYPE=Release",
             "-DBUILD_SHARED_LIBS=OFF",
+            "-DTUBULAR_MESHING_WITH_VIEWER=OFF",
         ]
         options += shlex.split(os.environ.get("CMAKE_ARGS", ""))
         jobs = os.environ.get("CMAKE_BUILD_PARALLEL_LEVEL", "1")

@@ -11,7 +11,9 @@ library_packages=(g++ cmake ninja-build libcgal-dev libeigen3-dev libtbb-dev zli
   libtet1.5-dev liblemon-dev libhdf5-dev libcgns-dev libexodusii-dev libmetis-dev)
 example_packages=(libcli11-dev nlohmann-json3-dev)
 python_packages=(pybind11-dev python3-dev python3-numpy)
-test_packages=(libgtest-dev libbenchmark-dev clang libclang-rt-dev python3-pytest) # Clang: for the fuzz tests alone
+test_packages=(libgtest-dev libbenchmark-dev clang libclang-rt-dev python3-pytest chromium) # Clang: for the fuzz tests alone
+# For pages with the mesh in 3D; Node.js may have come with an npm that is no Debian package.
+command -v npm >/dev/null || example_packages+=(npm)
 
 say() { printf '%s\n' "$*"; }
 fail() {

@@ -17,5 +17,6 @@ int main(int argc, char* argv[]) {
   CLI::App app("", "tubular_mesh");
   Options options;
   declare_options(app, options, "tubular_mesh " + version);
+  options.command = command_line::text_of("tubular_mesh", argc, argv);
   return command_line::run_tool(app, argc, argv, [&] { execute(options, version); });
 }

@@ -146,7 +146,8 @@ void write_to_file(const Python_mesh& mesh, const std::string& file, const std::
     Options options = mesh.run.options;
     options.output = file;
     options.format = format;
-    options.report = options.surface_output = options.centerlines_output = options.blocks_output = "";
+    options.surface_output = options.centerlines_output = options.blocks_output = options.picture = "";
+    options.reports.clear();
     check(options);
     if (options.makes_surface_only())
       write_mesh_as_surface(mesh, file);

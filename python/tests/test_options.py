@@ -67,6 +67,12 @@ VALUES = {
     "output": "mesh.vtu",
     "format": "gmsh",
     "report": "report.json",
+    "report_budget": 0.001,
+    "picture": "mesh.png",
+    "clip": (0, 0, 4, 1, 0, 0),
+    "picture_view": (1, 1, 0),
+    "picture_color": "quality",
+    "picture_size": (320, 200),
     "write_surface": "surface.vtp",
     "write_centerlines": "lines.vtp",
     "write_blocks": "blocks.vtu",
@@ -98,6 +104,11 @@ COMPANIONS = {
     "growth": {"boundary_layer_prisms": 2},
     "boundary_layer": {"boundary_layer_prisms": 2},
     "format": {"output": "mesh.out"},
+    "report_budget": {"report": "report.html"},
+    "clip": {"picture": "mesh.png"},
+    "picture_view": {"picture": "mesh.png"},
+    "picture_color": {"picture": "mesh.png"},
+    "picture_size": {"picture": "mesh.png"},
 }
 FUNCTIONS = (tm.mesh, tm.Model.__init__, tm.repair)
 
@@ -145,12 +156,17 @@ def test_every_option_does_something(name, tmp_path, monkeypatch, capfd):
     mesh = tm.mesh(surface, **{**companions, name: value})
     if name == "preserve_volume":
         assert mesh.report["volume"]["preserved"] is False
-    if name in ("output", "format", "report", "write_surface", "write_centerlines", "write_blocks"):
+    if name in ("output", "format", "report", "picture", "write_surface", "write_centerlines", "write_blocks"):
         assert [p.name for p in tmp_path.iterdir() if p.stat().st_size > 500] == [companions.get("output", value)]
     elif name == "fibres":
         lengths = np.linalg.norm(mesh.cell_arrays["longitudinal"], axis=1)
         assert set(mesh.cell_arrays) == {"longitudinal", "circumferential"}
         assert np.allclose(lengths[len(mesh.cells["tetra"]) :], 1) and not lengths[: len(mesh.cells["tetra"])].any()
+    elif name in ("report_budget", "clip", "picture_view", "picture_color", "picture_size"):
+        file = tmp_path / (companions.get("report") or companions["picture"])
+        with_it = file.read_bytes()
+        tm.mesh(surface, **companions)
+        assert len(with_it) != len(file.read_bytes())
     elif name in ("verbose", "quiet"):
         printed = capfd.readouterr().out
         assert "tetrahedra, gamma_tau" in printed and ("\nbranch " in printed) == (name == "verbose")
@@ -195,6 +211,9 @@ def test_values_as_arguments():
     assert arguments_of({"preserve_volume": True}) == ["--preserve-volume"]
     assert arguments_of({"preserve_volume": False}) == ["--no-preserve-volume"]
     assert arguments_of({"smooth": False}) == []
+    assert arguments_of({"report": pathlib.Path("a.html")}) == ["--report=a.html"]
+    assert arguments_of({"report": ["a.html", pathlib.Path("a.json")]}) == ["--report=a.html", "--report=a.json"]
+    assert arguments_of({"picture_size": (320, 200), "clip": "-x"}) == ["--picture-size=320,200", "--clip=-x"]
     assert arguments_of({"output": pathlib.Path("a b.vtu")}) == ["--output=a b.vtu"]
     assert arguments_of({"max_size": np.float32(0.5), "threads": np.int64(2)}) == ["--max-size=0.5", "--threads=2"]
 

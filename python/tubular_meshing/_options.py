@@ -55,8 +55,8 @@ def _arguments_of(name: str, value: object) -> list[str]:
 
 def _repeated(name: str, value: Any) -> list[str]:
     """One value or several: text, or numbers; of `rename` and `refine_branch` also a dictionary."""
-    if isinstance(value, str):
-        return [value]
+    if isinstance(value, (str, os.PathLike)):
+        return [os.fspath(value)]
     if isinstance(value, Mapping):
         return [f"{key}={new}" if name == "rename" else _text(name, (key, new)) for key, new in value.items()]
     values = list(value)

@@ -14,7 +14,7 @@ import subprocess
 
 ENDINGS = (".stl", ".off", ".obj", ".ply", ".vtp", ".vtu", ".vtk", ".msh", ".mesh")
 DEFAULTS = {"surfaces": "", "pattern": "*", "output": "meshes", "tool": "", "options": "", "format": "vtu", "threads": 1,
-            "timeout": 7200, "mem_mb": 4000, "limit_memory": False, "retry": ""}
+            "timeout": 7200, "mem_mb": 4000, "limit_memory": False, "page_mb": 5, "retry": ""}
 
 # The output of each format, where it is not the name with the format as its ending.
 OUTPUTS = {"gmsh": "{}.msh", "medit": "{}.mesh", "abaqus": "{}.inp", "febio": "{}.feb", "fluent": "{}.cas",
@@ -25,7 +25,7 @@ SURFACE_FORMATS = {"stl", "vtp", "ply", "off", "obj", "vtk"}
 SHORT_OPTIONS = {"-o": "--output", "-t": "--type", "-n": "--points-per-circumference", "-c": "--centerlines",
                  "-v": "--verbose", "-q": "--quiet"}
 FILE_OPTIONS = {"--centerlines", "--seeds"}
-SET_HERE = {"--output", "--report", "--threads", "--format"}
+SET_HERE = {"--output", "--report", "--report-budget", "--picture", "--threads", "--format"}
 
 
 class Usage_error(Exception):
@@ -75,6 +75,7 @@ class Settings:
         self.threads = number(values, "threads", 1)
         self.timeout = number(values, "timeout", 0)
         self.mem_mb = number(values, "mem_mb", 1)
+        self.page_mb = number(values, "page_mb", 0)
         self.memory_limit = self.mem_mb if truth(values, "limit_memory") else 0
         self.options = split_options(values["options"], os.getcwd())
         if self.options.problem:
@@ -310,7 +311,7 @@ class Request:
             "id": row.id, "name": row.name, "surface": row.surface, "given": row.given, "stamp": stamp(row.surface),
             "options": options.words(), "files": [[f, stamp(f)] for f in options.files], "problem": options.problem,
             "output": OUTPUTS.get(form, "{}." + form).format(row.id), "format": form if form in FORMATS else "",
-            "program": settings.version}
+            "page_mb": settings.page_mb, "program": settings.version}
         self.digest = digest({k: v for k, v in self.data.items() if k not in ("name", "surface")})
         self.attempt = attempt_of(row.id, self.digest, settings)
 

@@ -51,6 +51,11 @@ def write_whole(path, text):
 def command_of(arguments, request):
     command = [arguments.tool, request["surface"]] + request["options"]
     command += ["--threads", str(arguments.threads), "--report", request["id"] + ".json", "-o", request["output"]]
+    if request["page_mb"] > 0:
+        command += ["--report", request["id"] + ".html", "--report-budget", str(request["page_mb"])]
+    command += ["--picture", request["id"] + ".png"]
+    if not any(word.split("=")[0] == "--picture-size" for word in request["options"]):
+        command += ["--picture-size", "320x240"]
     return command + (["--format", request["format"]] if request["format"] else [])
 
 

@@ -39,6 +39,7 @@ table { border-collapse: collapse; }
 th, td { padding: .25em .6em; text-align: left; vertical-align: top; border-bottom: 1px solid #8886; }
 th { position: sticky; top: 0; background: Canvas; font-weight: 600; }
 td.number { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
+td.picture img { display: block; background: #fff; object-fit: contain; }
 td.name { font-weight: 600; overflow-wrap: anywhere; }
 td.sentence { min-width: 18em; max-width: 40em; overflow-wrap: anywhere; }
 tr.failed td.status { color: #c22; font-weight: 600; }
@@ -104,7 +105,8 @@ class Result:
         """Of the mesh, the report or the log, relative to the page; empty where there is none."""
         id = self.row.id
         path = {"mesh": "meshes/%s/%s" % (id, self.status.get("output") if self.status else ""),
-                "report": "meshes/%s/%s.json" % (id, id), "log": "logs/%s.txt" % id}[kind]
+                "report": "meshes/%s/%s.json" % (id, id), "page": "meshes/%s/%s.html" % (id, id),
+                "picture": "meshes/%s/%s.png" % (id, id), "log": "logs/%s.txt" % id}[kind]
         is_there = self.status and (kind == "log" or self.outcome == "meshed") and os.path.exists(path)
         return path if is_there else ""
 
@@ -145,10 +147,21 @@ def link(path, text):
     return '<a href="%s">%s</a>' % (html.escape(urllib.parse.quote(path)), text) if path else ""
 
 
+def thumbnail(result):
+    """A picture that leads to the mesh's page, or to itself."""
+    picture = result.path("picture")
+    if not picture:
+        return ""
+    image = '<img src="%s" alt="%s" width="160" height="120" loading="lazy">' % (
+        html.escape(urllib.parse.quote(picture)), html.escape(result.row.name))
+    return link(result.path("page") or picture, image)
+
+
 def html_row(result, columns, others):
     text = html.escape
-    cells = [cell("surface", text(result.row.name), "name"), cell("status", result.outcome, "status"),
-             cell("files", " ".join(filter(None, (link(result.path(k), k) for k in ("mesh", "report", "log")))), "files"),
+    cells = [cell("picture", thumbnail(result), "picture"), cell("surface", text(result.row.name), "name"),
+             cell("status", result.outcome, "status"),
+             cell("files", " ".join(filter(None, (link(result.path(k), k) for k in ("page", "mesh", "report", "log")))), "files"),
              cell("sentence", text(result.sentence()), "sentence")]
     cells += [cell(c, shown(c, result.values.get(c)), "number") for c in columns]
     cells += [cell(c, text(result.row.columns.get(c, ""))) for c in others]
@@ -166,7 +179,7 @@ def summary(results):
 def page(results, source):
     columns, others = columns_of(results), others_of(results)
     head = "".join("<th>%s</th>" % html.escape(c)
-                   for c in ["surface", "status", "files", "sentence", *columns, *others, "options"])
+                   for c in ["picture", "surface", "status", "files", "sentence", *columns, *others, "options"])
     programs = sorted({r.status["program"] for r in results if r.status})
     return """<!DOCTYPE html>
 <html lang="en">
@@ -197,10 +210,10 @@ def table(results):
     columns, others = columns_of(results), others_of(results)
     out = io.StringIO()
     writer = csv.writer(out, lineterminator="\n")
-    writer.writerow(["name", "status", "sentence", "surface", "options", "mesh", "report", "log", *columns, *others])
+    writer.writerow(["name", "status", "sentence", "surface", "options", "mesh", "report", "page", "log", *columns, *others])
     for r in results:
         writer.writerow([r.row.name, r.outcome, r.sentence(), r.row.given, r.row.options, r.path("mesh"),
-                         r.path("report"), r.path("log"), *(r.values.get(c, "") for c in columns),
+                         r.path("report"), r.path("page"), r.path("log"), *(r.values.get(c, "") for c in columns),
                          *(r.row.columns.get(c, "") for c in others)])
     return out.getvalue()
 

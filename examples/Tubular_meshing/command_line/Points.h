@@ -47,6 +47,30 @@ inline bool parse_point(const std::string& text, Point_3& point) {
   return true;
 }
 
+// x, y, z, -x, -y or -z.
+inline bool parse_axis(const std::string& text, Point_3& direction) {
+  const std::size_t sign = !text.empty() && text[0] == '-' ? 1 : 0;
+  if (text.size() != sign + 1 || text[sign] < 'x' || text[sign] > 'z')
+    return false;
+  const double x = sign == 1 ? -1 : 1;
+  direction = Point_3(text[sign] == 'x' ? x : 0, text[sign] == 'y' ? x : 0, text[sign] == 'z' ? x : 0);
+  return true;
+}
+
+// WIDTHxHEIGHT or WIDTH,HEIGHT, of a picture.
+inline bool parse_picture_size(const std::string& text, std::array<int, 2>& size) {
+  const std::size_t cross = text.find_first_of("x,");
+  double width = 0, height = 0;
+  if (cross == std::string::npos || text.find_first_of("x,", cross + 1) != std::string::npos ||
+      text.find_first_not_of("0123456789x,") != std::string::npos || !parse_number(text.substr(0, cross), width) ||
+      !parse_number(text.substr(cross + 1), height))
+    return false;
+  if (!(width >= 16 && width <= 4096 && height >= 16 && height <= 4096))
+    return false;
+  size = {int(width), int(height)};
+  return true;
+}
+
 // Of text that was found to be them.
 template <std::size_t N> std::array<double, N> numbers_of(const std::string& text) {
   std::array<double, N> numbers = {};

@@ -59,6 +59,22 @@ inline std::string sentence_of(const CLI::ParseError& e) {
   return text + "; see --help.";
 }
 
+// A command as one can type it again, in a shell.
+inline std::string text_of(const std::string& program, int argc, char* argv[]) {
+  std::string text = program;
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    const bool is_plain =
+        !word.empty() && word.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789"
+                                                "_@%+=:,./-") == std::string::npos;
+    std::string quoted = is_plain ? word : "'";
+    for (char c : is_plain ? std::string() : word)
+      quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    text += " " + quoted + (is_plain ? "" : "'");
+  }
+  return text;
+}
+
 /* Parses the command line and runs; whatever is thrown becomes one sentence and the right exit status. */
 template <class Run> int run_tool(CLI::App& app, int argc, char* argv[], const Run& run) {
   namespace tubular = CGAL::Tubular_meshing;

@@ -75,6 +75,32 @@ inline CLI::Validator is_renaming() {
   return CLI::Validator(check, "");
 }
 
+// A name of an axis, or so many numbers of which the last three are no zero vector.
+template <std::size_t N> CLI::Validator is_axis_or(const char* form) {
+  const auto check = [=](std::string& text) {
+    Point_3 direction;
+    std::array<double, N> x;
+    const bool good =
+        parse_axis(text, direction) || (parse_numbers(text, x) && (x[N - 1] != 0 || x[N - 2] != 0 || x[N - 3] != 0));
+    return good ? std::string() : "\"" + text + "\" is not x, y, z, -x, -y, -z or " + form;
+  };
+  return CLI::Validator(check, "");
+}
+inline CLI::Validator is_direction() {
+  return is_axis_or<3>("a direction X,Y,Z");
+}
+inline CLI::Validator is_plane() {
+  return is_axis_or<6>("a plane X,Y,Z,NX,NY,NZ");
+}
+
+inline CLI::Validator is_picture_size() {
+  const auto check = [](std::string& text) {
+    std::array<int, 2> size;
+    return parse_picture_size(text, size) ? std::string() : "\"" + text + "\" is not WIDTHxHEIGHT, each of 16 to 4096";
+  };
+  return CLI::Validator(check, "");
+}
+
 } // namespace command_line
 
 #endif // COMMAND_LINE_VALIDATORS_H

@@ -48,18 +48,23 @@ struct Options {
   std::vector<std::string> refined_balls, refined_branches;
   std::string size_array;
   double min_size = 0, max_size = (std::numeric_limits<double>::infinity)(), gradation = 1.3;
-  std::string report, surface_output, centerlines_output, blocks_output, sections_output, zero_d_output;
+  std::string surface_output, centerlines_output, blocks_output, sections_output, zero_d_output;
   double section_spacing = 0.5;                                                          // in local radii
   std::string length_unit;                                                               // of the surface
   double density = 1060, viscosity = 0.004, youngs_modulus = 4e5, mean_pressure = 13332; // kg, m, s
   double flow_rate = 0;                                                                  // in ml/s; 0: not said
   bool murray = false;
+  std::vector<std::string> reports; // .html: a page; else JSON
+  double report_budget = 20;        // MB, of a page
+  std::string picture, picture_size = "1600x1200", picture_color = "patch";
+  std::string picture_view, clip; // a direction, a plane; empty: not said
   bool preserve_volume = true;
   int partitions = 0; // that the mesh is written in; 0: as a whole
   int order = 1;      // of the elements
   bool complete_elements = false;
   int threads = 0;
   bool verbose = false, quiet = false;
+  std::string command; // as it was typed, if it was
 
   bool makes_surface_only() const { return type == "surface"; }
   bool is_anisotropic() const { return type == "anisotropic"; }
@@ -87,9 +92,10 @@ struct Options {
   std::vector<std::string> outputs() const {
     std::vector<std::string> files = {output};
     for (const std::string& f :
-         {report, surface_output, centerlines_output, blocks_output, sections_output, zero_d_output})
+         {surface_output, centerlines_output, blocks_output, sections_output, zero_d_output, picture})
       if (!f.empty())
         files.push_back(f);
+    files.insert(files.end(), reports.begin(), reports.end());
     return files;
   }
 };

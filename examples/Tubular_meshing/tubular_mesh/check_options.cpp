@@ -232,6 +232,10 @@ void check_reduced_model(const Options& o) {
                                    "\": give a .json file.");
 }
 
+bool has_ending(const std::string& file, const std::string& ending) {
+  return file.size() > ending.size() && file.compare(file.size() - ending.size(), ending.size(), ending) == 0;
+}
+
 // Devices and pipes pass: opening them would be seen at their other end.
 void check_mesh_output(const Options& o) {
   std::error_code ignored;
@@ -269,6 +273,8 @@ void check(const Options& o, bool has_output) {
   if (o.min_size > o.max_size)
     throw tubular::Parameter_error("--min-size is larger than --max-size.");
   check_output(o, has_output);
+  if (!o.picture.empty() && !has_ending(o.picture, ".png"))
+    throw tubular::Parameter_error("The picture cannot be written to \"" + o.picture + "\": give a .png file.");
   if (!o.centerlines_output.empty() && !tubular::IO::is_supported_centerlines_format(o.centerlines_output))
     throw tubular::Parameter_error("The centerlines cannot be written to \"" + o.centerlines_output +
                                    "\": give a .vtp or .vtk file.");

@@ -277,6 +277,47 @@ inline void declare_reduced_model_options(CLI::App& app, Options& o) {
   add("--mean-pressure", o.mean_pressure, "at these outlets, in Pa")->capture_default_str()->needs("--murray");
 }
 
+inline void declare_report_options(CLI::App& app, Options& o) {
+  const char* const group = "Reports and pictures";
+  auto* report = app.add_option("--report", o.reports,
+                                "write the summary to this file (repeatable): .html, a page with the mesh in 3D; .json")
+                     ->expected(1)
+                     ->take_all()
+                     ->group(group);
+  app.add_option("--report-budget", o.report_budget,
+                 "MB that a page may take: cells that do not fit are left out, and it says which; facets never are")
+      ->capture_default_str()
+      ->check(in_range(0, 1000))
+      ->needs(report)
+      ->group(group);
+  auto* picture = app.add_option("--picture", o.picture, "draw the mesh into this .png file")->group(group);
+  app.add_option("--clip", o.clip,
+                 "x, y, z, -x, -y, -z or X,Y,Z,NX,NY,NZ: cut the picture's mesh, across the axis in its middle, or by "
+                 "the plane "
+                 "through a point; cells whose centre is on the side of the normal are taken away")
+      ->check(command_line::is_plane())
+      ->needs(picture)
+      ->group(group);
+  app.add_option(
+         "--picture-view", o.picture_view,
+         "x, y, z, -x, -y, -z or X,Y,Z: from where the picture is taken (default: with --clip, from the side of its "
+         "normal; else, from where most is seen)")
+      ->check(command_line::is_direction())
+      ->needs(picture)
+      ->group(group);
+  app.add_option("--picture-color", o.picture_color,
+                 "patch, region, type, quality, size or branch: what its colours stand for")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"patch", "region", "type", "quality", "size", "branch"}).description(""))
+      ->needs(picture)
+      ->group(group);
+  app.add_option("--picture-size", o.picture_size, "its width and height in pixels, 16 to 4096")
+      ->capture_default_str()
+      ->check(command_line::is_picture_size())
+      ->needs(picture)
+      ->group(group);
+}
+
 inline void declare_options(CLI::App& app, Options& o, const std::string& version) {
   app.description("Makes a mesh of a vessel or airway tree from its triangulated surface, along its "
                   "centerlines.\nLengths are in the unit of the surface.");
@@ -326,7 +367,7 @@ inline void declare_options(CLI::App& app, Options& o, const std::string& versio
   declare_surface_options(app, o);
   declare_centerline_options(app, o);
   declare_name_options(app, o);
-  app.add_option("--report", o.report, "write the summary to this .json file");
+  declare_report_options(app, o);
   app.add_option("--write-surface", o.surface_output,
                  "write the closed, labelled surface, as it is meshed by the parametric mesher, else as it came: .stl "
                  ".vtp .msh .ply .off .obj .vtk");

@@ -3,6 +3,8 @@
 
 #include "execute.h"
 
+#include "page/make_page.h"
+#include "picture/picture_of.h"
 #include "reduced_model.h"
 #include "renames.h"
 #include "stages.h"
@@ -17,14 +19,25 @@
 
 #include <boost/property_map/function_property_map.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace tubular = CGAL::Tubular_meshing;
+
+namespace {
+
+bool is_page(const std::string& report) {
+  const std::string ending = std::filesystem::path(report).extension().string();
+  return ending == ".html" || ending == ".htm";
+}
+
+} // namespace
 
 void write_surface(tubular::IO::Output_file& file, const tubular::Remeshed_surface& surface,
                    const tubular::Tubular_model& model) {
@@ -84,10 +97,18 @@ void write(const Run& run, Run_report& report, Stage_clock& clock) {
     tubular::IO::write_sections(open(o.sections_output), run.sections);
   if (!o.zero_d_output.empty())
     tubular::IO::write_zero_d_model(open(o.zero_d_output), run.zero_d);
+  std::unique_ptr<Shown_mesh> shown; // if it is
+  if (!o.picture.empty() || std::any_of(o.reports.begin(), o.reports.end(), is_page)) {
+    clock.begin("picture");
+    shown = std::make_unique<Shown_mesh>(run.cells(), run.model.centerlines, o.threads);
+  }
+  if (!o.picture.empty())
+    open(o.picture).write(picture_of(*shown, o));
   clock.finish();
   report.add_times(clock);
-  if (!o.report.empty())
-    open(o.report).write(report.json());
+  for (const std::string& name : o.reports)
+    open(name).write(is_page(name) ? make_page(report.json(), *shown, o.command, std::size_t(1e6 * o.report_budget))
+                                   : report.json());
   for (auto& output : outputs)
     output->finish();
   for (auto& output : outputs)

@@ -210,6 +210,7 @@ class Scripts(Test):
         self.assertFalse(is_new("surface,options,age\na.stl,-c lines.vtp,40\n"))
         self.assertTrue(is_new(table, options="--smooth"))
         self.assertTrue(is_new(table, format="gmsh"))
+        self.assertTrue(is_new(table, page_mb=0))
         self.assertTrue(is_new("surface,options\na.stl,-c lines.vtp -n 9\n"))
         for name in ("a.stl", "lines.vtp"):
             os.utime(name, ns=(0, os.stat(name).st_mtime_ns + 1000000))
@@ -236,7 +237,7 @@ class Scripts(Test):
         table = "surface,options\na.stl,-n 8 --write-surface closed.stl\n"
         result = self.mesh(self.request(table))
         self.assertEqual((result["status"], result["sentence"]), (0, ""))
-        self.assertEqual(result["files"], ["a.json", "a.vtu", "closed.stl"])
+        self.assertEqual(result["files"], ["a.html", "a.json", "a.png", "a.vtu", "closed.stl"])
         self.assertEqual(sorted(os.listdir("meshes/a")), result["files"])
         self.assertEqual(json.loads(read("meshes/a/a.json"))["output"], "a.vtu")
         self.assertIn("quality", read("logs/a.txt"))
@@ -307,7 +308,10 @@ class Scripts(Test):
                         os.path.abspath("table.csv")], check=True, stdout=subprocess.DEVNULL)
         page = Page(self.folder)
         self.assertEqual(page.open, [])
-        self.assertFalse(page.tags & {"script", "b", "i", "link", "img"})
+        self.assertFalse(page.tags & {"script", "b", "i", "link"})
+        pictures = [c for c in ("p2", "p10") if os.path.exists("meshes/%s/%s.png" % (c, c))]
+        self.assertEqual(read("index.html").count("<img "), len(pictures))
+        self.assertEqual(len(pictures), 2)
         rows = page.rows[1:]
         self.assertEqual([(r["surface"], r["status"], r["<i>"]) for r in rows],
                          [("<b>\"'</b>", "failed", "<script>"), ("later", "waiting", ""), ("p2", "meshed", ""),
@@ -414,7 +418,7 @@ class Cohort(Test):
         self.assertLess(len(before), 12)
         for id in os.listdir(self.OUT + "/meshes"):
             self.assertIn(id + ".json", os.listdir(os.path.join(self.OUT, "meshes", id)))
-            self.assertEqual(len(os.listdir(os.path.join(self.OUT, "meshes", id))), 2)
+            self.assertEqual(len(os.listdir(os.path.join(self.OUT, "meshes", id))), 4)
         self.run_workflow()
         self.assertEqual([r["status"] for r in index_of(self.OUT)], ["failed"] + 11 * ["meshed"])
         after = self.made()
