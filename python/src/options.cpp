@@ -17,8 +17,7 @@ namespace {
 // The options of the tool, with which a program can do without files.
 void declare(CLI::App& app, Options& options) {
   declare_options(app, options, TUBULAR_MESHING_VERSION);
-  for (const char* file : {"surface", "--output"})
-    app.get_option(file)->required(false);
+  app.get_option("surface")->required(false);
 }
 
 // Points and the like, which come as text with commas; repeatable ones take one value at a time.
@@ -36,10 +35,12 @@ py::dict description_of(const CLI::Option& option) {
   return d;
 }
 
-// Those of what is not made of arrays of cells with corners alone: only the program writes it.
+// Those of what is not made of arrays of cells with corners alone, of cases for solvers, and of how the program tells
+// what it does: only the program has them.
 bool is_of_files_alone(const CLI::Option& option) {
   const std::string name = option.get_lnames().front();
-  return name == "order" || name == "order-2-complete" || name == "partitions";
+  return name == "order" || name == "order-2-complete" || name == "partitions" || name == "dry-run" ||
+         name == "log-json" || option.get_group() == "A case for a solver";
 }
 
 py::list descriptions() {

@@ -6,9 +6,25 @@
 
 #include <CGAL/Tubular_meshing/IO/Mesh_format.h>
 
+#include <algorithm>
 #include <limits>
 #include <string>
 #include <vector>
+
+/* What a solver is to compute, of the folder that --case writes. */
+struct Case_options {
+  std::string solver;      // openfoam, svmultiphysics, fenicsx, freefem or calculix; empty: none is wanted
+  std::string unit = "mm"; // of the surface's lengths
+  double flow_rate = 0;    // at the inlet, ml/s
+  double viscosity = 0.0035, density = 1060;       // Pa s, kg/m3: of blood
+  std::vector<std::string> outlet_pressures;       // Pa: of all, or NAME=P
+  double wall_pressure = 0;                        // Pa, that the wall is under
+  double youngs_modulus = 1e6, poissons_ratio = 0.45; // Pa; of the wall
+
+  bool is_wanted() const { return !solver.empty(); }
+  bool is_of_wall() const { return solver == "calculix"; }
+  double meters() const { return unit == "m" ? 1 : unit == "cm" ? 1e-2 : unit == "mm" ? 1e-3 : 1e-6; }
+};
 
 /* What the user of tubular_mesh asks for. */
 struct Options {
@@ -50,7 +66,9 @@ struct Options {
   int order = 1;      // of the elements
   bool complete_elements = false;
   int threads = 0;
-  bool verbose = false, quiet = false;
+  bool verbose = false, quiet = false, dry_run = false;
+  std::string log_json; // a file, or - for standard error; empty: none
+  Case_options solver_case;
 
   bool makes_surface_only() const { return type == "surface"; }
   bool is_anisotropic() const { return type == "anisotropic"; }
@@ -59,6 +77,8 @@ struct Options {
   bool is_hexahedral() const { return type == "hexahedral"; }
   CGAL::Tubular_meshing::IO::Mesh_format mesh_format() const {
     namespace IO = CGAL::Tubular_meshing::IO;
+    if (solver_case.is_wanted())
+      return mesh_format_of_case();
     return format.empty() ? IO::mesh_format_of(output) : IO::mesh_format_named(format);
   }
   // of the layers inside the lumen, in local radii
@@ -72,13 +92,26 @@ struct Options {
   // Patch by patch; else surface and volume at once, by Mesh_3.
   bool meshes_patches() const;
 
-  std::vector<std::string> outputs() const {
-    std::vector<std::string> files = {output};
-    for (const std::string& f : {report, surface_output, centerlines_output, blocks_output})
-      if (!f.empty())
-        files.push_back(f);
+  // That are there when all is done; nothing but a report of a dry run.
+  std::vector<std::string> written_files() const {
+    std::vector<std::string> files;
+    if (!dry_run)
+      files = {output, surface_output, centerlines_output, blocks_output};
+    files.push_back(report);
+    files.erase(std::remove(files.begin(), files.end(), std::string()), files.end());
     return files;
   }
+  // All that is written, on the way as well.
+  std::vector<std::string> outputs() const {
+    std::vector<std::string> files = {output, report, surface_output, centerlines_output, blocks_output};
+    if (log_json != "-")
+      files.push_back(log_json);
+    files.erase(std::remove(files.begin() + 1, files.end(), std::string()), files.end());
+    return files;
+  }
+
+private:
+  CGAL::Tubular_meshing::IO::Mesh_format mesh_format_of_case() const;
 };
 
 // Throws a Parameter_error for what is wrong with the options as such; before any work is done, since work takes time.

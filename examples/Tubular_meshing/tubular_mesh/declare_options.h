@@ -221,6 +221,62 @@ inline void declare_name_options(CLI::App& app, Options& o) {
       ->check(command_line::is_renaming());
 }
 
+inline void declare_case_options(CLI::App& app, Options& o) {
+  const char* const group = "A case for a solver";
+  Case_options& c = o.solver_case;
+  const double most = (std::numeric_limits<double>::max)(), least = (std::numeric_limits<double>::min)();
+  auto* solver =
+      app.add_option("--case", c.solver,
+                     "the output is a folder with all that a solver needs to run at once, in metres and pascals: "
+                     "openfoam, svmultiphysics, fenicsx or freefem, steady laminar flow from a parabolic inlet; or "
+                     "calculix, the vessel's wall under pressure")
+          ->check(CLI::IsMember({"openfoam", "svmultiphysics", "fenicsx", "freefem", "calculix"}).description(""))
+          ->excludes("--format")
+          ->excludes("--partitions")
+          ->group(group);
+  app.add_option("--unit", c.unit, "unit of the surface's lengths: m, cm, mm or um")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"m", "cm", "mm", "um"}).description(""))
+      ->needs(solver)
+      ->group(group);
+  app.add_option("--flow-rate", c.flow_rate, "at the inlet, in ml/s; of several vessels, at each one's")
+      ->check(in_range(least, most))
+      ->needs(solver)
+      ->group(group);
+  app.add_option("--viscosity", c.viscosity, "dynamic viscosity of the fluid, in Pa s")
+      ->capture_default_str()
+      ->check(in_range(least, most))
+      ->needs(solver)
+      ->group(group);
+  app.add_option("--density", c.density, "of the fluid, in kg/m3")
+      ->capture_default_str()
+      ->check(in_range(least, most))
+      ->needs(solver)
+      ->group(group);
+  app.add_option("--outlet-pressure", c.outlet_pressures,
+                 "P, or NAME=P (repeatable), in Pa: the mean pressure at all outlets, or at the one of this name "
+                 "(default: 0)")
+      ->expected(1)
+      ->take_all()
+      ->check(command_line::is_number_or_named_number())
+      ->needs(solver)
+      ->group(group);
+  app.add_option("--wall-pressure", c.wall_pressure, "on the inside of the vessel's wall, in Pa")
+      ->check(in_range(least, most))
+      ->needs(solver)
+      ->group(group);
+  app.add_option("--youngs-modulus", c.youngs_modulus, "of the vessel's wall, in Pa")
+      ->capture_default_str()
+      ->check(in_range(least, most))
+      ->needs(solver)
+      ->group(group);
+  app.add_option("--poissons-ratio", c.poissons_ratio, "of the vessel's wall")
+      ->capture_default_str()
+      ->check(in_range(0, 0.499))
+      ->needs(solver)
+      ->group(group);
+}
+
 inline void declare_options(CLI::App& app, Options& o, const std::string& version) {
   app.description("Makes a mesh of a vessel or airway tree from its triangulated surface, along its "
                   "centerlines.\nLengths are in the unit of the surface.");
@@ -229,8 +285,7 @@ inline void declare_options(CLI::App& app, Options& o, const std::string& versio
   app.add_option("surface", o.surface, "surface: .stl .off .obj .ply .vtp .vtu .vtk .msh .mesh")->required();
   app.add_option("-o,--output", o.output,
                  "mesh to write: .vtu .pvtu .msh .mesh .inp .su2 .feb .cas .xdmf .cgns .exo, or a folder polyMesh or "
-                 "mesh-complete; a surface: .stl .vtp .msh .ply .off .obj .vtk")
-      ->required();
+                 "mesh-complete; a surface: .stl .vtp .msh .ply .off .obj .vtk; required, but for --dry-run");
   app.add_option(
          "--format", o.format,
          "format of the mesh, where its name does not tell it: vtu, pvtu, gmsh, medit, abaqus, openfoam (of a case: "
@@ -279,8 +334,14 @@ inline void declare_options(CLI::App& app, Options& o, const std::string& versio
                  "write the mesh in so many parts of about equal numbers of cells, with ghost cells, for as many "
                  "processors: .pvtu, .msh, or OpenFOAM's processor folders")
       ->check(CLI::Range(1, 1000000));
+  declare_case_options(app, o);
   app.add_option("--threads", o.threads, "number of threads, on which results do not depend (default: all cores)")
       ->check(CLI::Range(0, 1024));
+  app.add_flag("--dry-run", o.dry_run,
+               "make no mesh: say what the openings, branches and mesh sizes are, and about how many cells there will "
+               "be, of which kind, and how much memory and time they take");
+  app.add_option("--log-json", o.log_json,
+                 "file, or - for standard error: what the program does, as it does it, one JSON object a line");
   auto* verbose = app.add_flag("-v,--verbose", o.verbose, "say more: the branches, a histogram of the quality");
   app.add_flag("-q,--quiet", o.quiet, "print errors only")->excludes(verbose);
 }
