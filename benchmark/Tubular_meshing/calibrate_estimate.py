@@ -89,25 +89,35 @@ def fit_all(results):
         if not runs:
             continue
         labels = [r[0] for r in runs]
-        i = [r[1]["estimate"]["integrals"] for r in runs]
-        cells = [r[2]["cells"] for r in runs]
+        integrals = [r[1]["estimate"]["integrals"] for r in runs]
+        tetrahedra = [r[2]["cells"]["tetrahedra"] for r in runs]
         facets = [boundary(r[2]) for r in runs]
         metric = kind.startswith("anisotropic")
-        squares = [n["metric_wall" if metric else "wall_squares"] for n in i]
-        caps = [n["metric_caps" if metric else "inner_caps"] for n in i]
-        if kind in ("isotropic", "layers", "anisotropic", "surface", "anisotropic_surface"):
-            show(kind + ": triangles on the wall", ["square"], [[s] for s in squares], [f["triangles"][0] for f in facets], labels)
-            show(kind + ": on openings", ["square"], [[c] for c in caps], [f["triangles"][1] for f in facets], labels)
+        cubes = [n["metric_cubes" if metric else "inner_cubes"] for n in integrals]
+        squares = [n["metric_wall" if metric else "wall_squares"] for n in integrals]
+        caps = [n["metric_caps" if metric else "cap_squares"] for n in integrals]
+        rims = [n["rims"] for n in integrals]
+        layers = [n["layer_thickness"] for n in integrals]
+        one = [[s] for s in squares]
         if kind in ("mixed", "mixed_layers", "quads"):
-            show(kind + ": quads on the wall", ["square"], [[s] for s in squares], [f["quads"][0] for f in facets], labels)
-            show(kind + ": triangles on openings", ["square"], [[c] for c in caps], [f["triangles"][1] for f in facets], labels)
-        if kind in ("mixed", "mixed_layers"):
-            show(kind + ": pyramids a quad", ["quad"], [[f["quads"][0]] for f in facets], [max(c["pyramids"], 1) for c in cells], labels)
-        cubes = [n["metric_cubes" if metric else "inner_cubes"] for n in i]
-        if kind in ("isotropic", "layers", "anisotropic", "mixed", "mixed_layers"):
-            show(kind + ": tetrahedra", ["cube", "square of wall", "square of caps"],
-                 [[c, s, p] for c, s, p in zip(cubes, squares, caps)], [c["tetrahedra"] for c in cells], labels)
-            show(kind + ": tetrahedra", ["cube", "square of wall"], list(zip(cubes, squares)), [c["tetrahedra"] for c in cells], labels)
+            show(kind + ": quads on the wall", ["square"], one, [f["quads"][0] for f in facets], labels)
+        elif kind in ("isotropic", "layers", "anisotropic", "surface", "anisotropic_surface"):
+            show(kind + ": triangles on the wall", ["square"], one, [f["triangles"][0] for f in facets], labels)
+        if metric:
+            show(kind + ": on openings", ["square"], [[c] for c in caps], [f["triangles"][1] for f in facets], labels)
+        elif kind in ("isotropic", "layers", "mixed", "mixed_layers", "quads", "surface"):
+            show(kind + ": on openings", ["square", "rim"], list(zip(caps, rims)), [f["triangles"][1] for f in facets], labels)
+        if kind == "anisotropic":
+            show("anisotropic: tetrahedra", ["cube"], [[c] for c in cubes], tetrahedra, labels)
+        elif kind == "isotropic":
+            show("isotropic: tetrahedra", ["cube", "square of wall", "square of openings"], list(zip(cubes, squares, caps)),
+                 tetrahedra, labels)
+        elif kind == "mixed":
+            show("mixed: tetrahedra", ["cube", "square"], list(zip(cubes, squares)), tetrahedra, labels)
+        elif kind in ("layers", "mixed_layers"):
+            power = 2 if kind == "layers" else 1
+            show(kind + ": tetrahedra", ["cube", "square", "square and thickness"],
+                 [[c, s, s * t ** power] for c, s, t in zip(cubes, squares, layers)], tetrahedra, labels)
 
 
 def compare(results):

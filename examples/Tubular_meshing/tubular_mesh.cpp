@@ -16,7 +16,7 @@
 int main(int argc, char* argv[]) {
   const std::string version = TUBULAR_MESHING_VERSION;
   CGAL::Tubular_meshing::IO::leave_hdf5_alone_at_exit(); // a full disk has a status of its own
-  const command_line::Stop_signals stop; // before there are other threads
+  const command_line::Stop_signals stop;                 // before there are other threads
   const CGAL::Tubular_meshing::Interruption_check check([&] { stop.check(); });
   CLI::App app("", "tubular_mesh");
   Options options;

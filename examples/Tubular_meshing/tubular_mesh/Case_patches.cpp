@@ -92,8 +92,9 @@ void Inlet_profile::find_rim(const std::vector<std::array<Vector, 2>>& edges) {
     }
   }
   if (!(*std::min_element(rim_.begin(), rim_.end()) > 0))
-    throw tubular::Meshing_error("The inlet has no rim round its center, from which the velocity of a case is computed; "
-                                 "extend it by --flow-extensions, or write the mesh alone.");
+    throw tubular::Meshing_error(
+        "The inlet has no rim round its center, from which the velocity of a case is computed; "
+        "extend it by --flow-extensions, or write the mesh alone.");
 }
 
 double Inlet_profile::operator()(const Point_3& p) const {
@@ -131,9 +132,9 @@ std::vector<Case_patch> case_patches(const Run& run, const tubular::Mixed_mesh& 
     bool is_there = false;
     for (Case_patch& p : patches) {
       const auto own = mesh.patch_names.find(p.label);
-      const bool is_meant = p.kind == Case_patch::outlet &&
-                            (sign == text.npos ||
-                             text.substr(0, sign) == (own == mesh.patch_names.end() ? p.name : own->second));
+      const bool is_meant =
+          p.kind == Case_patch::outlet &&
+          (sign == text.npos || text.substr(0, sign) == (own == mesh.patch_names.end() ? p.name : own->second));
       if (is_meant)
         p.pressure = pressure;
       is_there = is_there || is_meant;

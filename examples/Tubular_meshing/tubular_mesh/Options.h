@@ -16,9 +16,9 @@ struct Case_options {
   std::string solver;      // openfoam, svmultiphysics, fenicsx, freefem or calculix; empty: none is wanted
   std::string unit = "mm"; // of the surface's lengths
   double flow_rate = 0;    // at the inlet, ml/s
-  double viscosity = 0.0035, density = 1060;       // Pa s, kg/m3: of blood
-  std::vector<std::string> outlet_pressures;       // Pa: of all, or NAME=P
-  double wall_pressure = 0;                        // Pa, that the wall is under
+  double viscosity = 0.0035, density = 1060;          // Pa s, kg/m3: of blood
+  std::vector<std::string> outlet_pressures;          // Pa: of all, or NAME=P
+  double wall_pressure = 0;                           // Pa, that the wall is under
   double youngs_modulus = 1e6, poissons_ratio = 0.45; // Pa; of the wall
 
   bool is_wanted() const { return !solver.empty(); }

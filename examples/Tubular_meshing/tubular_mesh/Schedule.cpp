@@ -27,40 +27,40 @@ void Schedule::expect_meshing(const Options& o, double triangles, double tetrahe
   double cells = tetrahedra;
   const bool in_blocks = o.is_hexahedral() && o.hex_method == "blocks";
   if (in_blocks) {
-    expect("blocks", micro * 35 * cells + micro * 5 * triangles + least);
+    expect("blocks", micro * 20 * cells + micro * 5 * triangles + least);
     expect("volume", micro * 20 * cells + least);
   } else {
     expect("cut", micro * 4 * triangles + least);
     expect("parameterization", micro * 5 * triangles + least);
-    expect(o.is_mixed() ? "quads" : "surface mesh", micro * (o.is_mixed() ? 400 : 25) * facets + least);
+    expect(o.is_mixed() ? "quads" : "surface mesh", micro * (o.is_mixed() ? 120 : 15) * facets + least);
     if (!o.is_anisotropic())
-      expect("volume", micro * 50 * facets + least);
+      expect("volume", micro * 20 * facets + least);
   }
   if (o.makes_surface_only())
     cells = 0;
   else if (o.is_mixed())
-    expect("pyramids and tetrahedra", micro * 80 * cells + least);
+    expect("pyramids and tetrahedra", micro * 20 * cells + least);
   else if (!in_blocks) {
-    expect("tetrahedra", micro * 45 * cells + least);
-    expect("optimization", micro * 20 * cells + least);
+    expect("tetrahedra", micro * 12 * cells + least);
+    expect("optimization", micro * 4 * cells + least);
   }
   if (o.is_anisotropic()) {
     cells *= 8; // with layers of the default height
     expect("metric field", micro * 40 * triangles + least);
-    expect("anisotropic remeshing", micro * 250 * cells + least);
-    expect("volume", micro * 5 * cells + least);
+    expect("anisotropic remeshing", micro * 110 * cells + least);
+    expect("volume", micro * 2 * cells + least);
   }
   if (o.is_hexahedral() && !in_blocks)
     expect("optimization of hexahedra", micro * 40 * cells + least);
   if (o.boundary_layer_prisms > 0)
     expect("boundary layer", micro * 10 * o.boundary_layer_prisms * facets + least);
-  expect("check", micro * 4 * cells + least);
+  expect("check", micro * 1.5 * cells + least);
   if (o.has_wall())
     expect("wall", micro * 40 * facets + micro * 10 * o.wall.number * facets + least);
   if (o.is_quadratic())
     expect("quadratic elements", micro * 60 * cells + least);
-  expect("report", micro * 15 * (cells + facets) + least);
-  expect("write", micro * 5 * (cells + facets) + least);
+  expect("report", micro * 5 * (cells + facets) + least);
+  expect("write", micro * 2 * (cells + facets) + least);
   is_complete_ = true;
 }
 

@@ -61,13 +61,13 @@ Json integrals(const tubular::Lumen_integrals& n) {
           {"inner_cubes", n.inner_cubes},
           {"wall_squares", n.wall_squares},
           {"cap_squares", n.cap_squares},
-          {"inner_caps", n.inner_caps},
           {"rims", n.rims},
           {"metric_cubes", n.metric_cubes},
           {"metric_wall", n.metric_wall},
           {"metric_caps", n.metric_caps},
           {"rows_of_blocks", n.rows_of_blocks},
-          {"domes_of_blocks", n.domes_of_blocks}};
+          {"domes_of_blocks", n.domes_of_blocks},
+          {"layer_thickness", n.layer_thickness}};
 }
 
 Json estimate(const tubular::Mesh_estimate& e, const Options& o) {

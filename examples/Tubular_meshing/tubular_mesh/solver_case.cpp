@@ -195,8 +195,8 @@ std::string velocities(const tubular::IO::internal::Face_mesh& faces, const tubu
   for (const auto& side : faces.patches().at(patch)) {
     const auto corners = faces.corners(side);
     std::vector<Vector> p;
-    for (std::uint32_t v : corners)
-      p.emplace_back(mesh.points[v]);
+    for (std::size_t k = 0; k < tubular::internal::cells::number_of_corners(corners); ++k)
+      p.emplace_back(mesh.points[corners[k]]);
     Vector area, center;
     double size = 0;
     for (std::size_t k = 2; k < p.size(); ++k) {
@@ -225,6 +225,8 @@ std::string velocities(const tubular::IO::internal::Face_mesh& faces, const tubu
 void add_openfoam(const std::vector<Case_patch>& patches, const tubular::Mixed_mesh& mesh, double flow_rate,
                   double density, Words& words) {
   const tubular::IO::internal::Face_mesh faces(mesh, "the case");
+  // where tetrahedra are at the wall, Gauss' gradients are too far off for its shear stress
+  words["GRADIENT"] = mesh.prisms.empty() && mesh.hexahedra.empty() ? "pointCellsLeastSquares" : "Gauss linear";
   std::string& u = words["VELOCITIES"];
   std::string& p = words["PRESSURES"];
   std::string& functions = words["FUNCTIONS"];
@@ -241,7 +243,13 @@ void add_openfoam(const std::vector<Case_patch>& patches, const tubular::Mixed_m
       p += name + "zeroGradient;\n    }\n";
       continue;
     }
-    for (const char* const* f : std::array<const char* const[2], 2>{{{"p", "areaAverage"}, {"phi", "sum"}}})
+    for (const char* const* f : std::array<const char* const [2], 2> {
+           {
+             {"p", "areaAverage"}, {
+               "phi", "sum"
+             }
+           }
+         })
       functions += "    \"" + std::string(f[0]) + "_" + patch.name +
                    "\" { type surfaceFieldValue; libs (\"libfieldFunctionObjects.so\"); regionType patch; name \"" +
                    patch.name + "\"; operation " + f[1] + "; fields (" + f[0] +
@@ -293,12 +301,8 @@ Json vector_of(const Vector& v) {
 
 std::string case_json(const std::vector<Case_patch>& patches, const tubular::Mixed_mesh& mesh, const Run& run) {
   const Case_options& c = run.options.solver_case;
-  Json json = {{"surface", run.options.surface},
-               {"density", c.density},
-               {"viscosity", c.viscosity},
-               {"flow_rate", c.flow_rate * 1e-6},
-               {"inlets", Json::array()},
-               {"outlets", Json::array()},
+  Json json = {{"surface", run.options.surface},  {"density", c.density},    {"viscosity", c.viscosity},
+               {"flow_rate", c.flow_rate * 1e-6}, {"inlets", Json::array()}, {"outlets", Json::array()},
                {"walls", Json::array()}};
   for (const Case_patch& p : patches) {
     Json patch = {{"name", p.name}, {"label", p.label}};
@@ -348,11 +352,14 @@ std::string case_edp(const std::vector<Case_patch>& patches, const tubular::Mixe
     openings.push_back(label);
     names.push_back("\"" + p.name + "\"");
     if (p.kind == Case_patch::outlet) {
-      words["PRESSURES"] += "  - int2d(Th, " + label + ")(" + number(p.pressure) + " * (N.x * vx + N.y * vy + N.z * vz))\n";
+      words["PRESSURES"] +=
+          "  - int2d(Th, " + label + ")(" + number(p.pressure) + " * (N.x * vx + N.y * vy + N.z * vz))\n";
       continue;
     }
-    const std::string k = std::to_string(inlets.size()), shape = "speed[" + k + "] * profile(" + k + ", x, y, z) * inward(" + k;
-    words["INLETS"] += "  + on(" + label + ", wx = " + shape + ", 0), wy = " + shape + ", 1), wz = " + shape + ", 2))\n";
+    const std::string k = std::to_string(inlets.size()),
+                      shape = "speed[" + k + "] * profile(" + k + ", x, y, z) * inward(" + k;
+    words["INLETS"] +=
+        "  + on(" + label + ", wx = " + shape + ", 0), wy = " + shape + ", 1), wz = " + shape + ", 2))\n";
     inlets.push_back(label);
     const Inlet_profile profile(mesh, p.label);
     for (const auto& [rows, v] : {std::make_pair(&center, profile.center()), std::make_pair(&inward, profile.inward()),
@@ -362,16 +369,18 @@ std::string case_edp(const std::vector<Case_patch>& patches, const tubular::Mixe
   }
   const std::string list = array(walls);
   words["WALLS"] = list.substr(1, list.size() - 2);
-  return "// The fluid, in Pa s and kg/m3, and the flow at each inlet, in m3/s.\nreal viscosity = " + number(c.viscosity) +
-         ", density = " + number(c.density) + ", flowRate = " + number(c.flow_rate * 1e-6) +
+  return "// The fluid, in Pa s and kg/m3, and the flow at each inlet, in m3/s.\nreal viscosity = " +
+         number(c.viscosity) + ", density = " + number(c.density) + ", flowRate = " + number(c.flow_rate * 1e-6) +
          ";\n\n// Numbers of patches in the mesh.\nint[int] inletLabel = " + array(inlets) +
          ";\nint[int] openingLabel = " + array(openings) + ";\nstring[int] openingName(" +
-         std::to_string(names.size()) + ");\n" + [&] {
+         std::to_string(names.size()) + ");\n" +
+         [&] {
            std::string text;
            for (std::size_t i = 0; i < names.size(); ++i)
              text += "openingName[" + std::to_string(i) + "] = " + names[i] + ";\n";
            return text;
-         }() + "\n// Of each inlet.\n" + rows("center", center) + rows("inward", inward) + rows("axis1", axis1) +
+         }() +
+         "\n// Of each inlet.\n" + rows("center", center) + rows("inward", inward) + rows("axis1", axis1) +
          rows("axis2", axis2) + rows("rim", rim);
 }
 
@@ -385,9 +394,9 @@ void add_calculix(const tubular::Mixed_mesh& walls, const Run& run, Words& words
   for (const auto* block : {&walls.tetrahedra.label, &walls.prisms.label, &walls.hexahedra.label})
     regions.insert(block->begin(), block->end());
   for (int r : regions)
-    words["SECTIONS"] += "*SOLID SECTION, ELSET=" +
-                         tubular::IO::internal::as_abaqus_name("region_" + walls.region_names.at(r)) +
-                         ", MATERIAL=TISSUE\n";
+    words["SECTIONS"] +=
+        "*SOLID SECTION, ELSET=" + tubular::IO::internal::as_abaqus_name("region_" + walls.region_names.at(r)) +
+        ", MATERIAL=TISSUE\n";
   const int outer = tubular::labels::outer_wall_for(tubular::labels::wall + int(run.model.openings.size()));
   for (int label : labels)
     if (label > outer + 1)

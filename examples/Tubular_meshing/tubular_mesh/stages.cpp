@@ -396,9 +396,8 @@ std::vector<tubular::Mesh_estimate> estimate_meshes(std::vector<Part>& parts, St
     const double tolerance = 0.02;
     if (o.elements == 0 || round == most_rounds || std::abs(elements / o.elements - 1) < tolerance)
       return estimates;
-    const double points =
-        (std::min)((std::max)(meshers.front().points_per_circumference() * std::pow(o.elements / elements, 1 / power), 3.),
-                   1e4);
+    const double points = (std::min)(
+        (std::max)(meshers.front().points_per_circumference() * std::pow(o.elements / elements, 1 / power), 3.), 1e4);
     for (std::size_t k = 0; k < parts.size(); ++k) {
       parts[k].run.options.points_per_circumference = points;
       meshers[k].set_points_per_circumference(points);

@@ -96,7 +96,7 @@ class DryRun(ProgramTest):
         self.assertAlmostEqual(sum(dry["estimate"]["cells"].values()), 20000, delta=2000)
         self.assertNotEqual(dry["points_per_circumference"], 20)
 
-    def test_does_not_depend_on_unit_and_threads(self):
+    def test_does_not_depend_on_the_number_of_threads(self):
         surface = self.surface("y")
         for name, options in (("one", ["--threads", "1"]), ("two", ["--threads", "2"])):
             self.succeed(surface, "--dry-run", "-q", "--report", name + ".json", *options)

@@ -346,11 +346,9 @@ CGAL_TUBULAR_MESHING_INLINE Hexahedral_blocks make_hexahedral_blocks(const Surfa
   return Hexahedral_blocks_maker(surface, patch, graph, size, options).make();
 }
 
-CGAL_TUBULAR_MESHING_INLINE std::optional<Length_of_blocks> length_of_blocks(const Surface& surface,
-                                                                              Face_patch_map patch,
-                                                                              const Centerline_graph& graph,
-                                                                              Length_function size,
-                                                                              const Hexahedral_blocks_options& options) {
+CGAL_TUBULAR_MESHING_INLINE std::optional<Length_of_blocks>
+length_of_blocks(const Surface& surface, Face_patch_map patch, const Centerline_graph& graph, Length_function size,
+                 const Hexahedral_blocks_options& options) {
   return Hexahedral_blocks_maker(surface, patch, graph, size, options).length();
 }
 

@@ -78,12 +78,12 @@ public:
   double estimated_number_of_tetrahedra() { return size().estimated_number_of_tetrahedra(); }
 
   Mesh_estimate estimate(Mesh_type type, Surface_elements elements) {
-    int number_of_layers = 0;
+    int layers = 0;
     double thickness = 0;
     if (options_.has_boundary_layer()) {
-      const internal::Boundary_layer_heights layers(options_.boundary_layer);
-      number_of_layers = layers.layers;
-      thickness = (std::min)(layers.total(), 0.95);
+      const internal::Boundary_layer_heights heights(options_.boundary_layer);
+      layers = heights.layers;
+      thickness = (std::min)(heights.total(), 0.95);
     }
     const Centerline_sizing_field& h = size();
     const Local_radius& r = radius();
@@ -109,7 +109,7 @@ public:
     if (type == Mesh_type::surface)
       internal::count_facets(result, elements, points(), openings);
     else
-      internal::count_cells(result, type, number_of_layers, points(), coarsening_for_subdivision(), openings);
+      internal::count_cells(result, type, layers, points(), coarsening_for_subdivision(), openings);
     internal::estimate_cost(result, type, double(model_->surface.number_of_faces()));
     return result;
   }
@@ -249,11 +249,10 @@ private:
       result.integrals.rows_of_blocks = double(length->rows);
       result.integrals.domes_of_blocks = double(length->domes);
     } else
-      result.fallbacks.push_back("There are no blocks of hexahedra along the vessels: " +
-                                 internal::why_no_blocks(report) +
-                                 (options_.hexahedral_fallback == Hexahedral_fallback::none
-                                      ? " Without a fallback there will be no mesh."
-                                      : " All hexahedra are made by subdivision."));
+      result.fallbacks.push_back(
+          "There are no blocks of hexahedra along the vessels: " + internal::why_no_blocks(report) +
+          (options_.hexahedral_fallback == Hexahedral_fallback::none ? " Without a fallback there will be no mesh."
+                                                                     : " All hexahedra are made by subdivision."));
     return bool(length);
   }
 
