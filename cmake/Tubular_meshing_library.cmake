@@ -68,13 +68,16 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/Tubular_meshingConfigVers
 configure_file(${CMAKE_CURRENT_LIST_DIR}/Tubular_meshing_dependencies.cmake
                ${PROJECT_BINARY_DIR}/Tubular_meshing_dependencies.cmake COPYONLY)
 
-install(TARGETS Tubular_meshing Tubular_meshing_header_only EXPORT Tubular_meshing_targets)
-install(EXPORT Tubular_meshing_targets NAMESPACE CGAL:: FILE Tubular_meshingTargets.cmake DESTINATION ${package_dir})
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/CGAL DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.h")
+install(TARGETS Tubular_meshing Tubular_meshing_header_only EXPORT Tubular_meshing_targets
+        ARCHIVE COMPONENT development LIBRARY COMPONENT development RUNTIME COMPONENT development)
+install(EXPORT Tubular_meshing_targets NAMESPACE CGAL:: FILE Tubular_meshingTargets.cmake DESTINATION ${package_dir}
+        COMPONENT development)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/CGAL DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
+        COMPONENT development FILES_MATCHING PATTERN "*.h")
 install(FILES ${PROJECT_BINARY_DIR}/Tubular_meshingConfig.cmake
               ${PROJECT_BINARY_DIR}/Tubular_meshingConfigVersion.cmake
               ${PROJECT_BINARY_DIR}/Tubular_meshing_dependencies.cmake
-        DESTINATION ${package_dir})
+        DESTINATION ${package_dir} COMPONENT development)
 
 # The build directory is a package too: -DTubular_meshing_DIR=<build>.
 export(EXPORT Tubular_meshing_targets NAMESPACE CGAL:: FILE ${PROJECT_BINARY_DIR}/Tubular_meshingTargets.cmake)

@@ -126,4 +126,5 @@ def main():
     paragraph(after)
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -7,6 +7,7 @@
 #include <CGAL/Tubular_meshing/IO/read_centerlines_impl.h>
 #include <CGAL/Tubular_meshing/IO/read_mesh_impl.h>
 #include <CGAL/Tubular_meshing/IO/read_surface_impl.h>
+#include <CGAL/Tubular_meshing/IO/unfinished_outputs_impl.h>
 #include <CGAL/Tubular_meshing/IO/write_centerlines_impl.h>
 #include <CGAL/Tubular_meshing/IO/write_mesh_impl.h>
 #include <CGAL/Tubular_meshing/IO/write_surface_impl.h>

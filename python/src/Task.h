@@ -23,7 +23,7 @@ inline void raise_signals() {
 /* Runs work(Stage_clock&) without Python's lock, so that other threads go on. `progress`, a callable or None, receives
  * the name of each stage; what it raises ends the work, and so does a signal. The work must not touch Python. */
 template <class Work> auto run_task(const py::object& progress, const Work& work) {
-  Stage_clock clock(true, [&](const std::string& stage) {
+  Stage_clock clock([&](const std::string& stage) {
     const py::gil_scoped_acquire lock;
     raise_signals();
     if (!progress.is_none())

@@ -34,7 +34,7 @@ namespace {
 /* A mesh, with all that the tool would say about it. */
 struct Python_mesh {
   Run run;
-  Stage_clock clock = Stage_clock(true);
+  Stage_clock clock = Stage_clock();
 };
 
 bool has_outputs(const Options& o) {

@@ -20,7 +20,7 @@ namespace py = pybind11;
 struct Python_model {
   std::shared_ptr<const CGAL::Tubular_meshing::IO::Surface_data> data; // the sizes that it has at its points
   Prepared prepared;
-  Stage_clock clock = Stage_clock(true);
+  Stage_clock clock = Stage_clock();
   std::optional<CGAL::Tubular_meshing::Tubular_model> joined; // of several vessels
 
   const CGAL::Tubular_meshing::Tubular_model& whole() const {

@@ -17,8 +17,7 @@ namespace {
 // The options of the tool, with which a program can do without files.
 void declare(CLI::App& app, Options& options) {
   declare_options(app, options, TUBULAR_MESHING_VERSION);
-  for (const char* file : {"surface", "--output"})
-    app.get_option(file)->required(false);
+  app.get_option("surface")->required(false);
 }
 
 // Points and the like, which come as text with commas; repeatable ones take one value at a time.
@@ -36,11 +35,13 @@ py::dict description_of(const CLI::Option& option) {
   return d;
 }
 
-// Those of what is not made of arrays of cells with corners alone, or of no mesh at all: only the program writes it.
+// Those of what is not made of arrays of cells with corners alone, of cases for solvers and reduced models, and of how the program tells
+// what it does: only the program has them.
 bool is_of_files_alone(const CLI::Option& option) {
   const std::string name = option.get_lnames().front();
-  return name == "order" || name == "order-2-complete" || name == "partitions" ||
-         option.get_group() == reduced_model_group;
+  return name == "order" || name == "order-2-complete" || name == "partitions" || name == "dry-run" ||
+         name == "log-json" || option.get_group() == case_group ||
+         option.get_group() == reduced_model_group || option.get_group() == physics_group;
 }
 
 py::list descriptions() {

@@ -20,7 +20,7 @@ namespace py = pybind11;
 struct Repaired_surface {
   CGAL::Tubular_meshing::Surface surface;
   CGAL::Tubular_meshing::Repair_report report;
-  Stage_clock clock = Stage_clock(true);
+  Stage_clock clock = Stage_clock();
 };
 
 /* A surface as it came: triangles, their labels, values at the points; and repaired, if it is. */

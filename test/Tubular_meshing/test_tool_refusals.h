@@ -126,7 +126,6 @@ inline std::vector<Refusal> usage_errors() {
       {"Fibres_for_SU2", usage, {"fibres", ".vtu"}, to("OUT/m.su2 --wall 0.2 --fibres")},
       {"Sections_of_unknown_format", usage, {"s.txt", ".csv"}, with("--write-sections OUT/s.txt")},
       {"Zero_d_model_of_unknown_format", usage, {"z.xml", ".json"}, with("--write-0d OUT/z.xml --length-unit mm")},
-      {"Zero_d_model_without_a_unit", usage, {"--write-0d", "--length-unit"}, with("--write-0d OUT/z.json")},
       {"Unit_without_a_model", usage, {"--length-unit", "--write-0d"}, with("--length-unit mm")},
       {"Unit_unknown", usage, {"--length-unit", "inch"}, with("--write-0d OUT/z.json --length-unit inch")},
       {"Density_of_nothing", usage, {"--density"}, with("--write-0d OUT/z.json --length-unit mm --density 0")},

@@ -4,7 +4,8 @@
 #ifndef COMMAND_LINE_RUN_TOOL_H
 #define COMMAND_LINE_RUN_TOOL_H
 
-#include <CGAL/Tubular_meshing/base/exceptions.h>
+#include "Stop_signals.h"
+#include "exit_status.h"
 
 #include <CLI/CLI.hpp>
 
@@ -14,18 +15,10 @@
 #include <cstddef>
 #include <cstdio>
 #include <exception>
-#include <new>
 #include <string>
 
 /* What all the command-line tools have in common. */
 namespace command_line {
-
-enum Exit_status { done = 0, wrong_usage = 2, unusable_input = 3, failed = 4 };
-
-inline const char* exit_statuses() {
-  return "Exit status: 0 done, 2 wrong usage (a file that cannot be written included), 3 input that cannot be read or "
-         "used, 4 failed.";
-}
 
 // Prints one line, whatever the sentence holds.
 inline int fail(const CLI::App& app, std::string sentence, Exit_status status) {
@@ -77,7 +70,6 @@ inline std::string text_of(const std::string& program, int argc, char* argv[]) {
 
 /* Parses the command line and runs; whatever is thrown becomes one sentence and the right exit status. */
 template <class Run> int run_tool(CLI::App& app, int argc, char* argv[], const Run& run) {
-  namespace tubular = CGAL::Tubular_meshing;
   // a file too large, a reader gone: errors to report, not reasons to be killed
   std::signal(SIGXFSZ, SIG_IGN);
   std::signal(SIGPIPE, SIG_IGN);
@@ -91,16 +83,11 @@ template <class Run> int run_tool(CLI::App& app, int argc, char* argv[], const R
   try {
     run();
     return done;
-  } catch (const tubular::Parameter_error& e) {
-    return fail(app, e.what(), wrong_usage);
-  } catch (const tubular::Input_error& e) {
-    return fail(app, e.what(), unusable_input);
-  } catch (const tubular::Error& e) {
-    return fail(app, e.what(), failed);
-  } catch (const std::bad_alloc&) {
-    return fail(app, "There is not enough memory; make the result coarser.", failed);
+  } catch (const Interrupted& e) {
+    fail(app, "Interrupted; nothing was written.", failed);
+    end_by(e.signal);
   } catch (const std::exception& e) {
-    return fail(app, std::string("It failed: ") + e.what(), failed);
+    return fail(app, explanation_of(e), status_of(e));
   }
 }
 

@@ -64,6 +64,17 @@ template <std::size_t N> CLI::Validator is_refinement(const char* form) {
   return CLI::Validator(check, "");
 }
 
+inline CLI::Validator is_number_or_named_number() {
+  const auto check = [](std::string& text) {
+    const std::size_t sign = text.rfind('=');
+    double x = 0;
+    return parse_number(sign == text.npos ? text : text.substr(sign + 1), x) && std::isfinite(x) && sign != 0
+               ? std::string()
+               : "\"" + text + "\" is not a number, nor NAME=NUMBER";
+  };
+  return CLI::Validator(check, "");
+}
+
 // NAME=NEW; both have a letter at least.
 inline CLI::Validator is_renaming() {
   const auto check = [](std::string& text) {

@@ -6,9 +6,32 @@
 
 #include <CGAL/Tubular_meshing/IO/Mesh_format.h>
 
+#include <algorithm>
 #include <limits>
 #include <string>
 #include <vector>
+
+// Of the fluid and the vessel, for what computes with a flow.
+struct Physical_options {
+  std::string length_unit = "mm";                                 // of the surface
+  double flow_rate = 0;                                           // at the inlet, ml/s; 0: not said
+  double density = 1060, viscosity = 0.004, youngs_modulus = 4e5; // kg/m3, Pa s, Pa
+
+  double meters() const {
+    return length_unit == "m" ? 1 : length_unit == "cm" ? 1e-2 : length_unit == "mm" ? 1e-3 : 1e-6;
+  }
+};
+
+// What a solver is to compute, of the folder that --case writes.
+struct Case_options {
+  std::string solver; // openfoam, svmultiphysics, fenicsx, freefem or calculix; empty: none is wanted
+  std::vector<std::string> outlet_pressures; // Pa: of all, or NAME=P
+  double wall_pressure = 0;                  // Pa, that the wall is under
+  double poissons_ratio = 0.45;              // of the wall
+
+  bool is_wanted() const { return !solver.empty(); }
+  bool is_of_wall() const { return solver == "calculix"; }
+};
 
 /* What the user of tubular_mesh asks for. */
 struct Options {
@@ -49,11 +72,10 @@ struct Options {
   std::string size_array;
   double min_size = 0, max_size = (std::numeric_limits<double>::infinity)(), gradation = 1.3;
   std::string surface_output, centerlines_output, blocks_output, sections_output, zero_d_output;
-  double section_spacing = 0.5;                                                          // in local radii
-  std::string length_unit;                                                               // of the surface
-  double density = 1060, viscosity = 0.004, youngs_modulus = 4e5, mean_pressure = 13332; // kg, m, s
-  double flow_rate = 0;                                                                  // in ml/s; 0: not said
+  double section_spacing = 0.5; // in local radii
   bool murray = false;
+  double mean_pressure = 13332; // Pa, at its outlets
+  Physical_options physics;
   std::vector<std::string> reports; // .html: a page; else JSON
   double report_budget = 20;        // MB, of a page
   std::string picture, picture_size = "1600x1200", picture_color = "patch";
@@ -63,8 +85,10 @@ struct Options {
   int order = 1;      // of the elements
   bool complete_elements = false;
   int threads = 0;
-  bool verbose = false, quiet = false;
-  std::string command; // as it was typed, if it was
+  bool verbose = false, quiet = false, dry_run = false;
+  std::string command;  // as it was typed, if it was
+  std::string log_json; // a file, or - for standard error; empty: none
+  Case_options solver_case;
 
   bool makes_surface_only() const { return type == "surface"; }
   bool is_anisotropic() const { return type == "anisotropic"; }
@@ -73,6 +97,8 @@ struct Options {
   bool is_hexahedral() const { return type == "hexahedral"; }
   CGAL::Tubular_meshing::IO::Mesh_format mesh_format() const {
     namespace IO = CGAL::Tubular_meshing::IO;
+    if (solver_case.is_wanted())
+      return mesh_format_of_case();
     return format.empty() ? IO::mesh_format_of(output) : IO::mesh_format_named(format);
   }
   // of the layers inside the lumen, in local radii
@@ -89,15 +115,28 @@ struct Options {
   // Patch by patch; else surface and volume at once, by Mesh_3.
   bool meshes_patches() const;
 
-  std::vector<std::string> outputs() const {
-    std::vector<std::string> files = {output};
-    for (const std::string& f :
-         {surface_output, centerlines_output, blocks_output, sections_output, zero_d_output, picture})
-      if (!f.empty())
-        files.push_back(f);
+  // That are there when all is done; nothing but reports of a dry run.
+  std::vector<std::string> written_files() const {
+    std::vector<std::string> files;
+    if (!dry_run)
+      files = {output, surface_output, centerlines_output, blocks_output, sections_output, zero_d_output, picture};
     files.insert(files.end(), reports.begin(), reports.end());
+    files.erase(std::remove(files.begin(), files.end(), std::string()), files.end());
     return files;
   }
+  // All that is written, on the way as well.
+  std::vector<std::string> outputs() const {
+    std::vector<std::string> files = {output,        surface_output, centerlines_output, blocks_output, sections_output,
+                                      zero_d_output, picture};
+    files.insert(files.end(), reports.begin(), reports.end());
+    if (log_json != "-")
+      files.push_back(log_json);
+    files.erase(std::remove(files.begin() + 1, files.end(), std::string()), files.end());
+    return files;
+  }
+
+private:
+  CGAL::Tubular_meshing::IO::Mesh_format mesh_format_of_case() const;
 };
 
 // Throws a Parameter_error for what is wrong with the options as such; before any work is done, since work takes time.

@@ -5,36 +5,47 @@
 #define TUBULAR_MESH_STAGE_CLOCK_H
 
 #include <sys/resource.h>
-#include <unistd.h>
 
 #include <chrono>
 #include <cstddef>
-#include <cstdio>
 #include <functional>
 #include <string>
 #include <utility>
 #include <vector>
 
-/* Times the stages of a run and shows them as they go: on a terminal one line that changes, elsewhere a line a stage.
- * An observer receives the name of each as it begins; what it throws ends the run. */
+struct Options;
+
+/* Is told how a run goes on. */
+class Stage_listener {
+public:
+  virtual ~Stage_listener() = default;
+  virtual void begin(const std::string& stage) = 0;
+  virtual void end(const std::string& stage, double seconds) = 0;
+
+  /* What there is to do, as soon as that is known: for a surface of so many triangles, ... */
+  virtual void expect_preparation(const Options& options, double triangles) = 0;
+  /* ... and for so many isotropic tetrahedra, if it wants to know them: they cost a little. */
+  virtual bool wants_estimate() const = 0;
+  virtual void expect_meshing(const Options& options, double triangles, double tetrahedra) = 0;
+};
+
+/* Times the stages of a run. An observer receives the name of each as it begins; what it throws ends the run. */
 class Stage_clock {
 public:
   typedef std::function<void(const std::string&)> Observer;
 
-  explicit Stage_clock(bool quiet, Observer observer = Observer())
-      : quiet_(quiet)
-      , observer_(std::move(observer))
-      , terminal_(isatty(STDERR_FILENO) != 0)
+  explicit Stage_clock(Observer observer = Observer(), Stage_listener* listener = nullptr)
+      : observer_(std::move(observer))
+      , listener_(listener)
       , start_(Clock::now()) {}
-  ~Stage_clock() { end_line(); }
 
   // Ends the stage before, if any, and begins this one.
   void begin(const std::string& stage) {
     finish();
     stage_ = stage;
     stage_start_ = Clock::now();
-    if (!quiet_ && terminal_)
-      std::fprintf(stderr, "\r\033[K%8.2f s  %s …", seconds(start_), stage_.c_str());
+    if (listener_)
+      listener_->begin(stage);
     if (observer_)
       observer_(stage);
   }
@@ -42,18 +53,22 @@ public:
   void finish() {
     if (stage_.empty())
       return;
-    add(stage_, seconds(stage_start_));
-    if (!quiet_ && !terminal_)
-      std::fprintf(stderr, "%8.2f s  %s\n", seconds(start_), stage_.c_str());
+    const double time = seconds(stage_start_);
+    add(stage_, time);
+    if (listener_)
+      listener_->end(stage_, time);
     stage_.clear();
-    end_line();
   }
+
+  // Who follows the run; null if nobody does.
+  Stage_listener* listener() const { return listener_; }
 
   // Ends the run: times stay as they are, and the observer is let go.
   void stop() {
     finish();
     total_ = seconds(start_);
     observer_ = nullptr;
+    listener_ = nullptr;
   }
   // The stages before are part of this run: of a surface or a model that was made earlier.
   void continue_from(const Stage_clock& before) {
@@ -83,14 +98,8 @@ private:
       }
     stages_.emplace_back(stage, time);
   }
-  void end_line() const {
-    if (!quiet_ && terminal_)
-      std::fprintf(stderr, "\r\033[K");
-  }
-
-  bool quiet_;
   Observer observer_;
-  bool terminal_;
+  Stage_listener* listener_;
   Clock::time_point start_, stage_start_;
   double total_ = 0; // of a run that has stopped
   std::string stage_;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "Options.h"
+#include "solver_case.h"
 
 #include <CGAL/Tubular_meshing/IO/write_centerlines.h>
 #include <CGAL/Tubular_meshing/IO/write_mesh.h>
@@ -141,7 +142,7 @@ void check_mesh_format(const Options& o) {
 }
 
 void check_partitions(const Options& o) {
-  if (o.partitions == 0)
+  if (o.partitions == 0 || o.output.empty())
     return;
   if (o.makes_surface_only())
     throw tubular::Parameter_error(
@@ -236,8 +237,40 @@ bool has_ending(const std::string& file, const std::string& ending) {
   return file.size() > ending.size() && file.compare(file.size() - ending.size(), ending.size(), ending) == 0;
 }
 
+// What is missing, and what a solver does not take; the rest is as for files in its format.
+void check_case(const Options& o) {
+  const Case_options& c = o.solver_case;
+  if (!c.is_wanted())
+    return;
+  if (o.makes_surface_only())
+    throw tubular::Parameter_error("A surface has no cells to compute in: choose another --type for --case.");
+  if (c.is_of_wall() && !(c.wall_pressure > 0))
+    throw tubular::Parameter_error("--case calculix needs --wall-pressure, in Pa.");
+  if (c.is_of_wall() && !o.has_wall())
+    throw tubular::Parameter_error("--case calculix computes the vessel's wall: add --wall, its thickness.");
+  if (c.is_of_wall() && (o.physics.flow_rate > 0 || !c.outlet_pressures.empty()))
+    throw tubular::Parameter_error("--case calculix computes no flow: leave --flow-rate and --outlet-pressure away.");
+  if (!c.is_of_wall() && !(o.physics.flow_rate > 0))
+    throw tubular::Parameter_error("--case " + c.solver + " needs --flow-rate, in ml/s.");
+  if (!c.is_of_wall() && (c.wall_pressure > 0 || o.has_wall()))
+    throw tubular::Parameter_error("--case " + c.solver +
+                                   " computes the flow in the lumen alone: leave --wall and --wall-pressure away.");
+  if (c.solver == "freefem" && (o.is_mixed() || o.is_hexahedral() || o.boundary_layer_prisms > 0))
+    throw tubular::Parameter_error("FreeFEM has tetrahedra alone: choose --type isotropic or anisotropic, without "
+                                   "--boundary-layer-prisms.");
+  if (c.solver == "svmultiphysics" && o.is_quadratic())
+    throw tubular::Parameter_error("The case for svMultiPhysics is of linear elements: leave --order 2 away.");
+  if (c.solver == "fenicsx" && o.is_quadratic() && o.is_hexahedral())
+    throw tubular::Parameter_error(
+        "The case for FEniCSx takes quadratic tetrahedra, but no quadratic hexahedra: leave --order 2 away.");
+}
+
 // Devices and pipes pass: opening them would be seen at their other end.
 void check_mesh_output(const Options& o) {
+  if (o.solver_case.is_wanted()) {
+    open_case(o);
+    return;
+  }
   std::error_code ignored;
   const auto status = std::filesystem::status(o.output, ignored);
   if (!tubular::IO::is_folder(o.mesh_format()) && std::filesystem::is_other(status))
@@ -256,16 +289,28 @@ bool Options::meshes_patches() const {
   return surface_mesher.empty() ? !fills_by_mesh_3(*this) : surface_mesher == "parametric";
 }
 
+tubular::IO::Mesh_format Options::mesh_format_of_case() const {
+  const std::string& solver = solver_case.solver;
+  return solver == "openfoam"         ? Mesh_format::openfoam
+         : solver == "svmultiphysics" ? Mesh_format::svmultiphysics
+         : solver == "fenicsx"        ? Mesh_format::xdmf
+         : solver == "freefem"        ? Mesh_format::medit
+                                      : Mesh_format::abaqus;
+}
+
 void check(const Options& o, bool has_output) {
   const std::set<std::string> types = {"isotropic", "anisotropic", "mixed", "hexahedral", "surface"};
   if (types.count(o.type) == 0)
     throw tubular::Parameter_error("There is no type of mesh named \"" + o.type +
                                    "\"; the types are: isotropic, anisotropic, mixed, hexahedral, surface.");
   check_order(o);
-  if (!has_output && (o.is_quadratic() || o.partitions > 0))
+  if (o.output.empty() && has_output)
+    throw tubular::Parameter_error("--output is required; see --help.");
+  if (!has_output && !o.dry_run && (o.is_quadratic() || o.partitions > 0))
     throw tubular::Parameter_error(
         "Quadratic elements and meshes in parts are written by tubular_mesh alone: leave the "
         "order and the partitions away, and write the mesh to a file there.");
+  check_case(o);
   check_mesher(o);
   check_layers(o);
   if (!o.outlets.empty() && o.inlet.empty())
@@ -273,6 +318,9 @@ void check(const Options& o, bool has_output) {
   if (o.min_size > o.max_size)
     throw tubular::Parameter_error("--min-size is larger than --max-size.");
   check_output(o, has_output);
+  for (const std::string& report : o.reports)
+    if (o.dry_run && has_ending(report, ".html"))
+      throw tubular::Parameter_error("A dry run makes no mesh that a page could show: give its report a .json file.");
   if (!o.picture.empty() && !has_ending(o.picture, ".png"))
     throw tubular::Parameter_error("The picture cannot be written to \"" + o.picture + "\": give a .png file.");
   if (!o.centerlines_output.empty() && !tubular::IO::is_supported_centerlines_format(o.centerlines_output))

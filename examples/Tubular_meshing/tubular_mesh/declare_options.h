@@ -240,6 +240,8 @@ inline void declare_name_options(CLI::App& app, Options& o) {
 }
 
 constexpr const char* reduced_model_group = "Cross-sections and zero-dimensional models";
+constexpr const char* case_group = "A case for a solver";
+constexpr const char* physics_group = "Of cases and zero-dimensional models";
 
 inline void declare_reduced_model_options(CLI::App& app, Options& o) {
   const char* const group = reduced_model_group;
@@ -255,26 +257,47 @@ inline void declare_reduced_model_options(CLI::App& app, Options& o) {
   auto* model = app.add_option("--write-0d", o.zero_d_output,
                                "write a zero-dimensional model of the vessels for SimVascular's svZeroDSolver: .json")
                     ->group(group);
-  auto* unit = app.add_option("--length-unit", o.length_unit, "of the surface: m, cm, mm or um")
-                   ->check(CLI::IsMember({"m", "cm", "mm", "um"}).description(""))
-                   ->needs(model)
-                   ->group(group);
-  model->needs(unit);
-  const auto add = [&](const char* name, double& value, const char* what) {
-    return app.add_option(name, value, what)->check(in_range(least, most))->needs(model)->group(group);
-  };
-  add("--density", o.density, "of blood, in kg/m3")->capture_default_str();
-  add("--viscosity", o.viscosity, "dynamic, of blood, in Pa s")->capture_default_str();
-  add("--youngs-modulus", o.youngs_modulus, "of the wall, in Pa; its thickness is that of --wall, else 0.2 radii")
-      ->capture_default_str();
-  add("--flow-rate", o.flow_rate,
-      "at the inlet, in ml/s (default: that of a wall shear stress of 1.5 Pa at the inlet)");
   app.add_flag(
          "--murray", o.murray,
          "resistances at the outlets by Murray's law, flow by the cube of the radius (default: no, a pressure of 0)")
       ->needs(model)
       ->group(group);
-  add("--mean-pressure", o.mean_pressure, "at these outlets, in Pa")->capture_default_str()->needs("--murray");
+  app.add_option("--mean-pressure", o.mean_pressure, "at these outlets, in Pa")
+      ->capture_default_str()
+      ->check(in_range(least, most))
+      ->needs("--murray")
+      ->group(group);
+}
+
+/* Of --case and --write-0d; without one of them they have no meaning. */
+inline void declare_physical_options(CLI::App& app, Options& o) {
+  Physical_options& p = o.physics;
+  const double least = (std::numeric_limits<double>::min)(), most = (std::numeric_limits<double>::max)();
+  const std::vector<CLI::Option*> all = {
+      app.add_option("--length-unit", p.length_unit, "of the surface: m, cm, mm or um")
+          ->capture_default_str()
+          ->check(CLI::IsMember({"m", "cm", "mm", "um"}).description("")),
+      app.add_option(
+          "--flow-rate", p.flow_rate,
+          "at the inlet of each vessel, in ml/s (default of --write-0d: that of a wall shear stress of 1.5 Pa "
+          "at the inlet)"),
+      app.add_option("--density", p.density, "of the fluid, in kg/m3")->capture_default_str(),
+      app.add_option("--viscosity", p.viscosity, "dynamic, of the fluid, in Pa s")->capture_default_str(),
+      app.add_option("--youngs-modulus", p.youngs_modulus,
+                     "of the vessel's wall, in Pa; for --write-0d its thickness is that of --wall, else 0.2 radii")
+          ->capture_default_str()};
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    all[i]->group(physics_group);
+    if (i > 0)
+      all[i]->check(in_range(least, most));
+  }
+  app.parse_complete_callback([all, &app] {
+    if (app.count("--case") > 0 || app.count("--write-0d") > 0)
+      return;
+    for (const CLI::Option* option : all)
+      if (option->count() > 0)
+        throw CLI::RequiresError(option->get_name(), "--case or --write-0d");
+  });
 }
 
 inline void declare_report_options(CLI::App& app, Options& o) {
@@ -318,6 +341,38 @@ inline void declare_report_options(CLI::App& app, Options& o) {
       ->group(group);
 }
 
+inline void declare_case_options(CLI::App& app, Options& o) {
+  const char* const group = case_group;
+  Case_options& c = o.solver_case;
+  const double most = (std::numeric_limits<double>::max)(), least = (std::numeric_limits<double>::min)();
+  auto* solver =
+      app.add_option("--case", c.solver,
+                     "the output is a folder with all that a solver needs to run at once, in metres and pascals: "
+                     "openfoam, svmultiphysics, fenicsx or freefem, steady laminar flow from a parabolic inlet; or "
+                     "calculix, the vessel's wall under pressure")
+          ->check(CLI::IsMember({"openfoam", "svmultiphysics", "fenicsx", "freefem", "calculix"}).description(""))
+          ->excludes("--format")
+          ->excludes("--partitions")
+          ->group(group);
+  app.add_option("--outlet-pressure", c.outlet_pressures,
+                 "P, or NAME=P (repeatable), in Pa: the mean pressure at all outlets, or at the one of this name "
+                 "(default: 0)")
+      ->expected(1)
+      ->take_all()
+      ->check(command_line::is_number_or_named_number())
+      ->needs(solver)
+      ->group(group);
+  app.add_option("--wall-pressure", c.wall_pressure, "on the inside of the vessel's wall, in Pa")
+      ->check(in_range(least, most))
+      ->needs(solver)
+      ->group(group);
+  app.add_option("--poissons-ratio", c.poissons_ratio, "of the vessel's wall")
+      ->capture_default_str()
+      ->check(in_range(0, 0.499))
+      ->needs(solver)
+      ->group(group);
+}
+
 inline void declare_options(CLI::App& app, Options& o, const std::string& version) {
   app.description("Makes a mesh of a vessel or airway tree from its triangulated surface, along its "
                   "centerlines.\nLengths are in the unit of the surface.");
@@ -326,8 +381,7 @@ inline void declare_options(CLI::App& app, Options& o, const std::string& versio
   app.add_option("surface", o.surface, "surface: .stl .off .obj .ply .vtp .vtu .vtk .msh .mesh")->required();
   app.add_option("-o,--output", o.output,
                  "mesh to write: .vtu .pvtu .msh .mesh .inp .su2 .feb .cas .xdmf .cgns .exo, or a folder polyMesh or "
-                 "mesh-complete; a surface: .stl .vtp .msh .ply .off .obj .vtk")
-      ->required();
+                 "mesh-complete; a surface: .stl .vtp .msh .ply .off .obj .vtk; required, but for --dry-run");
   app.add_option(
          "--format", o.format,
          "format of the mesh, where its name does not tell it: vtu, pvtu, gmsh, medit, abaqus, openfoam (of a case: "
@@ -377,8 +431,15 @@ inline void declare_options(CLI::App& app, Options& o, const std::string& versio
                  "write the mesh in so many parts of about equal numbers of cells, with ghost cells, for as many "
                  "processors: .pvtu, .msh, or OpenFOAM's processor folders")
       ->check(CLI::Range(1, 1000000));
+  declare_case_options(app, o);
+  declare_physical_options(app, o);
   app.add_option("--threads", o.threads, "number of threads, on which results do not depend (default: all cores)")
       ->check(CLI::Range(0, 1024));
+  app.add_flag("--dry-run", o.dry_run,
+               "make no mesh: say what the openings, branches and mesh sizes are, and about how many cells there will "
+               "be, of which kind, and how much memory and time they take");
+  app.add_option("--log-json", o.log_json,
+                 "file, or - for standard error: what the program does, as it does it, one JSON object a line");
   auto* verbose = app.add_flag("-v,--verbose", o.verbose, "say more: the branches, a histogram of the quality");
   app.add_flag("-q,--quiet", o.quiet, "print errors only")->excludes(verbose);
 }

@@ -3,12 +3,19 @@
 
 #include "execute.h"
 
+#include "../command_line/Stop_signals.h"
+#include "../command_line/exit_status.h"
+#include "Progress.h"
+#include "dry_run.h"
 #include "page/make_page.h"
 #include "picture/picture_of.h"
 #include "reduced_model.h"
 #include "renames.h"
+#include "solver_case.h"
 #include "stages.h"
 #include "walls.h"
+
+#include <CGAL/Tubular_meshing/IO/unfinished_outputs.h>
 
 #include <CGAL/Tubular_meshing/IO/write_centerlines.h>
 #include <CGAL/Tubular_meshing/IO/write_mesh.h>
@@ -16,12 +23,14 @@
 #include <CGAL/Tubular_meshing/IO/write_sections.h>
 #include <CGAL/Tubular_meshing/IO/write_surface.h>
 #include <CGAL/Tubular_meshing/Partition/partition_cells.h>
+#include <CGAL/Tubular_meshing/base/interruption.h>
 
 #include <boost/property_map/function_property_map.hpp>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdio>
+#include <exception>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -74,6 +83,10 @@ void write(const Run& run, Run_report& report, Stage_clock& clock) {
   if (o.output.empty()) { // not of a program that keeps the mesh
   } else if (o.makes_surface_only()) {
     write_surface(open(o.output), run.surface, run.model);
+  } else if (o.solver_case.is_wanted()) {
+    auto folder = open_case(o);
+    write_case(*folder, run);
+    outputs.push_back(std::move(folder));
   } else if (o.partitions > 0) {
     outputs.push_back(tubular::IO::open_partitioned_mesh(o.output, std::size_t(o.partitions), o.mesh_format()));
     tubular::IO::write_partitioned_mesh(*outputs.back(), run.mesh, run.partition, cell_arrays(run), o.mesh_format());
@@ -111,6 +124,8 @@ void write(const Run& run, Run_report& report, Stage_clock& clock) {
                                    : report.json());
   for (auto& output : outputs)
     output->finish();
+  tubular::internal::check_interruption();
+  const tubular::IO::Commit_guard all_or_none;
   for (auto& output : outputs)
     output->commit();
 }
@@ -160,13 +175,24 @@ void note_changes(Run& run) {
       run.notes.push_back(change);
 }
 
-void execute(const Options& options, const std::string& version) {
-  check(options);
-  Stage_clock clock(options.quiet);
+namespace {
+
+Run run_of(const Options& options, const std::string& version) {
   Run run;
   run.options = options;
   run.version = version;
-  run = make_mesh(prepare(run, read_surface(run, clock), clock), clock);
+  return run;
+}
+
+void make_and_write(const Options& options, const std::string& version, Progress& progress) {
+  Stage_clock clock(Stage_clock::Observer(), &progress);
+  Run run = run_of(options, version);
+  Prepared prepared = prepare(run, read_surface(run, clock), clock);
+  if (options.dry_run) {
+    dry_run(prepared, clock, progress);
+    return;
+  }
+  run = make_mesh(std::move(prepared), clock);
   if (options.partitions > 0) {
     clock.begin("partition");
     run.partition = tubular::partition_cells(run.mesh, std::size_t(options.partitions));
@@ -177,9 +203,27 @@ void execute(const Options& options, const std::string& version) {
   Run_report report(run);
   clock.begin("write");
   write(run, report, clock);
+  progress.finish(run);
   if (!options.quiet) {
     report.print(options.verbose);
     if (std::fflush(stdout) != 0)
       throw tubular::Output_error("The summary cannot be printed; the files are written.");
+  }
+}
+
+} // namespace
+
+void execute(const Options& options, const std::string& version) {
+  const bool has_output = !options.dry_run || !options.output.empty();
+  check(options, has_output);
+  Progress progress(options, version);
+  try {
+    make_and_write(options, version, progress);
+  } catch (const command_line::Interrupted& e) {
+    progress.fail(128 + e.signal, "Interrupted; nothing was written.");
+    throw;
+  } catch (const std::exception& e) {
+    progress.fail(command_line::status_of(e), command_line::explanation_of(e));
+    throw;
   }
 }

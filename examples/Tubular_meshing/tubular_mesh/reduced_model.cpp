@@ -5,18 +5,12 @@
 
 #include <cmath>
 #include <cstddef>
-#include <map>
 #include <string>
 #include <vector>
 
 namespace tubular = CGAL::Tubular_meshing;
 
 namespace {
-
-double centimetres(const std::string& unit) {
-  static const std::map<std::string, double> units = {{"m", 100}, {"cm", 1}, {"mm", 0.1}, {"um", 1e-4}};
-  return units.at(unit);
-}
 
 // The mean round a section.
 double thickness_at(const tubular::Cross_section& s, const tubular::Wall_thickness& thickness) {
@@ -37,11 +31,11 @@ double thickness_at(const tubular::Cross_section& s, const tubular::Wall_thickne
 tubular::Zero_d_options zero_d_options(const Run& run) {
   const Options& o = run.options;
   tubular::Zero_d_options options; // whose units are cm, g and s
-  options.length_unit = centimetres(o.length_unit);
-  options.density = o.density / 1000;
-  options.viscosity = 10 * o.viscosity;
-  options.youngs_modulus = 10 * o.youngs_modulus;
-  options.flow_rate = o.flow_rate;
+  options.length_unit = 100 * o.physics.meters();
+  options.density = o.physics.density / 1000;
+  options.viscosity = 10 * o.physics.viscosity;
+  options.youngs_modulus = 10 * o.physics.youngs_modulus;
+  options.flow_rate = o.physics.flow_rate;
   options.murray = o.murray;
   options.mean_pressure = 10 * o.mean_pressure;
   if (!o.has_wall())

@@ -26,6 +26,7 @@
 #include <CGAL/Tubular_meshing/base/labels.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <deque>
 #include <sstream>
@@ -236,6 +237,44 @@ std::size_t number_of_elements(const Run& run) {
                                           : run.mesh.number_of_cells();
 }
 
+tubular::Mesh_type mesh_type(const Options& o) {
+  typedef tubular::Mesh_type Type;
+  return o.makes_surface_only() ? Type::surface
+         : o.is_anisotropic()   ? Type::anisotropic
+         : o.is_mixed()         ? Type::mixed
+         : o.is_hexahedral()    ? Type::hexahedral
+                                : Type::isotropic;
+}
+
+// The layers that add_wall() adds to the mesh.
+void add_wall(tubular::Mesh_estimate& estimate, const Options& o) {
+  if (!o.has_wall())
+    return;
+  const bool has_second = o.second_wall.thickness > 0;
+  const int second = !has_second ? 0 : o.second_wall.number > 0 ? o.second_wall.number : o.wall.number;
+  estimate.add_wall(o.wall.number + second, o.wall_elements == "tetrahedra");
+}
+
+std::deque<tubular::Mesher> meshers_of(std::vector<Part>& parts, Stage_clock& clock) {
+  std::deque<tubular::Mesher> meshers;
+  for (Part& part : parts)
+    meshers.emplace_back(part.run.model, mesher_parameters(part.run, clock));
+  return meshers;
+}
+
+// Tells who follows the run how much there is to do, by the mesh size, which is needed in any case.
+void expect_meshing(const std::vector<Part>& parts, std::deque<tubular::Mesher>& meshers, Stage_clock& clock) {
+  const Options& o = parts.front().run.options;
+  if (!clock.listener() || !clock.listener()->wants_estimate() || o.elements > 0 || o.is_anisotropic_surface())
+    return;
+  double triangles = 0, tetrahedra = 0;
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    triangles += double(parts[k].run.model.surface.number_of_faces());
+    tetrahedra += meshers[k].estimated_number_of_tetrahedra();
+  }
+  clock.listener()->expect_meshing(o, triangles, tetrahedra);
+}
+
 } // namespace
 
 tubular::Surface read_surface(Run& run, Stage_clock& clock) {
@@ -249,6 +288,8 @@ tubular::Surface read_surface(Run& run, Stage_clock& clock) {
 tubular::Surface repair(Run& run, const tubular::IO::Surface_data& data, Stage_clock& clock) {
   const Options& o = run.options;
   const std::vector<Point_3> at_openings = points_at_openings(named_points(o));
+  if (clock.listener())
+    clock.listener()->expect_preparation(o, double(data.triangles.size()));
   clock.begin("repair");
   tubular::Surface surface;
   run.repairs = tubular::repair_surface(data.points, data.triangles, surface,
@@ -341,10 +382,35 @@ void prepare_model(Run& run, const tubular::Surface& surface, Stage_clock& clock
       run.round_ends.push_back(end);
 }
 
+std::vector<tubular::Mesh_estimate> estimate_meshes(std::vector<Part>& parts, Stage_clock& clock) {
+  const Options& o = parts.front().run.options;
+  std::deque<tubular::Mesher> meshers = meshers_of(parts, clock);
+  const double power = o.makes_surface_only() ? 2 : o.is_anisotropic() ? tubular::Element_target::power_of_layers : 3;
+  std::vector<tubular::Mesh_estimate> estimates;
+  for (int round = 0;; ++round) {
+    estimates.clear();
+    double elements = 0;
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+      estimates.push_back(meshers[k].estimate(mesh_type(o), surface_elements(o)));
+      add_wall(estimates.back(), o);
+      elements += o.makes_surface_only() ? estimates.back().facets() : estimates.back().cells();
+    }
+    const int most_rounds = 6;
+    const double tolerance = 0.02;
+    if (o.elements == 0 || round == most_rounds || std::abs(elements / o.elements - 1) < tolerance)
+      return estimates;
+    const double points = (std::min)(
+        (std::max)(meshers.front().points_per_circumference() * std::pow(o.elements / elements, 1 / power), 3.), 1e4);
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+      parts[k].run.options.points_per_circumference = points;
+      meshers[k].set_points_per_circumference(points);
+    }
+  }
+}
+
 void make_meshes(std::vector<Part>& parts, Stage_clock& clock) {
-  std::deque<tubular::Mesher> meshers;
-  for (Part& part : parts)
-    meshers.emplace_back(part.run.model, mesher_parameters(part.run, clock));
+  std::deque<tubular::Mesher> meshers = meshers_of(parts, clock);
+  expect_meshing(parts, meshers, clock);
   const auto make_all = [&] {
     std::size_t elements = 0;
     for (std::size_t k = 0; k < parts.size(); ++k) {

@@ -10,6 +10,7 @@
 
 #include <CGAL/Tubular_meshing/Fields/Size_requests.h>
 #include <CGAL/Tubular_meshing/IO/read_surface.h>
+#include <CGAL/Tubular_meshing/Pipelines/Mesh_estimate.h>
 
 #include <vector>
 
@@ -36,6 +37,9 @@ void extend_openings(Run& run, CGAL::Tubular_meshing::Surface& surface, Stage_cl
 
 // The surface with its openings, and its centerlines, given or computed.
 void prepare_model(Run& run, const CGAL::Tubular_meshing::Surface& surface, Stage_clock& clock);
+
+// About what make_meshes() would make, of each vessel.
+std::vector<CGAL::Tubular_meshing::Mesh_estimate> estimate_meshes(std::vector<Part>& parts, Stage_clock& clock);
 
 // Of each vessel the surface mesh alone, or the cells of the lumen and the walls around it.
 void make_meshes(std::vector<Part>& parts, Stage_clock& clock);

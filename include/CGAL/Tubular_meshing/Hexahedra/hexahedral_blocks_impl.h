@@ -63,6 +63,20 @@ public:
     }
   }
 
+  std::optional<Length_of_blocks> length() {
+    Hexahedral_blocks result;
+    prepare(result);
+    if (!result.refused.empty())
+      return std::nullopt;
+    const std::size_t s = std::size_t(rings_.around()) / 8;
+    Length_of_blocks length;
+    for (const auto& n : network_.nodes)
+      length.domes += n.is_blind();
+    const std::size_t hexahedra = builder(shapes_).build().mesh.hexahedra.size();
+    length.rows = (hexahedra - 4 * s * s * length.domes) / (4 * s * s + 8 * s);
+    return length;
+  }
+
 private:
   static constexpr double nearness = 1.3;        // of junctions that are one, in radii
   static constexpr std::size_t most_vessels = 8; // of a junction
@@ -330,6 +344,12 @@ CGAL_TUBULAR_MESHING_INLINE Hexahedral_blocks make_hexahedral_blocks(const Surfa
   if (!(options.layer_thickness >= 0 && options.layer_thickness <= 0.8))
     throw Parameter_error("Layers along the wall may take up 0.8 radii of a vessel, not more.");
   return Hexahedral_blocks_maker(surface, patch, graph, size, options).make();
+}
+
+CGAL_TUBULAR_MESHING_INLINE std::optional<Length_of_blocks>
+length_of_blocks(const Surface& surface, Face_patch_map patch, const Centerline_graph& graph, Length_function size,
+                 const Hexahedral_blocks_options& options) {
+  return Hexahedral_blocks_maker(surface, patch, graph, size, options).length();
 }
 
 } // namespace CGAL::Tubular_meshing::internal

@@ -5,6 +5,7 @@
 #define CGAL_TUBULAR_MESHING_IO_OUTPUT_FILE_IMPL_H
 
 #include <CGAL/Tubular_meshing/IO/Output_file.h>
+#include <CGAL/Tubular_meshing/IO/unfinished_outputs.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 
 #include <cerrno>
@@ -86,10 +87,12 @@ CGAL_TUBULAR_MESHING_INLINE void Output_file::commit() {
     c->commit();
   if (temporary_.empty())
     return;
+  const Commit_guard guard;
   std::error_code error;
   std::filesystem::rename(temporary_, target_, error);
   if (error)
     fail(error.message());
+  internal::forget_unfinished(temporary_);
   temporary_.clear();
 }
 
@@ -110,14 +113,16 @@ CGAL_TUBULAR_MESHING_INLINE void Output_file::open(const std::string& file, cons
 
 // The first free of a thousand names: what a killed process left behind is not in the way.
 CGAL_TUBULAR_MESHING_INLINE void Output_file::open_temporary() {
+  const Commit_guard guard;
   for (int i = 0; !stream_; ++i) {
     const std::filesystem::path file =
         std::filesystem::path(target_).parent_path() / (".tubular_meshing_" + std::to_string(i) + ".partial");
     errno = 0;
     stream_.reset(std::fopen(file.string().c_str(), "wbx"));
-    if (stream_)
+    if (stream_) {
       temporary_ = file.string();
-    else if (errno != EEXIST || i == 1000)
+      internal::add_unfinished(temporary_);
+    } else if (errno != EEXIST || i == 1000)
       fail_with_errno();
   }
 }
@@ -125,8 +130,10 @@ CGAL_TUBULAR_MESHING_INLINE void Output_file::open_temporary() {
 CGAL_TUBULAR_MESHING_INLINE void Output_file::discard() noexcept {
   stream_.reset();
   std::error_code ignored;
-  if (!temporary_.empty())
+  if (!temporary_.empty()) {
     std::filesystem::remove(temporary_, ignored);
+    internal::forget_unfinished(temporary_);
+  }
   temporary_.clear();
 }
 

@@ -39,6 +39,9 @@ public:
    * finished.*/
   Output_file& file(const std::string& path);
 
+  /*! Where its files are until it has its name: for what is written by names of files. */
+  const std::filesystem::path& folder() const { return temporary_; }
+
   void finish() override;
   void commit() override;
 
@@ -50,6 +53,7 @@ private:
   std::filesystem::path unused_sibling() const;
   void close();
   void discard() noexcept;
+  void forget() noexcept;
   [[noreturn]] void fail(const std::string& reason);
 
   std::string name_;

@@ -6,6 +6,7 @@
 
 #include <CGAL/Tubular_meshing/IO/Output_file_impl.h>
 #include <CGAL/Tubular_meshing/IO/Output_folder.h>
+#include <CGAL/Tubular_meshing/IO/unfinished_outputs.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 
 #include <algorithm>
@@ -61,11 +62,14 @@ CGAL_TUBULAR_MESHING_INLINE void Output_folder::make_parents() {
   for (fs::path p = target_.parent_path(); !p.empty() && !fs::exists(p, error); p = p.parent_path())
     missing.push_back(p);
   for (auto p = missing.rbegin(); p != missing.rend(); ++p) {
+    const Commit_guard guard;
     const bool is_new = fs::create_directory(*p, error);
     if (error)
       fail(error.message());
-    if (is_new)
+    if (is_new) {
       parents_.push_back(*p);
+      internal::add_unfinished(*p);
+    }
   }
 }
 
@@ -75,11 +79,13 @@ CGAL_TUBULAR_MESHING_INLINE std::filesystem::path Output_folder::sibling(int i) 
 
 // The first free of a thousand names: what a killed process left behind is not in the way.
 CGAL_TUBULAR_MESHING_INLINE void Output_folder::make_temporary() {
+  const Commit_guard guard;
   std::error_code error;
   for (int i = 0; i < 1000 && temporary_.empty(); ++i) {
-    if (std::filesystem::create_directory(sibling(i), error))
+    if (std::filesystem::create_directory(sibling(i), error)) {
       temporary_ = sibling(i);
-    else if (error && error != std::errc::file_exists)
+      internal::add_unfinished(temporary_);
+    } else if (error && error != std::errc::file_exists)
       fail(error.message());
   }
   if (temporary_.empty())
@@ -121,6 +127,7 @@ CGAL_TUBULAR_MESHING_INLINE void Output_folder::commit() {
   finish();
   if (temporary_.empty())
     return;
+  const Commit_guard guard;
   std::error_code error;
   fs::path old;
   if (fs::exists(target_, error)) {
@@ -137,8 +144,7 @@ CGAL_TUBULAR_MESHING_INLINE void Output_folder::commit() {
       fs::rename(old, target_, error);
     fail(reason);
   }
-  temporary_.clear();
-  parents_.clear();
+  forget();
   if (!old.empty())
     fs::remove_all(old, error);
 }
@@ -148,9 +154,18 @@ CGAL_TUBULAR_MESHING_INLINE void Output_folder::discard() noexcept {
   file_.reset();
   if (!temporary_.empty())
     std::filesystem::remove_all(temporary_, ignored);
-  temporary_.clear();
   for (auto p = parents_.rbegin(); p != parents_.rend(); ++p)
     std::filesystem::remove(*p, ignored); // where it is empty
+  forget();
+}
+
+// There is nothing to be removed any more.
+CGAL_TUBULAR_MESHING_INLINE void Output_folder::forget() noexcept {
+  if (!temporary_.empty())
+    internal::forget_unfinished(temporary_);
+  for (const std::filesystem::path& p : parents_)
+    internal::forget_unfinished(p);
+  temporary_.clear();
   parents_.clear();
 }
 

@@ -8,6 +8,7 @@
 #include <CGAL/Tubular_meshing/Layers/Layer_report.h>
 #include <CGAL/Tubular_meshing/Patches/Remeshed_surface.h>
 #include <CGAL/Tubular_meshing/Pipelines/Hexahedral_report.h>
+#include <CGAL/Tubular_meshing/Pipelines/Mesh_estimate.h>
 #include <CGAL/Tubular_meshing/Pipelines/Mesher_options.h>
 #include <CGAL/Tubular_meshing/Pipelines/Tubular_model.h>
 #include <CGAL/Tubular_meshing/Volume/preserve_volume.h>
@@ -167,6 +168,13 @@ public:
 
   /// About how many tetrahedra an isotropic mesh has.
   double estimated_number_of_tetrahedra();
+
+  /*! About how many cells a mesh of a type will have, with all that was asked for, and what it takes to make it. A wall
+   * is added by Mesh_estimate::add_wall(), as it is to a mesh of triangles by extrude_wall(). It takes about as long as
+   * the mesh size, which later meshes have then, and a metric if the mesh is to be anisotropic.
+   * \param type of the mesh
+   * \param elements of a surface mesh */
+  Mesh_estimate estimate(Mesh_type type, Surface_elements elements = Surface_elements::triangles);
 
   /*! Isotropic tetrahedra of mesh size h (section 3.1 of the paper): region labels::lumen; patches wall, inlet,
    * outlet_1, …. The surface is meshed by patches and filled, its triangles kept; where a patch cannot be mapped or

@@ -12,11 +12,14 @@
 #include <CGAL/Tubular_meshing/Fields/Refined_metric_field.h>
 #include <CGAL/Tubular_meshing/Hexahedra/subdivide_into_hexahedra.h>
 #include <CGAL/Tubular_meshing/Layers/append_mesh.h>
+#include <CGAL/Tubular_meshing/Layers/boundary_layer_heights.h>
 #include <CGAL/Tubular_meshing/Layers/unfold_wall.h>
 #include <CGAL/Tubular_meshing/Volume/move_boundary_to_surface.h>
 #include <CGAL/Tubular_meshing/Volume/preserve_volume.h>
 #include <CGAL/Tubular_meshing/Pipelines/Element_target.h>
 #include <CGAL/Tubular_meshing/Pipelines/Mesher.h>
+#include <CGAL/Tubular_meshing/Pipelines/internal/Element_counts.h>
+#include <CGAL/Tubular_meshing/Pipelines/internal/Lumen_integrator.h>
 #include <CGAL/Tubular_meshing/Pipelines/internal/Model_in_its_frame.h>
 #include <CGAL/Tubular_meshing/Pipelines/internal/check_mesh_of_model.h>
 #include <CGAL/Tubular_meshing/Pipelines/internal/check_requests.h>
@@ -73,6 +76,43 @@ public:
   }
 
   double estimated_number_of_tetrahedra() { return size().estimated_number_of_tetrahedra(); }
+
+  Mesh_estimate estimate(Mesh_type type, Surface_elements elements) {
+    int layers = 0;
+    double thickness = 0;
+    if (options_.has_boundary_layer()) {
+      const internal::Boundary_layer_heights heights(options_.boundary_layer);
+      layers = heights.layers;
+      thickness = (std::min)(heights.total(), 0.95);
+    }
+    const Centerline_sizing_field& h = size();
+    const Local_radius& r = radius();
+    stage("estimate");
+    internal::Lumen_integrator integrator(frame_.surface(), h, r, thickness, options_.size.number_of_threads);
+    const bool has_metric = type == Mesh_type::anisotropic || elements == Surface_elements::anisotropic_triangles;
+    if (has_metric) {
+      const Labelled_surface& s = frame_.surface();
+      const Centerline_metric_field metric(s.surface, s.patch, frame_.centerlines(), options_.metric);
+      options_.size.size_requests.empty() ? integrator.add_metric(metric) : integrator.add_metric(refined(metric));
+    }
+    Mesh_estimate result;
+    result.integrals = integrator.integrals();
+    result.smallest_size = frame_.length_from_frame(integrator.smallest_size());
+    result.largest_size = frame_.length_from_frame(integrator.largest_size());
+    const bool in_blocks = (type == Mesh_type::hexahedral && options_.hexahedral_method == Hexahedral_method::blocks) ||
+                           (type == Mesh_type::surface && elements == Surface_elements::structured_quads);
+    if (in_blocks && !has_blocks(result))
+      result.method = Hexahedral_method::subdivision;
+    if (type == Mesh_type::hexahedral && options_.hexahedral_method == Hexahedral_method::subdivision)
+      result.method = Hexahedral_method::subdivision;
+    const double openings = double(model_->openings.size());
+    if (type == Mesh_type::surface)
+      internal::count_facets(result, elements, points(), openings);
+    else
+      internal::count_cells(result, type, layers, points(), coarsening_for_subdivision(), openings);
+    internal::estimate_cost(result, type, double(model_->surface.number_of_faces()));
+    return result;
+  }
 
   /* Makes a mesh; again with other N, until it has the number of elements that is wanted. The number goes with a power
    * of N; `first` gives the N to begin with. */
@@ -198,6 +238,23 @@ private:
     Surface_cut cut;
     std::vector<Patch_parameterization> maps;
   };
+
+  // Measures the blocks; false where there are none, for which the result has the reason.
+  bool has_blocks(Mesh_estimate& result) {
+    internal::Mesh_by_blocks blocks(*model_, frame_, size(), options_);
+    Hexahedral_report report;
+    const std::optional<internal::Length_of_blocks> length = blocks.length(report);
+    bring_back_places(report);
+    if (length) {
+      result.integrals.rows_of_blocks = double(length->rows);
+      result.integrals.domes_of_blocks = double(length->domes);
+    } else
+      result.fallbacks.push_back(
+          "There are no blocks of hexahedra along the vessels: " + internal::why_no_blocks(report) +
+          (options_.hexahedral_fallback == Hexahedral_fallback::none ? " Without a fallback there will be no mesh."
+                                                                     : " All hexahedra are made by subdivision."));
+    return bool(length);
+  }
 
   void stage(const char* name) {
     stage_ = name;
@@ -462,10 +519,9 @@ private:
   /* Tetrahedra and prisms of a coarser mesh, subdivided: four hexahedra of each tetrahedron are as many as there are
    * tetrahedra of 1.6 times smaller edges. A coarse mesh is no coarser than its topology can bear. */
   Mixed_mesh by_subdivision() {
-    const double cube_root_of_four = 1.5874, fewest_points = 6;
     report_.hexahedral.method = Hexahedral_method::subdivision;
     moves_wall_ = false; // its new vertices are to be on the surface first
-    coarsening_ = (std::min)((std::max)(points() / fewest_points, 1.), cube_root_of_four);
+    coarsening_ = coarsening_for_subdivision();
     Mixed_mesh mesh = isotropic_in_frame(options_.surface_mesher);
     kept_ = Remeshed_surface(); // its triangles are subdivided
     stage("subdivision");
@@ -484,6 +540,11 @@ private:
     moves_wall_ = options_.preserve_volume;
     move_wall_of(mesh);
     return mesh;
+  }
+
+  double coarsening_for_subdivision() const {
+    const double cube_root_of_four = 1.5874, fewest_points = 6;
+    return (std::min)((std::max)(points() / fewest_points, 1.), cube_root_of_four);
   }
 
   void add_wall(Mixed_mesh& mesh) {
@@ -618,6 +679,9 @@ CGAL_TUBULAR_MESHING_INLINE double Mesher::points_per_circumference() const {
 }
 CGAL_TUBULAR_MESHING_INLINE double Mesher::estimated_number_of_tetrahedra() {
   return impl_->estimated_number_of_tetrahedra();
+}
+CGAL_TUBULAR_MESHING_INLINE Mesh_estimate Mesher::estimate(Mesh_type type, Surface_elements elements) {
+  return impl_->estimate(type, elements);
 }
 CGAL_TUBULAR_MESHING_INLINE Mixed_mesh Mesher::isotropic() {
   return impl_->fitted([&] { return impl_->isotropic(); }, internal::number_of_cells, 3, Element_target::first_points);

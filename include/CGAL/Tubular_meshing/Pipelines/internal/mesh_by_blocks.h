@@ -75,6 +75,26 @@ public:
     return std::move(blocks.mesh);
   }
 
+  /* How long the blocks of such a mesh are, in little time: whether there are any is tried with eight points round a
+   * vessel. */
+  std::optional<Length_of_blocks> length(Hexahedral_report& report) {
+    const Labelled_surface& s = frame_.surface();
+    blocks_options_.points_per_circumference = 8;
+    const Scaled_size coarse{size_, options_.size.points_per_circumference / 8};
+    const auto tried = [&] {
+      return internal::make_hexahedral_blocks(s.surface, s.patch, graph_, coarse, blocks_options_);
+    };
+    Hexahedral_blocks blocks = tried();
+    for (int generation = 0; generation < most_generations && add_lines(blocks); ++generation)
+      blocks = tried();
+    report.number_of_junctions = blocks.junctions;
+    for (const Refused_blocks& r : blocks.refused)
+      report.places_without_blocks.push_back({r.place, r.reason});
+    if (!blocks.refused.empty())
+      return std::nullopt;
+    return internal::length_of_blocks(s.surface, s.patch, graph_, scaled_size(), blocks_options_);
+  }
+
   // The size of the cells in junctions that are filled, in mesh sizes.
   double fineness() const { return fineness_; }
 

@@ -113,6 +113,9 @@ inline void settle_in_child(rlim_t seconds) {
       dup2(nowhere, standard);
   for (int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGXCPU, SIGTERM, SIGINT, SIGHUP, SIGPIPE})
     std::signal(signal, SIG_DFL);
+  sigset_t none;
+  sigemptyset(&none);
+  sigprocmask(SIG_SETMASK, &none, nullptr); // a thread of the program may wait for signals that others leave to it
   const rlimit time = {seconds, seconds + 1}, core = {0, 0};
   setrlimit(RLIMIT_CPU, &time);
   setrlimit(RLIMIT_CORE, &core);
