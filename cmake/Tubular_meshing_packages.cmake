@@ -5,6 +5,8 @@
 # libtubular-meshing-dev; python3-tubular-meshing), by `cpack -G DEB`; and an archive that runs wherever it is unpacked,
 # by `cpack -G TGZ`, with the libraries that it needs beside those of every system.
 
+set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON) # tests and benchmarks, which are not installed, need not be built
+
 # The manual page and the completion of the program, from what its --help says.
 find_package(Python3 COMPONENTS Interpreter QUIET)
 if(TARGET tubular_mesh AND Python3_FOUND)

@@ -37,7 +37,12 @@ template <class F> void for_each_facet(const tubular::Mixed_mesh& mesh, int patc
 
 } // namespace
 
-Inlet_profile::Inlet_profile(const tubular::Mixed_mesh& mesh, int patch) {
+Inlet_profile::Inlet_profile(const tubular::Mixed_mesh& mesh, int patch)
+    : Inlet_profile(mesh, nullptr, patch) {}
+Inlet_profile::Inlet_profile(const tubular::Quadratic_mesh& mesh, int patch)
+    : Inlet_profile(mesh.linear, &mesh, patch) {}
+
+Inlet_profile::Inlet_profile(const tubular::Mixed_mesh& mesh, const tubular::Quadratic_mesh* nodes, int patch) {
   Vector normal, weighted;
   std::map<Edge, int> sides; // of each edge, how many facets it has
   for_each_facet(mesh, patch, [&](const std::vector<std::uint32_t>& facet) {
@@ -58,9 +63,18 @@ Inlet_profile::Inlet_profile(const tubular::Mixed_mesh& mesh, int patch) {
   axes_[0] = normalized(cross(inward_, other));
   axes_[1] = cross(inward_, axes_[0]);
   std::vector<std::array<Vector, 2>> edges;
-  for (const auto& [edge, facets] : sides)
-    if (facets == 1)
-      edges.push_back({Vector(mesh.points[edge.first]), Vector(mesh.points[edge.second])});
+  for (const auto& side : sides) {
+    const Edge& e = side.first;
+    if (side.second != 1)
+      continue;
+    const Vector a(mesh.points[e.first]), b(mesh.points[e.second]);
+    if (nodes) {
+      const Vector middle(nodes->edge_points[nodes->edge(e.first, e.second)]);
+      edges.push_back({a, middle});
+      edges.push_back({middle, b});
+    } else
+      edges.push_back({a, b});
+  }
   find_rim(edges);
 }
 

@@ -22,6 +22,8 @@ public:
 
   /* Of the facets of a patch. Throws a Meshing_error if they have no rim round their center. */
   Inlet_profile(const CGAL::Tubular_meshing::Mixed_mesh& mesh, int patch);
+  /* The same for quadratic elements, whose rim is curved. */
+  Inlet_profile(const CGAL::Tubular_meshing::Quadratic_mesh& mesh, int patch);
 
   /* 1 - (r / R)², R being the distance from the center to the rim in the direction of p; 0 at the rim. */
   double operator()(const Point_3& p) const;
@@ -37,6 +39,8 @@ public:
 private:
   static constexpr int angles = 256;
 
+  Inlet_profile(const CGAL::Tubular_meshing::Mixed_mesh& mesh, const CGAL::Tubular_meshing::Quadratic_mesh* nodes,
+                int patch);
   void find_rim(const std::vector<std::array<Vector, 2>>& edges);
 
   Vector center_, inward_;

@@ -47,7 +47,7 @@ def libraries_of(program):
     found = {}
     for line in run("ldd", program).splitlines():
         check("not found" not in line, "%s lacks a library: %s" % (program, line))
-        match = re.match(r"\s*(\S+) => (\S+)", line)
+        match = re.match(r"\s*(\S+) => (.+) \(0x", line)
         if match:
             found[match.group(1)] = os.path.realpath(match.group(2))
     return found
@@ -116,19 +116,20 @@ def test_deb():
     programs = [("tubular-meshing", root / "usr/bin/tubular_mesh")]
     if "python3-tubular-meshing" in packages:
         programs.append(("python3-tubular-meshing", next((modules / "tubular_meshing").glob("_core*.so"))))
-    for name, program in programs:  # each library comes from a package that it depends on
-        for library in set(libraries_of(program).values()):
-            owner = subprocess.run(["dpkg-query", "-S", library.replace("/usr/lib", "*/lib")], stdout=subprocess.PIPE,
-                                   stderr=subprocess.DEVNULL, universal_newlines=True).stdout.split(":")[0]
-            if not owner:
-                continue  # no package's
-            needed = run("readelf", "-d", program)
-            if "[" + os.path.basename(library) + "]" in needed or owner in packages[name]["depends"]:
-                check(owner in packages[name]["depends"], "%s needs %s, of %s, and does not say so" % (name, library, owner))
+    for name, program in programs:  # each library that it is linked with comes from a package that it depends on
+        found = libraries_of(program)
+        for library in re.findall(r"NEEDED.*\[(.*)\]", run("readelf", "-d", program)):
+            if library not in found:
+                continue  # the loader
+            path = found[library].replace("/usr/lib", "*/lib")
+            owner = subprocess.run(["dpkg-query", "-S", path], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
+                                   universal_newlines=True).stdout.split(":")[0]
+            check(not owner or owner in packages[name]["depends"],
+                  "%s needs %s, of %s, and does not say so: %s" % (name, library, owner, packages[name]["depends"]))
     check(FOREIGN <= packages["tubular-meshing"]["depends"], "The C library is missing among what is needed.")
     check("libcgal-dev" in packages["libtubular-meshing-dev"]["depends"], "The headers need CGAL.")
     check((root / "usr/include/CGAL/tubular_meshing.h").exists(), "The headers are missing.")
-    check(list(root.glob("usr/lib/*/cmake/Tubular_meshing/Tubular_meshingConfig.cmake")), "The CMake package is missing.")
+    check(list(root.glob("usr/lib/**/cmake/Tubular_meshing/Tubular_meshingConfig.cmake")), "The CMake package is missing.")
     use_program(root, "usr")
     if "python3-tubular-meshing" in packages:
         control = SCRATCH / "control"

@@ -60,7 +60,7 @@ class DryRun(ProgramTest):
     @unittest.skipUnless(SHARED_DATA, "needs the measurement data")
     def test_counts_are_those_of_meshes_of_real_vessels(self):
         for file, options, points in (("paper/carotid.stl", [], 12), ("paper/carotid.stl", ["-t", "mixed"], 12),
-                                      ("trees/sofa_LCA.stl", LAYERS, 12), ("trees/sofa_LCA.stl", ["-t", "anisotropic"], 10),
+                                      ("trees/sofa_carotids.stl", LAYERS, 12), ("paper/cylemi.stl", ["-t", "anisotropic"], 12),
                                       ("paper/aorta.stl", ["-t", "hexahedral"], 16)):
             with self.subTest(file + " ".join(options)):
                 self.compare(str(pathlib.Path(SHARED_DATA) / file), options, points)

@@ -62,34 +62,29 @@ def write_tube(file):
         out.write("endsolid tube\n")
 
 
-def openfoam_drop(case, density):
-    """The pressure drop over the middle of a tube, and its length: an inlet where the gradient of the pressure is 0 has the
-    pressure of the cells behind it."""
-    planes, entry = (0.2 * LENGTH, 0.8 * LENGTH), """    plane_%d
-    {
-        type surfaceFieldValue; libs ("libfieldFunctionObjects.so"); regionType sampledSurface; name plane_%d;
-        sampledSurfaceDict
-        {
-            type cuttingPlane; planeType pointAndNormal; interpolate false;
-            pointAndNormalDict { point (0 0 %g); normal (0 0 1); }
-        }
-        operation areaAverage; fields (p); writeFields no; log yes;
-    }
-"""
-    with open(case / "system" / "planes", "w") as file:
-        file.write("FoamFile { version 2.0; format ascii; class dictionary; object planes; }\nfunctions\n{\n")
-        for i, z in enumerate(planes):
-            file.write(entry % (i, i, z))
-        file.write("}\n")
-    environment = dict(os.environ)
-    if os.path.isdir("/usr/share/openfoam"):
-        environment.setdefault("WM_PROJECT_DIR", "/usr/share/openfoam")
-    said = subprocess.run(["postProcess", "-case", str(case), "-dict", str(case / "system" / "planes"), "-latestTime", "-field", "p"],
-                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, env=environment, universal_newlines=True).stdout
-    pressures = [float(p) for p in re.findall(r"areaAverage\(plane_\d\) of p = (\S+)", said)]
-    if len(pressures) != 2:
-        fail("There are no pressures within the tube:\n" + said[-1000:])
-    return density * (pressures[0] - pressures[1]), planes[1] - planes[0]
+def openfoam_gradient(case, density):
+    """Of the pressure along the tube, in its middle, by least squares over the cells: an inlet where the gradient of the
+    pressure is 0 has the pressure of the cells behind it."""
+    def entries(file):
+        text = (case / file).read_text()
+        return re.search(r"\n(\d+)\s*\n\(\n(.*?)\n\)", text, re.S).group(2).split("\n")
+
+    mesh = "constant/polyMesh/"
+    heights = [float(line.strip("()").split()[2]) for line in entries(mesh + "points")]
+    centers = []
+    for line in entries(mesh + "faces"):
+        corners = [heights[int(v)] for v in line[line.index("(") + 1:].rstrip(")").split()]
+        centers.append(sum(corners) / len(corners))
+    cells = {}
+    for sides in ("owner", "neighbour"):
+        for center, cell in zip(centers, entries(mesh + sides)):
+            cells.setdefault(int(cell), []).append(center)
+    time = max((d.name for d in case.iterdir() if d.name.isdigit()), key=int)
+    pressure = [density * float(p) for p in entries(time + "/p")]
+    pairs = [(sum(c) / len(c), pressure[i]) for i, c in cells.items()]
+    pairs = [(z, p) for z, p in pairs if 0.25 * LENGTH < z < 0.75 * LENGTH]
+    z, p = (sum(x) / len(pairs) for x in zip(*pairs))
+    return sum((a - z) * (b - p) for a, b in pairs) / sum((a - z) ** 2 for a, _ in pairs)
 
 
 def values(text, unit):
@@ -108,10 +103,10 @@ def check_flow(text, case, solver, shape, flow_rate, pressure):
         fail("The flow is not what it should be.")
     outlets = [p for name, p in pressures.items() if name != "inlet"]
     if shape == "tube":
-        drop, length = pressures["inlet"] - outlets[0], LENGTH
+        drop = pressures["inlet"] - outlets[0]
         if solver == "openfoam":
-            drop, length = openfoam_drop(case, DENSITY)
-        drop /= 8 * VISCOSITY * length * flow_rate / (math.pi * RADIUS**4)
+            drop = -LENGTH * openfoam_gradient(case, DENSITY)
+        drop /= 8 * VISCOSITY * LENGTH * flow_rate / (math.pi * RADIUS**4)
         print("pressure drop: %.4f times that of Poiseuille" % drop)
         if abs(drop - 1) > 0.02:
             fail("That is not Poiseuille's.")
@@ -178,8 +173,9 @@ def main():
     if a.shape == "tube":
         surface = str(a.folder / "tube.stl")
         write_tube(surface)
-    flow_rate = 1e-6 if a.shape == "tube" else 10e-6
-    young, poisson, wall_pressure, outlet_pressure = 1e6, 0.3, 10000., 100.
+    # slow in the tube, of Reynolds number 19: the velocity at the inlet, as it is on a mesh, is soon that of the tube
+    flow_rate = 1e-7 if a.shape == "tube" else 10e-6
+    young, poisson, wall_pressure, outlet_pressure = 1e6, 0.3, 10000., 10.
     if a.solver == "calculix":
         own = ["--wall-pressure", str(wall_pressure), "--youngs-modulus", str(young), "--poissons-ratio", str(poisson)]
     else:

@@ -45,7 +45,7 @@ struct Lumen_integrals {
  * About how many cells a mesh will have, and what it will take to make it.
  *
  * Numbers of cells are linear in the lumen's integrals; the coefficients, one set for each type of mesh, were found by
- * least squares on generated tubes, bends, bifurcations, arches, loops and trees of 8 to 32 points round a vessel
+ * least squares on generated tubes, bends, bifurcations, arches, loops and trees of 10 to 20 points round a vessel
  * (benchmark/Tubular_meshing/calibrate_estimate.py). Times are those of one machine, on both of its two cores: others
  * differ by a factor of two or so.
  */
