@@ -33,6 +33,7 @@
 #include <exception>
 #include <filesystem>
 #include <memory>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -177,6 +178,22 @@ void note_changes(Run& run) {
 
 namespace {
 
+// Of a wrong unit nothing fails, but all that is computed is wrong.
+void note_unit(Run& run) {
+  const Options& o = run.options;
+  if ((!o.solver_case.is_wanted() && o.zero_d_output.empty()) || run.model.openings.empty())
+    return;
+  constexpr double smallest = 5e-5, largest = 5e-2; // radii of vessels, in metres
+  const double radius = run.model.openings.front().radius * o.physics.meters();
+  if (radius >= smallest && radius <= largest)
+    return;
+  std::ostringstream note;
+  note.precision(3);
+  note << "In " << o.physics.length_unit << " the inlet's radius is " << 1000 * radius
+       << " mm; if the surface has another unit, give it by --length-unit.";
+  run.notes.push_back(note.str());
+}
+
 Run run_of(const Options& options, const std::string& version) {
   Run run;
   run.options = options;
@@ -200,6 +217,7 @@ void make_and_write(const Options& options, const std::string& version, Progress
   curve(run, clock);
   clock.begin("report");
   note_changes(run);
+  note_unit(run);
   Run_report report(run);
   clock.begin("write");
   write(run, report, clock);

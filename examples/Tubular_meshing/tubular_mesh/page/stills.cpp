@@ -73,7 +73,7 @@ std::string lines_of(const Shown_mesh& mesh, const Camera& camera) {
 } // namespace
 
 std::string still_of_mesh(const html::Json& report, const Shown_mesh& mesh) {
-  const Camera camera(mesh, Camera::best_direction(mesh), width, height);
+  const Camera camera(points_of(mesh), Camera::best_direction(mesh), width, height);
   const Image image =
       draw_mesh(mesh, seen_faces(mesh), Coloring(mesh, Coloring::By::patch), camera, width, height, false);
   return svg("The mesh, by its patches, with names of openings", image, names_of_openings(report, camera));
@@ -81,7 +81,7 @@ std::string still_of_mesh(const html::Json& report, const Shown_mesh& mesh) {
 
 std::string still_of_cut(const Shown_mesh& mesh) {
   const auto from = Camera::best_direction(mesh);
-  const Camera camera(mesh, from, width, height);
+  const Camera camera(points_of(mesh), from, width, height);
   const Image image = draw_mesh(mesh, seen_faces(mesh, {center_of_extent(mesh), from}),
                                 Coloring(mesh, Coloring::By::quality), camera, width, height, false);
   return svg("The mesh cut in the middle, by its quality, and the centerlines with their radii", image,

@@ -41,7 +41,7 @@ std::string picture_of(const Shown_mesh& mesh, const Options& o) {
   std::array<int, 2> size = {1600, 1200};
   command_line::parse_picture_size(o.picture_size, size);
   const Coloring coloring(mesh, Coloring::named(o.picture_color));
-  const Camera camera(mesh, from, size[0], size[1]);
-  return png_of(
-      draw_mesh(mesh, plane ? seen_faces(mesh, *plane) : seen_faces(mesh), coloring, camera, size[0], size[1], true));
+  const Seen_faces seen = plane ? seen_faces(mesh, *plane) : seen_faces(mesh);
+  const Camera camera(points_of(mesh, seen), from, size[0], size[1]);
+  return png_of(draw_mesh(mesh, seen, coloring, camera, size[0], size[1], true));
 }

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
 using CGAL::Tubular_meshing::internal::cross;
@@ -14,7 +15,7 @@ using CGAL::Tubular_meshing::internal::dot;
 using CGAL::Tubular_meshing::internal::normalized;
 
 // The z axis is upright, unless one looks along it: then y is.
-Camera::Camera(const Shown_mesh& mesh, const Vector& from, int width, int height)
+Camera::Camera(const std::vector<Vector>& points, const Vector& from, int width, int height)
     : from_(normalized(from))
     , width_(width)
     , height_(height) {
@@ -23,8 +24,8 @@ Camera::Camera(const Shown_mesh& mesh, const Vector& from, int width, int height
   up_ = cross(from_, right_);
   const double infinity = (std::numeric_limits<double>::infinity)();
   Vector low(infinity, infinity, infinity), high(-infinity, -infinity, -infinity);
-  for (const auto& q : mesh.mesh().points) {
-    const Vector p(q), at(dot(p, right_), dot(p, up_), dot(p, from_));
+  for (const Vector& p : points) {
+    const Vector at(dot(p, right_), dot(p, up_), dot(p, from_));
     low = Vector((std::min)(low.x, at.x), (std::min)(low.y, at.y), (std::min)(low.z, at.z));
     high = Vector((std::max)(high.x, at.x), (std::max)(high.y, at.y), (std::max)(high.z, at.z));
   }
@@ -42,6 +43,23 @@ Camera::Camera(const Shown_mesh& mesh, const Vector& from, int width, int height
 Camera::Vector Camera::project(const Vector& p) const {
   const Vector d = p - middle_;
   return {width_ / 2 + scale_ * dot(d, right_), height_ / 2 - scale_ * dot(d, up_), scale_ * dot(d, from_)};
+}
+
+std::vector<Camera::Vector> points_of(const Shown_mesh& mesh) {
+  return {mesh.mesh().points.begin(), mesh.mesh().points.end()};
+}
+
+std::vector<Camera::Vector> points_of(const Shown_mesh& mesh, const Seen_faces& seen) {
+  std::vector<Camera::Vector> result;
+  const auto add = [&](const Shown_mesh::Face& face) {
+    for (std::size_t i = 0; i < CGAL::Tubular_meshing::internal::cells::number_of_corners(face); ++i)
+      result.push_back(mesh.point(face[i]));
+  };
+  for (std::size_t f : seen.facets)
+    add(mesh.facet(f));
+  for (const Seen_faces::Cut_face& c : seen.cut)
+    add(c.face);
+  return result.empty() ? points_of(mesh) : result;
 }
 
 Camera::Vector center_of_extent(const Shown_mesh& mesh) {
