@@ -8,7 +8,9 @@
 #include <gtest/gtest.h>
 #include <zlib.h>
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -174,17 +176,17 @@ TEST_F(Tool, Picture_shows_the_mesh) {
 
 // The parts of the width and of the height that are not white.
 std::array<double, 2> extents(const Picture& picture) {
-  int low[2] = {picture.width, picture.height}, high[2] = {-1, -1};
-  for (int y = 0; y < picture.height; ++y)
-    for (int x = 0; x < picture.width; ++x)
+  std::array<std::uint32_t, 2> low = {picture.width, picture.height}, high = {0, 0};
+  for (std::uint32_t y = 0; y < picture.height; ++y)
+    for (std::uint32_t x = 0; x < picture.width; ++x)
       if (!is_white(picture.at(x, y))) {
-        const int at[2] = {x, y};
-        for (int k = 0; k < 2; ++k) {
+        const std::array<std::uint32_t, 2> at = {x, y};
+        for (std::size_t k = 0; k < 2; ++k) {
           low[k] = (std::min)(low[k], at[k]);
           high[k] = (std::max)(high[k], at[k]);
         }
       }
-  return {double(high[0] - low[0] + 1) / picture.width, double(high[1] - low[1] + 1) / picture.height};
+  return {double(high[0] + 1 - low[0]) / picture.width, double(high[1] + 1 - low[1]) / picture.height};
 }
 
 TEST_F(Tool, Picture_cuts_whole_cells) {

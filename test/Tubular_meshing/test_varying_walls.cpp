@@ -37,7 +37,7 @@ namespace TM = CGAL::Tubular_meshing;
 namespace labels = TM::labels;
 using TM::internal::Vector_3d;
 
-const double nan = std::numeric_limits<double>::quiet_NaN();
+const double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 /* A tube of quads of radius 1 along z, with caps of triangles; patches 1, 2 (z = 0) and 3. */
 struct Tube {
@@ -232,7 +232,7 @@ TEST(Varying_walls, Thickness_that_is_too_steep_is_reported) {
 }
 
 TEST(Varying_walls, Values_that_are_no_thickness_are_refused) {
-  for (double bad : {0., -0.1, nan, std::numeric_limits<double>::infinity()})
+  for (double bad : {0., -0.1, not_a_number, std::numeric_limits<double>::infinity()})
     for (TM::Array_of of : {TM::Array_of::points, TM::Array_of::triangles}) {
       TM::Wall_array array = Tube().array(linear, of, "wall width");
       EXPECT_EQ(refusal(array), "");
@@ -258,7 +258,7 @@ TEST(Varying_walls, What_an_array_says_on_caps_does_not_count) {
       const double z = array.points[t[0]].z();
       const bool is_cap = array.points[t[1]].z() == z && array.points[t[2]].z() == z;
       if (is_cap && of == TM::Array_of::triangles)
-        array.values[i] = nan;
+        array.values[i] = not_a_number;
       for (std::size_t v : t)
         if (is_cap && of == TM::Array_of::points && array.points[v].x() == 0)
           array.values[v] = 0;
@@ -272,7 +272,7 @@ TEST(Varying_walls, What_an_array_says_on_caps_does_not_count) {
 
 TEST(Varying_walls, Lengths_in_another_unit_are_refused) {
   TM::Mixed_mesh mesh = Tube().triangles();
-  for (double bad : {11., 0., -1., nan}) {
+  for (double bad : {11., 0., -1., not_a_number}) {
     const auto np = TM::parameters::wall_thickness(TM::Wall_thickness([bad](const TM::Point_3&) { return bad; }));
     EXPECT_THROW(TM::extrude_wall(mesh, one, np), TM::Input_error) << bad;
   }
@@ -334,7 +334,7 @@ TEST(Varying_walls, Branches_have_their_thickness_and_pass_over_at_bifurcations)
   EXPECT_THROW(TM::thickness_of_branches(graph, {{0, 0.3}, {1, 0.1}}), TM::Input_error);
   EXPECT_THROW(TM::thickness_of_branches(graph, {{3, 0.3}}, 0.1), TM::Input_error);
   EXPECT_THROW(TM::thickness_of_branches(graph, {{0, -0.3}}, 0.1), TM::Input_error);
-  EXPECT_THROW(TM::thickness_of_branches(graph, {}, nan), TM::Input_error);
+  EXPECT_THROW(TM::thickness_of_branches(graph, {}, not_a_number), TM::Input_error);
 }
 
 // In the model's own frame, which is turned and scaled, functions are still asked in the unit and place of the model.
@@ -428,7 +428,7 @@ TEST(Wall_materials, Names_do_not_clash_and_the_walls_own_is_known) {
 }
 
 TEST(Wall_materials, Values_that_are_no_integers_are_refused) {
-  for (double bad : {0.5, nan, 1e12})
+  for (double bad : {0.5, not_a_number, 1e12})
     for (TM::Array_of of : {TM::Array_of::points, TM::Array_of::triangles}) {
       TM::Wall_array array = Tube().array([](const TM::Point_3&) { return 1.; }, of);
       array.values[100] = bad;

@@ -16,7 +16,6 @@ class Painter {
 public:
   Painter(const Shown_mesh& mesh, const Camera& camera, int width, int height, bool has_edges)
       : mesh_(mesh)
-      , camera_(camera)
       , has_edges_(has_edges)
       , raster_(width, height, {255, 255, 255})
       , light_(normalized(camera.from() + 0.35 * camera.up())) {
@@ -43,7 +42,6 @@ private:
   }
 
   const Shown_mesh& mesh_;
-  const Camera& camera_;
   bool has_edges_;
   Raster raster_;
   Shown_mesh::Vector light_;
