@@ -305,7 +305,7 @@ void check(const Options& o, bool has_output) {
                                    "\"; the types are: isotropic, anisotropic, mixed, hexahedral, surface.");
   check_order(o);
   if (o.output.empty() && has_output)
-    throw tubular::Parameter_error("--output is required; see --help.");
+    throw tubular::Parameter_error("--output is required, a name such as mesh.vtu; see --help.");
   if (!has_output && !o.dry_run && (o.is_quadratic() || o.partitions > 0))
     throw tubular::Parameter_error(
         "Quadratic elements and meshes in parts are written by tubular_mesh alone: leave the "

@@ -105,7 +105,7 @@ class DryRun(ProgramTest):
 
     def test_an_output_is_required_otherwise(self):
         run = self.run_tool(self.surface("tube"))
-        self.assertEqual((run.returncode, run.stderr), (2, "tubular_mesh: --output is required; see --help.\n"))
+        self.assertEqual((run.returncode, run.stderr), (2, "tubular_mesh: --output is required, a name such as mesh.vtu; see --help.\n"))
 
 
 if __name__ == "__main__":
