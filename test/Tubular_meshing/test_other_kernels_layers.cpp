@@ -102,7 +102,8 @@ TYPED_TEST(Layers_on, Any_surface_gives_the_same_cells) {
 TEST(Layer_options, Are_the_named_parameters) {
   const tubular::Extrude_wall_options plain, by_default(CGAL::parameters::default_values()),
       six(parameters::wall_layers(6).wall_growth(1.5));
-  EXPECT_EQ(by_default.wall_thickness, plain.wall_thickness);
+  EXPECT_TRUE(by_default.wall_thickness.is_relative());
+  EXPECT_EQ(by_default.wall_thickness.radii(), plain.wall_thickness.radii());
   EXPECT_EQ(by_default.second_wall_layers, plain.second_wall_layers);
   EXPECT_EQ(six.second_wall_layers, 6);
   EXPECT_EQ(six.second_wall_growth, 1.5);
