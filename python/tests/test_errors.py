@@ -53,7 +53,7 @@ def test_a_place(straight):
         ({"type": "cubes"}, 'There is no type of mesh named "cubes"; the types are: isotropic, anisotropic, mixed,'),
         ({"min_size": 2, "max_size": 1}, "min_size is larger than max_size."),
         ({"elements": 1000, "points_per_circumference": 10}, "cannot go with"),
-        ({"wall_layers": 2}, "wall_layers needs wall."),
+        ({"wall_layers": 2}, "wall_layers needs a wall: add wall, wall_thickness,"),
         ({"refine": (1, 2, 3)}, "X,Y,Z,RADIUS,FACTOR"),
         ({"refine_branch": {7: 2}}, "There is no branch 7 to refine: there are 1, counted from 0."),
         ({"rename": {"none": "other"}}, "There is no patch called"),
