@@ -218,8 +218,12 @@ TEST_F(Tool, Walls_are_as_thick_as_an_array_says) {
             type);
     const Mesh mesh = mesh_in(out("m.vtu"));
     EXPECT_TRUE(tubular::validity_report(mesh).is_valid());
-    EXPECT_LT(largest_difference(mesh, linear), 0.03) << type.back();
-    EXPECT_EQ(json_in(out("r.json"))["valid"], true);
+    const Json report = json_in(out("r.json"));
+    EXPECT_EQ(report["valid"], true);
+    // what is missing for want of room is said
+    const double missing = 0.4 * (1 - report["wall"]["min_ratio"].get<double>());
+    EXPECT_LT(largest_difference(mesh, linear), 0.03 + missing) << type.back();
+    EXPECT_GT(report["wall"]["mean_ratio"], 0.98);
   }
 }
 
@@ -442,11 +446,15 @@ TEST_F(Tool, Sections_and_a_model_come_beside_the_mesh) {
   EXPECT_NEAR(
       b / a, std::pow(report["openings"][1]["radius"].get<double>() / report["openings"][2]["radius"].get<double>(), 3),
       1e-6);
-  for (const auto& v : model["vessels"]) { // of a tube of the mean radius, in cm
+  for (const auto& v : model["vessels"]) { // between those of tubes of the largest and of the smallest radius, in cm
     const Json branch = report["branches"][v["vessel_id"].get<std::size_t>()];
-    const double r = 0.05 * (branch["min_radius"].get<double>() + branch["max_radius"].get<double>());
-    const double tube = 8 * 0.04 * 0.1 * branch["length"].get<double>() / (std::acos(-1.) * std::pow(r, 4));
-    EXPECT_NEAR(v["zero_d_element_values"]["R_poiseuille"].get<double>(), tube, 0.4 * tube);
+    const auto of_tube = [&](const char* radius) {
+      return 8 * 0.04 * 0.1 * branch["length"].get<double>() /
+             (std::acos(-1.) * std::pow(0.1 * branch[radius].get<double>(), 4));
+    };
+    const double resistance = v["zero_d_element_values"]["R_poiseuille"];
+    EXPECT_GT(resistance, 0.95 * of_tube("max_radius")); // radii are those of inscribed balls, smaller than of areas
+    EXPECT_LT(resistance, of_tube("min_radius"));
   }
   EXPECT_EQ(report.dump().find("another unit"), std::string::npos);
   // a vessel of micrometres, or of metres, is none

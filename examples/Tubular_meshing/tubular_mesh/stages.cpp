@@ -250,9 +250,8 @@ tubular::Mesh_type mesh_type(const Options& o) {
 void add_wall(tubular::Mesh_estimate& estimate, const Options& o) {
   if (!o.has_wall())
     return;
-  const bool has_second = o.second_wall.thickness > 0;
-  const int second = !has_second ? 0 : o.second_wall.number > 0 ? o.second_wall.number : o.wall.number;
-  estimate.add_wall(o.wall.number + second, o.wall_elements == "tetrahedra");
+  const int second = !o.has_second_wall() ? 0 : o.second_wall.number > 0 ? o.second_wall.number : o.wall_layers();
+  estimate.add_wall(o.wall_layers() + second, o.wall_elements == "tetrahedra");
 }
 
 std::deque<tubular::Mesher> meshers_of(std::vector<Part>& parts, Stage_clock& clock) {

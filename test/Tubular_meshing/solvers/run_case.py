@@ -19,7 +19,7 @@ import subprocess
 import sys
 
 RADIUS, LENGTH = 1e-3, 5e-3  # of the tube, in metres; it begins at the origin and leads along z
-VISCOSITY, DENSITY = 0.0035, 1060.0
+VISCOSITY, DENSITY = 0.004, 1060.0
 SOLVERS = ["openfoam", "freefem", "fenicsx", "calculix"]
 
 
