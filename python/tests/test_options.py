@@ -158,6 +158,8 @@ def test_every_option_does_something(name, tmp_path, monkeypatch, capfd):
         assert mesh.report["volume"]["preserved"] is False
     if name in ("output", "format", "report", "picture", "write_surface", "write_centerlines", "write_blocks"):
         assert [p.name for p in tmp_path.iterdir() if p.stat().st_size > 500] == [companions.get("output", value)]
+    elif name == "material_array":
+        assert set(mesh.regions) == {"lumen", "wall", "material_1"}
     elif name == "fibres":
         lengths = np.linalg.norm(mesh.cell_arrays["longitudinal"], axis=1)
         assert set(mesh.cell_arrays) == {"longitudinal", "circumferential"}
