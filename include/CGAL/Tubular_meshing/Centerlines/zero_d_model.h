@@ -93,6 +93,7 @@ struct Zero_d_model {
  * \param graph the branches
  * \param openings those of the vessels: their `node` and `name` are used; the first is the inlet
  * \param sections those of all branches, in order, see cross_sections()
+ * \param options the fluid, the wall, and what is at the ends
  * \param inlets the openings that are inlets, where there are several vessels; else the first
  *
  * \throws Parameter_error if a value is not above 0

@@ -166,6 +166,9 @@ Layer_report extrude_wall(Mixed_mesh& mesh, const LocalRadius& radius,
  *
  * the same, of a wall that parts of are of other materials.
  *
+ * \param mesh as above
+ * \param radius as above
+ * \param np the same named parameters
  * \param materials a region of its own for each; the cells over a facet of the lumen's surface belong to that of the
  *   facet's middle. The second wall has none */
 template <class LocalRadius, class NamedParameters = CGAL::parameters::Default_named_parameters>
