@@ -4,6 +4,7 @@
 // tubular_mesh and walls whose thickness and materials are said by arrays of the surface's file, or by a table; fibres;
 // cross-sections and zero-dimensional models.
 
+#include "wall_vertices.h"
 #include "test_tool_helpers.h"
 
 #include <CGAL/Tubular_meshing/IO/Mesh_format.h>
@@ -171,14 +172,7 @@ double painted(const Point& p) {
 
 // The largest difference between the thickness of a wall, whose outer points come last, and that which is wanted.
 double largest_difference(const Mesh& mesh, const Value& wanted) {
-  std::set<std::uint32_t> vertices;
-  const auto collect = [&](const auto& facets) {
-    for (std::size_t i = 0; i < facets.size(); ++i)
-      if (facets.label[i] == labels::wall)
-        vertices.insert(facets.vertices[i].begin(), facets.vertices[i].end());
-  };
-  collect(mesh.triangles);
-  collect(mesh.quads);
+  const std::set<std::uint32_t> vertices = wall_vertices(mesh);
   double largest = 0;
   std::size_t far = mesh.points.size() - vertices.size();
   EXPECT_GT(vertices.size(), 0u);

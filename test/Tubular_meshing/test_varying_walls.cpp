@@ -4,6 +4,8 @@
 // Walls whose thickness is given by lengths, arrays and branches, that are of several materials, and the directions of
 // fibres in them; on tubes and bifurcations, where all of that is known.
 
+#include "wall_vertices.h"
+
 #include <CGAL/Tubular_meshing/Generators/tubular_shapes.h>
 #include <CGAL/Tubular_meshing/Generators/tubular_surface.h>
 #include <CGAL/Tubular_meshing/IO/read_mesh.h>
@@ -120,14 +122,7 @@ struct Measured {
 };
 
 Measured measured(const TM::Mixed_mesh& mesh, int layers, int first_layers = 0) {
-  std::set<std::uint32_t> vertices;
-  const auto collect = [&](const auto& facets) {
-    for (std::size_t i = 0; i < facets.size(); ++i)
-      if (facets.label[i] == labels::wall)
-        vertices.insert(facets.vertices[i].begin(), facets.vertices[i].end());
-  };
-  collect(mesh.triangles);
-  collect(mesh.quads);
+  const std::set<std::uint32_t> vertices = wall_vertices(mesh);
   const std::vector<std::uint32_t> base(vertices.begin(), vertices.end());
   const std::size_t before = mesh.points.size() - std::size_t(layers) * base.size();
   Measured result;
