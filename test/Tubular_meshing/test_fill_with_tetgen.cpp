@@ -558,7 +558,7 @@ TEST(Delaunay_refinement, Fills_a_cube_and_keeps_its_boundary) {
     Mesh mesh = fan_in_a_cube(side);
     const Mesh before = mesh;
     // not below the size of the boundary's triangles by much: points too near to those are not added
-    ASSERT_TRUE(tubular::internal::add_points_inside([side](const Point&) { return 0.25 * side; }, 100000, mesh));
+    ASSERT_TRUE(tubular::internal::add_points_inside([side](const Point&) { return 0.25 * side; }, 100000, 1, mesh));
     const auto report = tubular::validity_report(mesh);
     EXPECT_TRUE(report.is_valid()) << report.defects();
     EXPECT_NEAR(volume(mesh) / (side * side * side), 1, 1e-12);
@@ -569,9 +569,24 @@ TEST(Delaunay_refinement, Fills_a_cube_and_keeps_its_boundary) {
   }
 }
 
+TEST(Delaunay_refinement, Gives_the_same_mesh_on_any_number_of_threads) {
+  // small near one corner, so that batches get in their own way there
+  const auto size = [](const Point& p) { return 0.03 + 0.2 * (p.x() + p.y() + p.z()); };
+  Mesh one = fan_in_a_cube(1);
+  ASSERT_TRUE(tubular::internal::add_points_inside(size, 1000000, 1, one));
+  EXPECT_GT(one.points.size(), 300u);
+  EXPECT_TRUE(tubular::validity_report(one).is_valid());
+  for (int threads : {2, 3}) {
+    Mesh several = fan_in_a_cube(1);
+    ASSERT_TRUE(tubular::internal::add_points_inside(size, 1000000, threads, several));
+    EXPECT_EQ(several.points, one.points);
+    EXPECT_EQ(several.tetrahedra.vertices, one.tetrahedra.vertices);
+  }
+}
+
 TEST(Delaunay_refinement, Refuses_more_points_than_memory_holds) {
   Mesh mesh = fan_in_a_cube(1);
-  EXPECT_FALSE(tubular::internal::add_points_inside([](const Point&) { return 0.2; }, 5, mesh));
+  EXPECT_FALSE(tubular::internal::add_points_inside([](const Point&) { return 0.2; }, 5, 1, mesh));
 }
 
 TEST(Unit_frame, Brings_points_to_unit_extent_and_back) {

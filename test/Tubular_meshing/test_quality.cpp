@@ -325,6 +325,29 @@ TEST(Quality_report, Finite_volumes_of_a_region_end_at_its_interfaces) {
   EXPECT_EQ(tubular::quality_report(Mesh()).skewness.count(), 0u);
 }
 
+TEST(Quality_report, Is_the_same_on_any_number_of_threads) {
+  const Mesh m = moved_cubes({20, 20, 20}, [](double x, double y, double z) {
+    return Point(x + 0.2 * std::sin(y), y + 0.2 * std::sin(z), z * (1 + 0.01 * x));
+  });
+  const auto one = tubular::quality_report(m, tubular::parameters::number_of_threads(1));
+  EXPECT_EQ(one.scaled_jacobian.count(), 8000u);
+  EXPECT_EQ(one.non_orthogonality.count(), 3 * 19u * 400);
+  for (int threads : {0, 3}) {
+    const auto several = tubular::quality_report(m, tubular::parameters::number_of_threads(threads));
+    for (auto measure :
+         {&tubular::Quality_report::zeta_H, &tubular::Quality_report::scaled_jacobian, &tubular::Quality_report::aspect,
+          &tubular::Quality_report::non_orthogonality, &tubular::Quality_report::skewness}) {
+      EXPECT_EQ((several.*measure).count(), (one.*measure).count());
+      EXPECT_EQ((several.*measure).mean(), (one.*measure).mean());
+      for (double percent : {0., 1., 50., 99., 100.})
+        EXPECT_EQ((several.*measure).percentile(percent), (one.*measure).percentile(percent));
+    }
+  }
+  const auto region = tubular::quality_report(m, 2, tubular::parameters::number_of_threads(3));
+  EXPECT_EQ(region.aspect.mean(),
+            tubular::quality_report(m, 2, tubular::parameters::number_of_threads(1)).aspect.mean());
+}
+
 TEST(Quality_report, Finite_volumes_without_extent_are_infinitely_bad) {
   const Mesh flat = moved_cubes({1, 1, 1}, [](double x, double y, double) { return Point(x, y, 0); });
   EXPECT_TRUE(std::isinf(tubular::quality_report(flat).aspect.max()));

@@ -23,6 +23,7 @@
 #include <limits>
 #include <memory>
 #include <string>
+#include <unordered_map>
 #include <utility>
 
 namespace CGAL::Tubular_meshing::internal {
@@ -134,20 +135,37 @@ struct Centerline_computation::Impl {
     return result;
   }
 
-  // By blocks that do not depend on the threads: a search begins with what the one before has found.
+  // Lines share points with each other and with their graph, and graphs of one computation with each other: no point is
+  // measured twice.
   std::vector<double> measured(const std::vector<Point_3>& points) const {
+    std::vector<Double_kernel::Point_3> unknown;
+    for (const Point_3& p : points)
+      if (known_radii.emplace(p, unmeasured).second)
+        unknown.push_back(to_double_point(p));
+    const std::vector<double> of_unknown = distances_to_wall(unknown);
+    for (std::size_t i = 0; i < unknown.size(); ++i)
+      known_radii[to_core(unknown[i])] = of_unknown[i];
+    std::vector<double> radii;
+    radii.reserve(points.size());
+    for (const Point_3& p : points)
+      radii.push_back(known_radii.at(p));
+    return radii;
+  }
+  static constexpr double unmeasured = -1;
+
+  // By blocks that do not depend on the threads: a search begins with what the one before has found.
+  std::vector<double> distances_to_wall(const std::vector<Double_kernel::Point_3>& points) const {
     const std::size_t block = 64;
-    std::vector<double> radii(points.size());
+    std::vector<double> distances(points.size());
     for_each_task((points.size() + block - 1) / block, threads, [&](std::size_t b) {
       std::size_t hint = wall.size();
       for (std::size_t i = b * block; i < (std::min)(points.size(), (b + 1) * block); ++i) {
-        const auto found =
-            wall.nearest_from(hint, to_double_point(points[i]), (std::numeric_limits<double>::infinity)());
+        const auto found = wall.nearest_from(hint, points[i], (std::numeric_limits<double>::infinity)());
         hint = found.index;
-        radii[i] = std::sqrt(found.squared_distance);
+        distances[i] = std::sqrt(found.squared_distance);
       }
     });
-    return radii;
+    return distances;
   }
 
   const int threads;
@@ -156,6 +174,7 @@ struct Centerline_computation::Impl {
   std::size_t loops = 0; // of the lumen; 0 also if they are not wanted
   std::unique_ptr<Centerline_tracer> tracer;
   Nearest_tree<Double_kernel::Triangle_3> wall;
+  mutable std::unordered_map<Point_3, double> known_radii; // in the frame, of points of lines and graphs
 };
 
 CGAL_TUBULAR_MESHING_INLINE

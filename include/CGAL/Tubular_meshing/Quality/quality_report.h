@@ -6,6 +6,7 @@
 
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/base/config.h>
+#include <CGAL/Tubular_meshing/base/parameters.h>
 
 #include <array>
 #include <cstddef>
@@ -67,18 +68,43 @@ struct Quality_report {
   Measure_statistics skewness;
 };
 
+namespace internal {
+
+// region: null stands for the whole mesh
+Quality_report quality_report(const Mixed_mesh& mesh, const int* region, int number_of_threads);
+
+} // namespace internal
+
 /*! \ingroup PkgTubularMeshingQuality
  *
  * measures all elements of a mesh, (12)-(15) and as finite volumes, and (16)-(17) if it carries a point array `metric` of
  * six components. O(n log n).
+ *
+ * \param mesh the mesh
+ * \param np an optional sequence of named parameters among the ones listed below
+ *
+ * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{number_of_threads}
+ *     \cgalParamDescription{0: all cores. The result does not depend on it}
+ *     \cgalParamType{`int`}
+ *     \cgalParamDefault{`0`}
+ *   \cgalParamNEnd
+ * \cgalNamedParamsEnd
  */
-Quality_report quality_report(const Mixed_mesh& mesh);
+template <typename CGAL_NP_TEMPLATE_PARAMETERS>
+Quality_report quality_report(const Mixed_mesh& mesh, const CGAL_NP_CLASS& np = CGAL::parameters::default_values()) {
+  return internal::quality_report(mesh, nullptr, internal::choose(np, internal_np::number_of_threads, 0));
+}
 
 /*! \ingroup PkgTubularMeshingQuality
  *
- * the same for the cells of one region, as if they were all; facets are left out.
+ * the same for the cells of one region, as if they were all; facets are left out. It has the same parameters.
  */
-Quality_report quality_report(const Mixed_mesh& mesh, int region);
+template <typename CGAL_NP_TEMPLATE_PARAMETERS>
+Quality_report quality_report(const Mixed_mesh& mesh, int region,
+                              const CGAL_NP_CLASS& np = CGAL::parameters::default_values()) {
+  return internal::quality_report(mesh, &region, internal::choose(np, internal_np::number_of_threads, 0));
+}
 
 } // namespace CGAL::Tubular_meshing
 

@@ -7,11 +7,15 @@
 #include <CGAL/Tubular_meshing/Quality/internal/Finite_volumes.h>
 #include <CGAL/Tubular_meshing/Quality/quality_report.h>
 #include <CGAL/Tubular_meshing/Quality/shape_measures.h>
+#include <CGAL/Tubular_meshing/base/parallel.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <utility>
+#include <vector>
 
 namespace CGAL::Tubular_meshing {
 
@@ -51,28 +55,35 @@ namespace internal {
 /* Measures the elements of a mesh: all of them, or the cells of one region. */
 class Quality_reporter {
 public:
-  explicit Quality_reporter(const Mixed_mesh& mesh, const int* region = nullptr)
+  explicit Quality_reporter(const Mixed_mesh& mesh, const int* region = nullptr, int threads = 1)
       : mesh_(mesh)
-      , region_(region) {}
+      , region_(region)
+      , threads_(threads) {}
 
   Quality_report report() const {
     Quality_report r;
+    std::vector<std::function<void()>> sorts; // several at a time
+    const auto take = [&](Measure_statistics& measure, std::vector<double> values) {
+      if (!values.empty())
+        sorts.push_back([&measure, v = std::move(values)]() mutable { measure = Measure_statistics(std::move(v)); });
+    };
     if (region_ == nullptr) {
-      r.gamma_T = Measure_statistics(gamma_T());
-      r.eta_q = Measure_statistics(eta_q());
+      take(r.gamma_T, gamma_T());
+      take(r.eta_q, eta_q());
     }
-    r.gamma_tau = Measure_statistics(gamma_tau());
-    r.zeta_H = Measure_statistics(zeta_H());
-    r.scaled_jacobian = Measure_statistics(scaled_jacobians());
-    r.prism_jacobian = Measure_statistics(prism_jacobians());
-    r.pyramid_jacobian = Measure_statistics(pyramid_jacobians());
-    r.Q_tau = Measure_statistics(Q_tau());
+    take(r.gamma_tau, gamma_tau());
+    take(r.zeta_H, zeta_H());
+    take(r.scaled_jacobian, scaled_jacobians());
+    take(r.prism_jacobian, prism_jacobians());
+    take(r.pyramid_jacobian, pyramid_jacobians());
+    take(r.Q_tau, Q_tau());
     if (const Point_array* metric = metric_array())
       r.efficiency = efficiency(*metric);
-    Finite_volumes volumes(mesh_, region_);
-    r.aspect = Measure_statistics(std::move(volumes.aspect()));
-    r.non_orthogonality = Measure_statistics(std::move(volumes.non_orthogonality()));
-    r.skewness = Measure_statistics(std::move(volumes.skewness()));
+    Finite_volumes volumes(mesh_, region_, threads_);
+    take(r.aspect, std::move(volumes.aspect()));
+    take(r.non_orthogonality, std::move(volumes.non_orthogonality()));
+    take(r.skewness, std::move(volumes.skewness()));
+    for_each_task(sorts.size(), threads_, [&](std::size_t k) { sorts[k](); });
     return r;
   }
 
@@ -101,40 +112,44 @@ public:
   }
   // Empty, where the mesh has no metric.
   std::vector<double> Q_tau() const {
-    std::vector<double> values;
     const Point_array* array = metric_array();
     if (array == nullptr)
-      return values;
+      return {};
     const auto metric = [&](std::uint32_t v) { return metric_at(*array, v); };
-    for_each(mesh_.tetrahedra, [&](const std::array<std::uint32_t, 4>& v) {
-      values.push_back(internal::tetrahedron_Q({point(v[0]), point(v[1]), point(v[2]), point(v[3])},
-                                               {metric(v[0]), metric(v[1]), metric(v[2]), metric(v[3])}));
+    return over_vertices(mesh_.tetrahedra, [&](const std::array<std::uint32_t, 4>& v) {
+      return internal::tetrahedron_Q({point(v[0]), point(v[1]), point(v[2]), point(v[3])},
+                                     {metric(v[0]), metric(v[1]), metric(v[2]), metric(v[3])});
     });
-    return values;
   }
 
 private:
-  // Calls visit(vertices) for the elements that count.
-  template <std::size_t N, class Visit> void for_each(const Element_block<N>& elements, const Visit& visit) const {
-    for (std::size_t i = 0; i < elements.size(); ++i)
-      if (counts(elements.label[i]))
-        visit(elements.vertices[i]);
-  }
   bool counts(int label) const { return region_ == nullptr || label == *region_; }
 
   Vector_3d point(std::uint32_t v) const { return Vector_3d(mesh_.points[v]); }
 
+  // measure(vertices) of the elements that count.
+  template <std::size_t N, class Measure>
+  std::vector<double> over_vertices(const Element_block<N>& elements, const Measure& measure) const {
+    std::vector<std::size_t> counted;
+    for (std::size_t i = 0; i < elements.size(); ++i)
+      if (counts(elements.label[i]))
+        counted.push_back(i);
+    std::vector<double> values(counted.size());
+    for_each_range(counted.size(), threads_, [&](std::size_t first, std::size_t last) {
+      for (std::size_t k = first; k < last; ++k)
+        values[k] = measure(elements.vertices[counted[k]]);
+    });
+    return values;
+  }
+  // The same of their points.
   template <std::size_t N, class Measure>
   std::vector<double> over(const Element_block<N>& elements, const Measure& measure) const {
-    std::vector<double> values;
-    values.reserve(elements.size());
-    for_each(elements, [&](const std::array<std::uint32_t, N>& v) {
+    return over_vertices(elements, [&](const std::array<std::uint32_t, N>& v) {
       std::array<Vector_3d, N> p;
       for (std::size_t i = 0; i < N; ++i)
         p[i] = point(v[i]);
-      values.push_back(measure(p));
+      return measure(p);
     });
-    return values;
   }
 
   const Point_array* metric_array() const {
@@ -161,17 +176,15 @@ private:
 
   const Mixed_mesh& mesh_;
   const int* region_; // null: all
+  int threads_;
 };
 
+CGAL_TUBULAR_MESHING_INLINE Quality_report quality_report(const Mixed_mesh& mesh, const int* region,
+                                                          int number_of_threads) {
+  return Quality_reporter(mesh, region, number_of_threads).report();
+}
+
 } // namespace internal
-
-CGAL_TUBULAR_MESHING_INLINE Quality_report quality_report(const Mixed_mesh& mesh) {
-  return internal::Quality_reporter(mesh).report();
-}
-
-CGAL_TUBULAR_MESHING_INLINE Quality_report quality_report(const Mixed_mesh& mesh, int region) {
-  return internal::Quality_reporter(mesh, &region).report();
-}
 
 } // namespace CGAL::Tubular_meshing
 

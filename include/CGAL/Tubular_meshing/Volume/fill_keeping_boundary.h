@@ -18,12 +18,14 @@ struct Fill_keeping_boundary_options {
   Volume_mesher volume_mesher = default_volume_mesher();
   bool in_child_process = false;
   double time_limit = 0; ///< 0 stands for the default
+  int number_of_threads = 0;
 
   Fill_keeping_boundary_options() = default;
   template <class NamedParameters> explicit Fill_keeping_boundary_options(const NamedParameters& np) {
     volume_mesher = internal::choose(np, internal_np::volume_mesher, volume_mesher);
     in_child_process = internal::choose(np, internal_np::in_child_process, in_child_process);
     time_limit = internal::choose(np, internal_np::time_limit, time_limit);
+    number_of_threads = internal::choose(np, internal_np::number_of_threads, number_of_threads);
   }
 };
 
@@ -41,8 +43,9 @@ void fill_keeping_boundary(const Surface& surface, Face_patch_map patch, Length_
  * latter needs points on the surface they are brought inside again. Delaunay refinement adds points inside, as many as
  * the field asks for. What makes the mesh good is optimize_tetrahedra() with `keep_boundary(true)`.
  *
- * The surface is handed over in a frame of unit extent: units and distance from the origin make no difference. One
- * thread; the result is reproducible. About linear in the number of tetrahedra.
+ * The surface is handed over in a frame of unit extent: units and distance from the origin make no difference. The
+ * surface's points are connected by one thread, points inside are added by several: the result is the same for any
+ * number. About linear in the number of tetrahedra.
  *
  * The mesher is foreign code, which can crash, or run for very long, and take this program with it. It is not run on a
  * surface that crosses itself, on which it may; a program that must go on all the same runs it in a child process:
@@ -76,6 +79,12 @@ void fill_keeping_boundary(const Surface& surface, Face_patch_map patch, Length_
  *     \cgalParamType{`double`}
  *     \cgalParamDefault{ten minutes, and a hundredth of a second for each triangle: a hundred times what it should
  *       take}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{number_of_threads}
+ *     \cgalParamDescription{of those that add points inside; 0: all cores. `size` must be safe to call from several
+ *       threads at once, unless it is 1}
+ *     \cgalParamType{`int`}
+ *     \cgalParamDefault{`0`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{vertex_point_map}
  *     \cgalParamDescription{the points of the surface's vertices}

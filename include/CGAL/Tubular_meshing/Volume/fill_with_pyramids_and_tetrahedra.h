@@ -14,7 +14,6 @@ namespace CGAL::Tubular_meshing {
 struct Fill_with_pyramids_and_tetrahedra_options : Fill_keeping_boundary_options {
   bool split_quads = false;
   int optimization_passes = 2;
-  int number_of_threads = 0;
 
   Fill_with_pyramids_and_tetrahedra_options() = default;
   template <class NamedParameters>
@@ -22,7 +21,6 @@ struct Fill_with_pyramids_and_tetrahedra_options : Fill_keeping_boundary_options
       : Fill_keeping_boundary_options(np) {
     split_quads = internal::choose(np, internal_np::split_quads, split_quads);
     optimization_passes = internal::choose(np, internal_np::optimization_passes, optimization_passes);
-    number_of_threads = internal::choose(np, internal_np::number_of_threads, number_of_threads);
   }
 };
 

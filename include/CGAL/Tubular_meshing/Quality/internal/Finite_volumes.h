@@ -8,6 +8,7 @@
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
 #include <CGAL/Tubular_meshing/base/cell_topology.h>
 #include <CGAL/Tubular_meshing/base/element_measures.h>
+#include <CGAL/Tubular_meshing/base/parallel.h>
 
 #include <algorithm>
 #include <array>
@@ -23,12 +24,13 @@ namespace CGAL::Tubular_meshing::internal {
 
 /* The cells of a mesh, or of one region of it, as the finite volumes of a solver: their centers and faces as OpenFOAM
  * takes them, and what its checkMesh measures there. A region is taken for a mesh of its own: its interfaces are part of
- * its boundary. O(n log m) for n cells, m at a vertex. */
+ * its boundary. O(n log m) for n cells, m at a vertex; cells and faces are measured on all threads. */
 class Finite_volumes {
 public:
-  explicit Finite_volumes(const Mixed_mesh& mesh, const int* region = nullptr)
+  explicit Finite_volumes(const Mixed_mesh& mesh, const int* region = nullptr, int threads = 1)
       : mesh_(mesh)
       , region_(region)
+      , threads_(threads)
       , faces_begin_(mesh.points.size() + 1, 0) {
     count(mesh.tetrahedra);
     count(mesh.pyramids);
@@ -42,6 +44,7 @@ public:
     add(mesh.pyramids, next);
     add(mesh.prisms, next);
     add(mesh.hexahedra, next);
+    measure_cells();
     match();
   }
 
@@ -104,16 +107,12 @@ private:
     for (std::size_t c = 0; c < cells.size(); ++c) {
       if (!counts(cells.label[c]))
         continue;
-      const Index cell = Index(centers_.size());
-      std::array<Polygon, 6> polygons;
       for (std::size_t f = 0; f < number_of_faces<N>(); ++f) {
         auto v = face_vertices<N>(cells.vertices[c], f);
-        polygons[f] = polygon(v);
         std::sort(v.begin(), v.end());
-        faces_[next[v[0]]++] = {{v[1], v[2], v[3]}, cell, std::uint8_t(f)};
+        faces_[next[v[0]]++] = {{v[1], v[2], v[3]}, Index(elements_.size()), std::uint8_t(f)};
       }
       elements_.emplace_back(std::uint8_t(N), Index(c));
-      measure(polygons.data(), number_of_faces<N>());
     }
   }
 
@@ -140,10 +139,23 @@ private:
     return p;
   }
 
-  /* Appends a cell's center, that of the pyramids over its faces from the mean of the faces' centers, by their volumes;
-   * and its aspect. */
-  void measure(const Polygon* faces, std::size_t n) {
-    Vector_3d middle, center;
+  void measure_cells() {
+    centers_.resize(elements_.size());
+    aspect_.resize(elements_.size());
+    for_each_range(elements_.size(), threads_, [&](std::size_t first, std::size_t last) {
+      std::array<Polygon, 6> faces;
+      for (std::size_t c = first; c < last; ++c) {
+        const std::size_t n = number_of_faces(c);
+        for (std::size_t f = 0; f < n; ++f)
+          faces[f] = polygon(c, f);
+        measure(faces.data(), n, centers_[c], aspect_[c]);
+      }
+    });
+  }
+
+  /* A cell's center is that of the pyramids over its faces from the mean of the faces' centers, by their volumes. */
+  static void measure(const Polygon* faces, std::size_t n, Vector_3d& center, double& aspect) {
+    Vector_3d middle, moment;
     for (std::size_t f = 0; f < n; ++f)
       middle += (1. / double(n)) * faces[f].center;
     double three_volumes = 0;
@@ -151,67 +163,95 @@ private:
     for (std::size_t f = 0; f < n; ++f) {
       const double part = dot(faces[f].area, faces[f].center - middle);
       three_volumes += part;
-      center += part * (0.75 * faces[f].center + 0.25 * middle);
+      moment += part * (0.75 * faces[f].center + 0.25 * middle);
       for (int i = 0; i < 3; ++i)
         areas[std::size_t(i)] += std::abs(faces[f].area[i]);
     }
-    centers_.push_back(three_volumes != 0 ? (1 / three_volumes) * center : middle);
+    center = three_volumes != 0 ? (1 / three_volumes) * moment : middle;
     const double least = *std::min_element(areas.begin(), areas.end());
     const double most = *std::max_element(areas.begin(), areas.end());
     const double infinite = (std::numeric_limits<double>::infinity)();
     const double side2 = three_volumes > 0 ? std::pow(three_volumes / 3, 2. / 3) : 0;
-    aspect_.push_back(least > 0 && side2 > 0 ? (std::max)(most / least, (areas[0] + areas[1] + areas[2]) / (6 * side2))
-                                             : infinite);
+    aspect =
+        least > 0 && side2 > 0 ? (std::max)(most / least, (areas[0] + areas[1] + areas[2]) / (6 * side2)) : infinite;
   }
 
+  /* Faces of the same vertices are one. What is measured of a face stands at first where it stood among the faces of
+   * its lowest vertex, as threads know no other place for it. */
   void match() {
-    for (std::size_t v = 0; v < mesh_.points.size(); ++v) {
-      const auto last = faces_.begin() + std::ptrdiff_t(faces_begin_[v + 1]);
-      auto f = faces_.begin() + std::ptrdiff_t(faces_begin_[v]);
-      std::sort(f, last);
-      while (f != last) {
-        const auto other = f + 1;
-        const bool is_between = other != last && other->others == f->others;
-        if (is_between)
-          measure_between(polygon(*f), centers_[f->cell], centers_[other->cell]);
-        else
-          measure_boundary(polygon(*f), centers_[f->cell]);
-        f += is_between ? 2 : 1;
-      }
+    const double no_face = -1;
+    non_orthogonality_.assign(faces_.size(), no_face);
+    skewness_.assign(faces_.size(), no_face);
+    for_each_range(mesh_.points.size(), threads_, [&](std::size_t first, std::size_t last) {
+      for (std::size_t v = first; v < last; ++v)
+        match_at(v);
+    });
+    for (std::vector<double>* values : {&non_orthogonality_, &skewness_})
+      values->erase(std::remove(values->begin(), values->end(), no_face), values->end());
+  }
+
+  void match_at(std::size_t v) {
+    const auto begin = faces_.begin() + std::ptrdiff_t(faces_begin_[v]);
+    const auto end = faces_.begin() + std::ptrdiff_t(faces_begin_[v + 1]);
+    std::sort(begin, end);
+    for (auto f = begin; f != end;) {
+      const std::size_t at = std::size_t(f - faces_.begin());
+      const auto other = f + 1;
+      const bool is_between = other != end && other->others == f->others;
+      const Polygon face = polygon(f->cell, f->number);
+      if (is_between)
+        measure_between(face, centers_[f->cell], centers_[other->cell], non_orthogonality_[at], skewness_[at]);
+      else
+        skewness_[at] = skewness_at_boundary(face, centers_[f->cell]);
+      f += is_between ? 2 : 1;
     }
   }
 
-  Polygon polygon(const Face& f) const {
-    const Index c = elements_[f.cell].second;
-    switch (elements_[f.cell].first) {
+  std::size_t number_of_faces(std::size_t cell) const {
+    switch (elements_[cell].first) {
     case 4:
-      return polygon(face_vertices<4>(mesh_.tetrahedra.vertices[c], f.number));
+      return number_of_faces<4>();
     case 5:
-      return polygon(face_vertices<5>(mesh_.pyramids.vertices[c], f.number));
+      return number_of_faces<5>();
     case 6:
-      return polygon(face_vertices<6>(mesh_.prisms.vertices[c], f.number));
+      return number_of_faces<6>();
     default:
-      return polygon(face_vertices<8>(mesh_.hexahedra.vertices[c], f.number));
+      return number_of_faces<8>();
     }
   }
 
-  void measure_between(const Polygon& face, const Vector_3d& from, const Vector_3d& to) {
+  Polygon polygon(std::size_t cell, std::size_t number) const {
+    const Index c = elements_[cell].second;
+    switch (elements_[cell].first) {
+    case 4:
+      return polygon(face_vertices<4>(mesh_.tetrahedra.vertices[c], number));
+    case 5:
+      return polygon(face_vertices<5>(mesh_.pyramids.vertices[c], number));
+    case 6:
+      return polygon(face_vertices<6>(mesh_.prisms.vertices[c], number));
+    default:
+      return polygon(face_vertices<8>(mesh_.hexahedra.vertices[c], number));
+    }
+  }
+
+  static void measure_between(const Polygon& face, const Vector_3d& from, const Vector_3d& to,
+                              double& non_orthogonality, double& skewness) {
     const Vector_3d d = to - from;
     const double product = norm(d) * norm(face.area);
     const double cosine = product > 0 ? dot(d, face.area) / product : 0;
-    non_orthogonality_.push_back(180 / pi * std::acos((std::min)((std::max)(cosine, -1.), 1.)));
-    skewness_.push_back(skewness(face, from, d, 0.2));
+    non_orthogonality = 180 / pi * std::acos((std::min)((std::max)(cosine, -1.), 1.));
+    skewness = skewness_along(face, from, d, 0.2);
   }
 
   // As if the cell were mirrored by the face.
-  void measure_boundary(const Polygon& face, const Vector_3d& from) {
+  static double skewness_at_boundary(const Polygon& face, const Vector_3d& from) {
     const Vector_3d normal = normalized(face.area);
-    skewness_.push_back(skewness(face, from, dot(normal, face.center - from) * normal, 0.4));
+    return skewness_along(face, from, dot(normal, face.center - from) * normal, 0.4);
   }
 
   /* The line from a cell's center along d misses the face's center by so much, in units of the face's extent in that
    * direction, at least a part of d. */
-  static double skewness(const Polygon& face, const Vector_3d& from, const Vector_3d& d, double part) {
+  static double skewness_along(const Polygon& face, const Vector_3d& from, const Vector_3d& d, double part) {
     const Vector_3d to_center = face.center - from;
     const double slope = dot(face.area, d);
     const Vector_3d miss = slope != 0 ? to_center - (dot(face.area, to_center) / slope) * d : to_center;
@@ -225,7 +265,8 @@ private:
   }
 
   const Mixed_mesh& mesh_;
-  const int* region_;                                    // null: all
+  const int* region_; // null: all
+  int threads_;
   std::vector<std::pair<std::uint8_t, Index>> elements_; // of each cell: the vertices it has, and which of these
   std::vector<Vector_3d> centers_;
   std::vector<std::size_t> faces_begin_; // of each vertex

@@ -11,8 +11,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <numeric>
+#include <tuple>
 #include <unordered_set>
 #include <utility>
 #include <vector>
@@ -315,16 +318,49 @@ public:
     }
   }
 
-  // The same with the tetrahedra between a new vertex and facets of `gone`, those around a cavity without labels inside.
+  /* The same with the tetrahedra between a new vertex and the facets around a cavity, all of them, seen from inside. No
+   * facet has both of its sides in the cavity. */
   template <class Tetrahedra, class Base_facets>
   void replace_by_star(const Tetrahedra& gone, const Base_facets& bases, const Vector_3d& p, Index_list& come_numbers) {
+    struct Base {
+      Facet_vertices v;
+      Index other;
+      std::int32_t label;
+    };
+    struct Side { // a facet between two new tetrahedra, by its edge around the cavity
+      std::uint64_t edge;
+      Index code;
+    };
     const Index v = add_vertex(p);
-    boost::container::small_vector<Vertices, 64> come;
-    for (Index f : bases) {
-      const Facet_vertices w = vertices(f);
-      come.push_back({v, w[0], w[1], w[2]});
+    const std::int32_t region = tetrahedra_[gone[0]].region;
+    boost::container::small_vector<Base, 64> around;
+    for (Index f : bases)
+      around.push_back({vertices(f), other_side(f), label(f)});
+    for (Index t : gone)
+      release(t);
+    come_numbers.clear();
+    boost::container::small_vector<Side, 64> open;
+    for (const Base& base : around) {
+      const Index t = allocate();
+      come_numbers.push_back(t);
+      tetrahedra_[t] = {{v, base.v[0], base.v[1], base.v[2]}, {none, none, none, none}, {0, 0, 0, 0}, region};
+      for (Index w : tetrahedra_[t].v)
+        at_vertex_[w] = t;
+      link(facet(t, 0), base.other, base.label);
+      for (std::size_t i = 0; i < 3; ++i) {
+        const auto ends = std::minmax(base.v[(i + 1) % 3], base.v[(i + 2) % 3]);
+        const std::uint64_t edge = std::uint64_t(ends.first) << 32 | ends.second;
+        const Index side = facet(t, int(i) + 1);
+        const auto other = std::find_if(open.begin(), open.end(), [=](const Side& s) { return s.edge == edge; });
+        if (other == open.end()) {
+          open.push_back({edge, side});
+          continue;
+        }
+        link(side, other->code, 0);
+        *other = open.back();
+        open.pop_back();
+      }
     }
-    replace(gone, come, std::array<Labelled_facet, 0>(), come_numbers);
   }
 
   // A vertex that replace() can use from now on.
@@ -443,31 +479,48 @@ private:
     free_.push_back(t);
   }
 
-  // Neighbors and labels of all tetrahedra at once, by sorting facets.
+  // Neighbors and labels of all tetrahedra at once: facets with the same vertices are next to each other when those of
+  // each lowest vertex are sorted.
   void connect(const Element_block<3>& labelled) {
-    typedef std::pair<Facet_vertices, Index> Entry;
+    struct Entry {
+      std::array<Index, 2> others; // than the lowest vertex
+      Index code;                  // a facet, or a label
+
+      bool operator<(const Entry& e) const { return std::tie(others, code) < std::tie(e.others, e.code); }
+    };
     const Index is_label = Index(1) << 31; // codes of facets stay below: 2^29 tetrahedra at most
-    std::vector<Entry> entries;
-    entries.reserve(4 * tetrahedra_.size() + labelled.size());
-    for (Index t = 0; t < tetrahedra_.size(); ++t)
-      for (int i = 0; i < 4; ++i)
-        entries.emplace_back(key(tetrahedra_[t].v, i), facet(t, i));
-    for (Index f = 0; f < labelled.size(); ++f)
-      entries.emplace_back(sorted(labelled.vertices[f]), is_label | f);
-    std::sort(entries.begin(), entries.end());
-    for (std::size_t k = 0; k < entries.size();) {
-      std::size_t end = k + 1;
-      while (end < entries.size() && entries[end].first == entries[k].first)
-        ++end;
-      const bool has_label = (entries[end - 1].second & is_label) != 0;
-      const std::size_t sides = end - k - (has_label ? 1 : 0);
-      if (sides > 0)
-        link(entries[k].second, sides > 1 ? entries[k + 1].second : none,
-             has_label ? labelled.label[entries[end - 1].second & ~is_label] : 0);
-      k = end;
-    }
+    const auto for_each_facet = [&](const auto& visit) {
+      for (Index t = 0; t < tetrahedra_.size(); ++t)
+        for (int i = 0; i < 4; ++i)
+          visit(key(tetrahedra_[t].v, i), facet(t, i));
+      for (Index f = 0; f < labelled.size(); ++f)
+        visit(sorted(labelled.vertices[f]), is_label | f);
+    };
+    std::vector<std::size_t> end_at(points_.size() + 1, 0); // of a vertex; while they are filled, where it goes on
+    for_each_facet([&](const Facet_vertices& v, Index) { ++end_at[v[0] + 1]; });
+    std::partial_sum(end_at.begin(), end_at.end(), end_at.begin());
+    std::vector<Entry> entries(end_at.back());
+    for_each_facet([&](const Facet_vertices& v, Index code) { entries[end_at[v[0]]++] = {{v[1], v[2]}, code}; });
+    for (std::size_t v = 0, first = 0; v < points_.size(); first = end_at[v++])
+      connect_equal(entries.begin() + std::ptrdiff_t(first), entries.begin() + std::ptrdiff_t(end_at[v]),
+                    [&](Index code) { return (code & is_label) != 0 ? &labelled.label[code & ~is_label] : nullptr; });
     visited_.assign(tetrahedra_.size(), 0);
     collect_vertices();
+  }
+
+  // Of the facets and labels at one lowest vertex. label_of(code): none for a facet.
+  template <class Iterator, class Label_of>
+  void connect_equal(Iterator entry, Iterator last, const Label_of& label_of) {
+    std::sort(entry, last);
+    while (entry != last) {
+      const Iterator first = entry;
+      while (entry != last && entry->others == first->others)
+        ++entry;
+      const std::int32_t* const label = label_of((entry - 1)->code);
+      const std::ptrdiff_t sides = entry - first - (label != nullptr ? 1 : 0);
+      if (sides > 0)
+        link(first->code, sides > 1 ? (first + 1)->code : none, label != nullptr ? *label : 0);
+    }
   }
 
   void collect_vertices() {

@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_KEPT_BOUNDARY_DELAUNAY_REFINEMENT_H
 #define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_KEPT_BOUNDARY_DELAUNAY_REFINEMENT_H
 
+#include <CGAL/Tubular_meshing/Volume/internal/Speculation.h>
 #include <CGAL/Tubular_meshing/Volume/internal/Tetrahedron_store.h>
 #include <CGAL/Tubular_meshing/base/Function_view.h>
 #include <CGAL/Tubular_meshing/base/interruption.h>
@@ -11,55 +12,31 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <deque>
+#include <cstdint>
 #include <vector>
 
 namespace CGAL::Tubular_meshing::internal {
 
-/* Adds points inside a mesh until no tetrahedron is larger than `size`, a length, allows, but for those that
- * only a point too near to the boundary could split: facets with a label, and all their vertices, stay [Shewchuk 1998].
- *
- * A tetrahedron too large is split by its circumcenter: the tetrahedra whose circumscribed spheres contain that point,
- * and which are reached from the first without crossing a labelled facet, make room for those between it and the facets
- * of the cavity. Predicates are exact, so that none is inverted. About linear in the number of tetrahedra made. */
-class Delaunay_refinement {
+/* Looks for a point that splits one tetrahedron that is larger than a size allows: its circumcenter or, where the
+ * boundary is in the way and coarser than the inside, its middle. The tetrahedra whose circumscribed spheres contain
+ * that point, and which are reached from the first without crossing a labelled facet, make room for those between it and
+ * the facets of the cavity. Predicates are exact, so that none is inverted. */
+class Delaunay_insertion {
 public:
   typedef Tetrahedron_store Store;
   typedef Store::Index Index;
 
-  // `radius_bound`: the largest circumscribed radius, over the size there.
-  Delaunay_refinement(Store& store, Length_function size, double radius_bound)
+  Delaunay_insertion(const Store& store, Length_function size, double radius_bound)
       : store_(store)
       , size_(size)
       , radius_bound_(radius_bound) {}
 
-  // Returns the number of points added, which is `most` if there was no room for more.
-  std::size_t operator()(std::size_t most) {
-    const std::vector<Index> all = store_.tetrahedra();
-    std::deque<Index> todo(all.begin(), all.end());
-    std::size_t added = 0;
-    Store::Index_list come;
-    for (; !todo.empty() && added < most; todo.pop_front()) {
-      check_interruption();
-      const Index t = todo.front();
-      if (!store_.is_alive(t) || !split(t, come))
-        continue;
-      ++added;
-      todo.insert(todo.end(), come.begin(), come.end());
-    }
-    return added;
-  }
-
-private:
-  // of a new point from vertices and labelled facets, over the size
-  static constexpr double least_spacing = 0.7;
-  static constexpr double least_height = 0.5;
-
-  static Point_3 to_point(const Vector_3d& p) { return Point_3(p.x, p.y, p.z); }
-  Point_3 point(Index v) const { return to_point(store_.point(v)); }
-
-  // By its circumcenter or, where the boundary is in the way and coarser than the inside, by its middle.
-  bool split(Index t, Store::Index_list& come) {
+  /* Whether t is too large. Then is_possible() says whether a point was found. */
+  bool find(Index t) {
+    seen_.clear();
+    is_possible_ = false;
+    if (!store_.is_alive(t))
+      return false;
     const auto& w = store_[t].v;
     const Vector_3d& p = store_.point(w[0]);
     const Vector_3d a = store_.point(w[1]) - p, b = store_.point(w[2]) - p, c = store_.point(w[3]) - p;
@@ -71,25 +48,44 @@ private:
                                                      squared_norm(c) * cross(a, b));
     if (squared_norm(to_center) <= radius_bound_ * radius_bound_ * h * h)
       return false;
-    return insert(p + to_center, t, 0, h, come) || insert(middle, t, least_spacing * h, h, come);
+    is_possible_ = try_at(p + to_center, t, 0, h) || try_at(middle, t, least_spacing * h, h);
+    return true;
+  }
+  bool is_possible() const { return is_possible_; }
+
+  // Whether all that the last find() has seen is as it was, by the times at which tetrahedra came.
+  template <class Time> bool is_fresh(const std::vector<Time>& came, Time since) const {
+    return std::all_of(seen_.begin(), seen_.end(), [&](Index t) { return store_.is_alive(t) && came[t] <= since; });
   }
 
-  // Puts a point that is in the circumscribed sphere of t, and no nearer than `spacing` to other vertices.
-  bool insert(const Vector_3d& x, Index t, double spacing, double h, Store::Index_list& come) {
+  void commit(Store& store, Store::Index_list& come) const { store.replace_by_star(cavity_, facets_, point_, come); }
+
+private:
+  // of a new point from vertices and labelled facets, over the size
+  static constexpr double least_spacing = 0.7;
+  static constexpr double least_height = 0.5;
+
+  static Point_3 to_point(const Vector_3d& p) { return Point_3(p.x, p.y, p.z); }
+  Point_3 point(Index v) const { return to_point(store_.point(v)); }
+
+  // A point that is in the circumscribed sphere of t, and no nearer than `spacing` to other vertices.
+  bool try_at(const Vector_3d& x, Index t, double spacing, double h) {
+    point_ = x;
     const Point_3 p = to_point(x);
     collect_cavity(p, t);
-    if (!make_visible(p, t) || is_crowded(x, spacing) || encroaches(x, least_height * h))
-      return false;
-    store_.replace_by_star(cavity_, facets_, x, come);
-    return true;
+    return make_visible(p, t) && !is_crowded(x, spacing) && !encroaches(x, least_height * h);
   }
 
   void collect_cavity(const Point_3& p, Index t) {
     cavity_.assign(1, t);
+    seen_.push_back(t);
     for (std::size_t k = 0; k < cavity_.size(); ++k)
       for (int i = 0; i < 4; ++i) {
         const Index n = beyond(Store::facet(cavity_[k], i));
-        if (n != Store::none && !is_in_cavity(n) && conflicts(p, n))
+        if (n == Store::none || is_in_cavity(n))
+          continue;
+        seen_.push_back(n);
+        if (conflicts(p, n))
           cavity_.push_back(n);
       }
   }
@@ -156,13 +152,83 @@ private:
     return false;
   }
 
-  Store& store_;
+  const Store& store_;
   Length_function size_;
   double radius_bound_;
 
-  // the cavity at hand
+  // what was found last
+  bool is_possible_ = false;
+  Vector_3d point_;
   std::vector<Index> cavity_;
   std::vector<Index> facets_; // each with its tetrahedron inside
+  std::vector<Index> seen_;   // tetrahedra, some more than once
+};
+
+/* Adds points inside a mesh until no tetrahedron is larger than `size`, a length, allows, but for those that
+ * only a point too near to the boundary could split: facets with a label, and all their vertices, stay [Shewchuk 1998].
+ * About linear in the number of tetrahedra made. The result does not depend on the number of threads. */
+class Delaunay_refinement {
+public:
+  typedef Tetrahedron_store Store;
+  typedef Store::Index Index;
+
+  // `radius_bound`: the largest circumscribed radius, over the size there.
+  Delaunay_refinement(Store& store, Length_function size, double radius_bound, int threads)
+      : store_(store)
+      , insertions_(threads, batch, store, size, radius_bound) {}
+
+  // Returns the number of points added, which is `most` if there was no room for more.
+  std::size_t operator()(std::size_t most) {
+    std::size_t added = 0;
+    std::vector<Index> todo = store_.tetrahedra(), next;
+    Store::Index_list come;
+    came_.assign(store_.number_of_slots(), now_);
+    for (; !todo.empty() && added < most; todo.swap(next)) {
+      next.clear();
+      interleave(todo);
+      insertions_.run([&] { return added < most ? todo.size() : 0; }, [&] { return now_; },
+                      [&](Delaunay_insertion& i, std::size_t k) { return i.find(todo[k]); },
+                      [&](const Delaunay_insertion& i, std::size_t, Time since) { return i.is_fresh(came_, since); },
+                      [&](Delaunay_insertion& i, std::size_t) {
+                        if (!i.is_possible() || added == most)
+                          return;
+                        check_interruption();
+                        i.commit(store_, come);
+                        ++added;
+                        set_come(come);
+                        next.insert(next.end(), come.begin(), come.end());
+                      });
+    }
+    return added;
+  }
+
+private:
+  typedef std::uint32_t Time;
+  static constexpr std::size_t batch = 128;
+
+  // Neighbors in the list are neighbors in space, and would be in each other's way: those of a batch come from as many
+  // parts of the list.
+  static void interleave(std::vector<Index>& list) {
+    const std::size_t length = (list.size() + batch - 1) / batch;
+    std::vector<Index> result;
+    result.reserve(list.size());
+    for (std::size_t i = 0; i < length; ++i)
+      for (std::size_t k = i; k < list.size(); k += length)
+        result.push_back(list[k]);
+    list.swap(result);
+  }
+
+  void set_come(const Store::Index_list& come) {
+    ++now_;
+    came_.resize(store_.number_of_slots(), 0);
+    for (Index t : come)
+      came_[t] = now_;
+  }
+
+  Store& store_;
+  Speculation<Delaunay_insertion> insertions_;
+  Time now_ = 0;
+  std::vector<Time> came_; // of each tetrahedron
 };
 
 } // namespace CGAL::Tubular_meshing::internal

@@ -32,11 +32,13 @@ struct Filling_limits {
   double seconds; // of processor time, for a recovery of the boundary in a child process
   std::string instead;
   std::size_t most_points = in_memory();
+  int threads; // for the points inside
 
   Filling_limits(const Fill_keeping_boundary_options& options, const Surface& surface, std::string instead)
       : in_child_process(options.in_child_process)
       , seconds(options.time_limit > 0 ? options.time_limit : 600 + 0.01 * double(surface.number_of_faces()))
-      , instead(std::move(instead)) {}
+      , instead(std::move(instead))
+      , threads(options.number_of_threads) {}
 
   // A point and the tetrahedra around it take about 1 kB while they are made.
   static std::size_t in_memory() {
@@ -118,9 +120,9 @@ inline std::optional<Sentence> recover_boundary(const Surface& surface, const Bo
 constexpr double kept_boundary_radius_bound = 0.78;
 
 // Returns whether there was room for all points that the size asks for.
-inline bool add_points_inside(Length_function size, std::size_t most_points, Mixed_mesh& mesh) {
+inline bool add_points_inside(Length_function size, std::size_t most_points, int threads, Mixed_mesh& mesh) {
   Tetrahedron_store store(mesh);
-  if (Delaunay_refinement(store, size, kept_boundary_radius_bound)(most_points) == most_points)
+  if (Delaunay_refinement(store, size, kept_boundary_radius_bound, threads)(most_points) == most_points)
     return false;
   store.write_inside_to(mesh);
   sort_in_space(mesh.points, mesh.tetrahedra.vertices); // all have the same label
@@ -139,7 +141,7 @@ inline std::optional<Sentence> fill_by_recovery(const Surface& surface, Face_pat
   const std::optional<Sentence> failure = recover_boundary(surface, recovery, limits, mesh);
   if (failure)
     return failure;
-  if (!add_points_inside(size, limits.most_points, mesh))
+  if (!add_points_inside(size, limits.most_points, limits.threads, mesh))
     return "A mesh this fine would have more than " + std::to_string(limits.most_points) +
            " points inside, more than the memory of this machine holds: make it coarser.";
   mesh.region_names = {{labels::lumen, "lumen"}};
