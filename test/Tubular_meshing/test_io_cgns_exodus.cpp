@@ -3,7 +3,7 @@
 
 // Meshes in the formats CGNS and Exodus II: read back by the libraries, and by cgnscheck where that is installed.
 
-#include "openfoam_case.h"
+#include "installed_programs.h"
 #include "solver_meshes.h"
 
 #include <CGAL/Tubular_meshing/IO/hdf5_at_exit.h>

@@ -3,7 +3,7 @@
 
 // Meshes for FEniCSx: read back by HDF5, and by dolfinx where that is installed.
 
-#include "openfoam_case.h"
+#include "installed_programs.h"
 #include "solver_meshes.h"
 
 #include <CGAL/Tubular_meshing/IO/hdf5_at_exit.h>
