@@ -4,6 +4,7 @@
 #include "report_tables.h"
 
 #include "histogram.h"
+#include "tubular_mesh/report/counts.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -75,13 +76,9 @@ std::string worst_cells(const Shown_mesh& mesh) {
 
 std::string summary_of(const Json& report) {
   std::string counts;
-  const auto add = [&](const Json& numbers) {
-    for (const auto& n : numbers.items())
-      if (n.value() != 0)
-        counts += (counts.empty() ? "" : ", ") + value(n.value()) + " " + n.key();
-  };
-  add(report["cells"]);
-  add(report["facets"]);
+  for_each_count(report, [&](const Json& number, const std::string& kind) {
+    counts += (counts.empty() ? "" : ", ") + value(number) + " " + kind;
+  });
   std::string text = "<p class=\"counts\">" + value(report["points"]) + " points, " + counts + "; " +
                      value(Json(report["openings"].size())) + " openings, " + value(Json(report["branches"].size())) +
                      " branches. Volume " + number(report["volume"]["mesh"].get<double>()) + ", that of the surface " +
