@@ -170,7 +170,7 @@ void Run_report::add_times(const Stage_clock& clock) {
 }
 
 std::string Run_report::json() const {
-  return content_->json.dump(2) + "\n";
+  return text_of(content_->json);
 }
 
 void Run_report::print(bool verbose) const {

@@ -176,7 +176,7 @@ void dry_run(Prepared& prepared, Stage_clock& clock, Progress& progress) {
   add_times(report, clock);
   for (const std::string& name : o.reports) {
     tubular::IO::Output_file file(name);
-    file.write(report.dump(2) + "\n");
+    file.write(text_of(report));
     file.commit();
   }
   progress.finish(prepared.run);

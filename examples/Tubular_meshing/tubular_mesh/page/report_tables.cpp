@@ -11,7 +11,7 @@
 #include <numeric>
 #include <vector>
 
-using html::escaped;
+using html::escaped_for_xml;
 using html::Json;
 using html::number;
 using html::Table;
@@ -140,7 +140,7 @@ std::string branches_section(const Json& report) {
 std::string places_section(const Json& report) {
   Table table("What was repaired or gave way", {"what", "#number", "#size", "place", ""});
   const auto add = [&](const std::string& sentence, const std::string& count, double size, const Json& place) {
-    table.row({escaped(sentence), count, size > 0 ? html::number(size, 4) : "",
+    table.row({escaped_for_xml(sentence), count, size > 0 ? html::number(size, 4) : "",
                place.is_array() ? html::point(place) : "", html::show_place(place, size, "the place: " + sentence)});
   };
   for (const auto& r : report["repairs"])
@@ -166,7 +166,7 @@ std::string times_section(const Json& report) {
   const double total = report["total_time"].get<double>();
   for (const auto& t : report["times"].items()) {
     const double share = total > 0 ? t.value().get<double>() / total : 0;
-    table.row({escaped(t.key()), number(t.value().get<double>(), 3),
+    table.row({escaped_for_xml(t.key()), number(t.value().get<double>(), 3),
                "<div class=\"bar\" style=\"width:" + number(200 * share, 4) + "px\"></div>"});
   }
   table.row({"total", number(total, 4), ""});
@@ -179,6 +179,6 @@ std::string command_section(const Json& report, const std::string& command) {
   std::string text =
       "<p>Made by " + value(report["program"]) + " from <code>" + value(report["input"]) + "</code>.</p>\n";
   if (!command.empty())
-    text += "<pre tabindex=\"0\" id=\"command-line\">" + escaped(command) + "</pre>\n";
+    text += "<pre tabindex=\"0\" id=\"command-line\">" + escaped_for_xml(command) + "</pre>\n";
   return html::section("command", "Command", text);
 }

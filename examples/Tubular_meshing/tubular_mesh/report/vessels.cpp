@@ -24,7 +24,7 @@ double area_of(const tubular::Lumen_measures& measures, int patch) {
   return found == measures.opening_area.end() ? 0 : found->second;
 }
 
-std::string text_of(const Json& label) {
+std::string name_of_label(const Json& label) {
   return label["name"].is_null() ? std::to_string(label["label"].get<int>()) : label["name"].get<std::string>();
 }
 
@@ -35,7 +35,7 @@ template <class Wanted> std::string list_of_labels(const Json& labels, const Wan
   const std::size_t most = 12;
   for (const auto& l : labels)
     if (is_wanted(l) && ++number <= most)
-      list += (list.empty() ? "" : ", ") + text_of(l);
+      list += (list.empty() ? "" : ", ") + name_of_label(l);
   return (list.empty() ? "none" : list) + (number > most ? ", …" : "");
 }
 
