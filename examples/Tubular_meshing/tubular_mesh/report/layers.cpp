@@ -3,6 +3,8 @@
 
 #include "layers.h"
 
+#include "tubular_mesh/walls.h"
+
 #include <CGAL/Tubular_meshing/Layers/Wall_materials.h>
 
 #include <cstddef>
@@ -24,10 +26,7 @@ void add_layers(Json& report, const char* name, const tubular::Layer_report& lay
 }
 
 void add_materials(Json& report, const tubular::Mixed_mesh& mesh) {
-  std::map<int, std::size_t> cells;
-  for (const auto* labels : {&mesh.tetrahedra.label, &mesh.pyramids.label, &mesh.prisms.label, &mesh.hexahedra.label})
-    for (int region : *labels)
-      ++cells[region];
+  std::map<int, std::size_t> cells = cells_by_region(mesh);
   Json list = Json::array();
   for (const auto& name : mesh.region_names)
     if (name.first == tubular::labels::wall_region || name.first >= tubular::labels::first_material)

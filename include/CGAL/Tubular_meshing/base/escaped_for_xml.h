@@ -4,54 +4,34 @@
 #ifndef CGAL_TUBULAR_MESHING_BASE_ESCAPED_FOR_XML_H
 #define CGAL_TUBULAR_MESHING_BASE_ESCAPED_FOR_XML_H
 
-#include <cstddef>
+#include <CGAL/Tubular_meshing/base/utf_8.h>
+
 #include <string>
 #include <string_view>
 
 namespace CGAL::Tubular_meshing::internal {
 
-/* How many bytes the letter has that a text in UTF-8 begins with; 0 if it does not begin with one: not with a byte that
- * continues a letter, a longer spelling than need be, half of a pair of UTF-16, or what is beyond Unicode. */
-inline std::size_t bytes_of_first_letter(std::string_view text) {
-  const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u; };
-  const unsigned first = byte(0), second = byte(1);
-  const std::size_t bytes = first < 0x80   ? 1
-                            : first < 0xc2 ? 0
-                            : first < 0xe0 ? 2
-                            : first < 0xf0 ? 3
-                            : first < 0xf5 ? 4
-                                           : 0;
-  for (std::size_t i = 1; i < bytes; ++i)
-    if ((byte(i) & 0xc0) != 0x80)
-      return 0;
-  const bool is_none = (first == 0xe0 && second < 0xa0) || (first == 0xed && second > 0x9f) ||
-                       (first == 0xf0 && second < 0x90) || (first == 0xf4 && second > 0x8f);
-  return is_none ? 0 : bytes;
-}
-
-/* A text for XML or HTML, between tags or in double quotes as the value of an attribute. Names come from files, and may
- * hold any bytes: what no such text may hold is a blank if it controls, and U+FFFD if it is no letter in UTF-8. */
+/* A text for XML or HTML, between tags or in double quotes as the value of an attribute: in UTF-8, with a blank for
+ * characters that control, which no such text may hold. */
 inline std::string escaped_for_xml(std::string_view text) {
   std::string out;
-  while (!text.empty()) {
-    const std::size_t bytes = bytes_of_first_letter(text);
-    const char c = text.front();
-    if (bytes == 0)
-      out += "\xef\xbf\xbd";
-    else if (c == '&')
+  for (char c : as_utf_8(text))
+    switch (c) {
+    case '&':
       out += "&amp;";
-    else if (c == '<')
+      break;
+    case '<':
       out += "&lt;";
-    else if (c == '>')
+      break;
+    case '>':
       out += "&gt;";
-    else if (c == '"')
+      break;
+    case '"':
       out += "&quot;";
-    else if (static_cast<unsigned char>(c) < ' ' && c != '\n' && c != '\t')
-      out += ' ';
-    else
-      out += text.substr(0, bytes);
-    text.remove_prefix(bytes == 0 ? 1 : bytes);
-  }
+      break;
+    default:
+      out += static_cast<unsigned char>(c) < ' ' && c != '\n' && c != '\t' ? ' ' : c;
+    }
   return out;
 }
 
