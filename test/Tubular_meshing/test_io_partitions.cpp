@@ -5,6 +5,7 @@
 
 #include "openfoam_parts.h"
 #include "partitioned_meshes.h"
+#include "resource_limits.h"
 
 #include <CGAL/Tubular_meshing/IO/write_mesh.h>
 #include <CGAL/Tubular_meshing/IO/write_partitioned_mesh.h>
@@ -17,11 +18,6 @@
 #include <string>
 #include <utility>
 #include <vector>
-
-#ifdef __unix__
-#include <csignal>
-#include <sys/resource.h>
-#endif
 
 namespace {
 
@@ -144,37 +140,27 @@ TEST_F(IO, Processors_of_another_division_are_not_taken_for_parts) {
 #ifdef __unix__
 TEST_F(IO, There_may_be_more_parts_than_open_files) {
   const Mesh m = Layered_box::make(5, "TT", "12");
-  rlimit limit;
-  getrlimit(RLIMIT_NOFILE, &limit);
-  rlimit tight = limit;
-  tight.rlim_cur = 40;
-  setrlimit(RLIMIT_NOFILE, &tight);
-  for (const auto& o : outputs())
-    EXPECT_NO_THROW(write_partitioned_mesh(path(o.first), m, in_order(m, 100), o.second)) << o.first;
-  setrlimit(RLIMIT_NOFILE, &limit);
+  {
+    const Resource_limit limit(RLIMIT_NOFILE, 40);
+    for (const auto& o : outputs())
+      EXPECT_NO_THROW(write_partitioned_mesh(path(o.first), m, in_order(m, 100), o.second)) << o.first;
+  }
   expect_openfoam_parts(directory / "case", in_order(m, 100));
 }
 
 TEST_F(IO, A_limit_on_file_size_leaves_no_part_behind) {
   const Mesh m = Layered_box::make(8, "TTT", "112");
-  rlimit limit;
-  getrlimit(RLIMIT_FSIZE, &limit);
-  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
-  rlimit tight = limit;
-  tight.rlim_cur = 6000;
   for (const auto& o : outputs()) {
-    setrlimit(RLIMIT_FSIZE, &tight);
     std::string said;
     try {
+      const Resource_limit limit(RLIMIT_FSIZE, 6000);
       write_partitioned_mesh(path(o.first), m, in_order(m, 3), o.second);
     } catch (const TM::Output_error& e) {
       said = e.what();
     }
-    setrlimit(RLIMIT_FSIZE, &limit);
     EXPECT_NE(said.find("cannot be written"), std::string::npos) << o.first << said;
     EXPECT_EQ(files_below(directory), std::set<std::string>()) << o.first;
   }
-  std::signal(SIGXFSZ, handler);
 }
 #endif
 
