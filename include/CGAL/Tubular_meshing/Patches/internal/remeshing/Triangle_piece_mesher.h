@@ -88,10 +88,11 @@ private:
     improver.improve(bad, old_triangles(surface_, cut_, has_bad), may_move, may_flip);
   }
 
-  /* Patches of triangles that face away from where the surface next to their middle does: long ones that pass from one
-   * side of a vessel to the other, where a bend or a coarse surface makes the map's scale jump. They are looked for at
-   * sharp edges alone, which each of them has. */
+  /* Patches of triangles that face away from where the surface next to their middle does, and are off it: long ones that
+   * pass from one side of a vessel to the other, where a bend or a coarse surface makes the map's scale jump. They are
+   * looked for at sharp edges alone, which each of them has. What lies on the surface is turned as that is. */
   std::vector<size_type> patches_turned_over(const Remeshed_surface& result) const {
+    const double near = 0.1; // of the longest edge
     const std::vector<Face> suspects = faces_at_sharp_edges(result);
     if (suspects.empty())
       return {};
@@ -105,7 +106,8 @@ private:
       const auto nearest = old.nearest(as<Double_kernel::Point_3>((1. / 3) * (c[0] + c[1] + c[2])));
       const auto& t = old.shape(nearest.index);
       const Vector_3d p(t.vertex(0)), q(t.vertex(1)), r(t.vertex(2));
-      if (dot(cross(c[1] - c[0], c[2] - c[0]), cross(q - p, r - p)) < 0)
+      const bool is_on_surface = nearest.squared_distance < near * near * squared_length_of_longest(c);
+      if (!is_on_surface && dot(cross(c[1] - c[0], c[2] - c[0]), cross(q - p, r - p)) < 0)
         marked[size_type(result.patch_of_face[f])] = 1;
     }
     std::vector<size_type> patches;
@@ -138,6 +140,9 @@ private:
     const Halfedge h = surface.halfedge(f);
     return {Vector_3d(surface.point(surface.source(h))), Vector_3d(surface.point(surface.target(h))),
             Vector_3d(surface.point(surface.target(surface.next(h))))};
+  }
+  static double squared_length_of_longest(const std::array<Vector_3d, 3>& c) {
+    return (std::max)({squared_norm(c[1] - c[0]), squared_norm(c[2] - c[1]), squared_norm(c[0] - c[2])});
   }
   static Vector_3d normal(const Surface& surface, Face f) {
     const auto c = corners(surface, f);
