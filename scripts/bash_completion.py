@@ -7,9 +7,11 @@
 #
 #   scripts/bash_completion.py build/examples/Tubular_meshing/tubular_mesh > tubular_mesh
 
+import os
 import re
 import subprocess
 import sys
+import tempfile
 
 from options_table import LINE, entries_of, help_of, parts_of
 
@@ -45,8 +47,10 @@ complete -F _{name} {name}
 
 def values_of(program, option):
     """The values that an option takes, where a wrong one is answered by a list of them."""
-    said = subprocess.run([program, "no_such_file", "-o", "no_such_file.vtu", option, "no:such:value"],
-                          stderr=subprocess.PIPE, stdout=subprocess.DEVNULL, universal_newlines=True).stderr
+    command = [os.path.abspath(program), "no_such_file", "-o", "no_such_file.vtu", option, "no:such:value"]
+    with tempfile.TemporaryDirectory() as folder:  # which takes a log of that name with it
+        said = subprocess.run(command, stderr=subprocess.PIPE, stdout=subprocess.DEVNULL, universal_newlines=True,
+                              cwd=folder).stderr
     found = re.search(r"is not in \{([^}]*)\}", said) or re.search(r"the types are: ([^.]*)\.", said)
     return [v.strip() for v in found.group(1).split(",")] if found else []
 

@@ -6,14 +6,12 @@
 #ifndef TUBULAR_MESHING_TEST_OPENFOAM_CASE_H
 #define TUBULAR_MESHING_TEST_OPENFOAM_CASE_H
 
+#include "installed_programs.h"
+
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <string>
-
-inline bool has_program(const std::string& name) {
-  return std::system(("command -v " + name + " > /dev/null 2>&1").c_str()) == 0;
-}
 
 // Ten steps of icoFoam, from inlet to outlet_1.
 inline void make_openfoam_case(const std::filesystem::path& folder) {

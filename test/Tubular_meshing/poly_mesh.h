@@ -87,6 +87,11 @@ private:
     EXPECT_EQ(c, '(');
     return n;
   }
+  static void end_list(std::istringstream& in) {
+    char c = 0;
+    in >> c;
+    EXPECT_EQ(c, ')');
+  }
   template <class T> static T raw(std::istringstream& in) {
     char bytes[sizeof(T)];
     in.read(bytes, sizeof(T));
@@ -111,9 +116,7 @@ private:
             Point(std::strtod(x.c_str(), nullptr), std::strtod(y.c_str(), nullptr), std::strtod(z.c_str(), nullptr)));
       }
     }
-    char c = 0;
-    in >> c;
-    EXPECT_EQ(c, ')');
+    end_list(in);
   }
 
   std::vector<std::size_t> list(std::istringstream& in) const {
@@ -135,9 +138,7 @@ private:
         in >> label;
         l = std::size_t(label);
       }
-    char c = 0;
-    in >> c;
-    EXPECT_EQ(c, ')');
+    end_list(in);
     return result;
   }
   std::vector<std::size_t> labels(const std::string& text) const {
@@ -159,16 +160,23 @@ private:
       faces.push_back(list(in));
   }
 
-  void read_boundary(const std::string& text) {
+  // "N( name { ... } ... )": use(name, in) reads what is between the braces, and the one that closes.
+  template <class Use> static void for_each_entry(const std::string& text, const Use& use) {
     std::istringstream in(text);
     const std::size_t n = begin_list(in);
     for (std::size_t i = 0; i < n; ++i) {
       std::string name, word;
       in >> name >> word;
       EXPECT_EQ(word, "{");
+      use(name, in);
+    }
+    end_list(in);
+  }
+
+  void read_boundary(const std::string& text) {
+    for_each_entry(text, [&](const std::string& name, std::istringstream& in) {
       Patch p;
-      while (in >> word && word != "}") {
-        std::string value;
+      for (std::string word, value; in >> word && word != "}";) {
         in >> value;
         EXPECT_EQ(value.back(), ';') << name << ' ' << word;
         value.pop_back();
@@ -185,25 +193,20 @@ private:
       }
       EXPECT_TRUE(patches.emplace(name, p).second) << name;
       order_of_patches.push_back(name);
-    }
+    });
   }
 
   void read_zones(const std::string& text, std::map<std::string, Zone>& zones) const {
-    std::istringstream in(text);
-    const std::size_t n = begin_list(in);
-    for (std::size_t i = 0; i < n; ++i) {
-      std::string name, word;
-      in >> name >> word;
-      EXPECT_EQ(word, "{");
+    for_each_entry(text, [&](const std::string& name, std::istringstream& in) {
       Zone zone;
-      while (in >> word && word != "}")
+      for (std::string word; in >> word && word != "}";)
         if (word == "List<label>")
           zone.members = list(in);
         else if (word == "List<bool>")
           for (std::size_t f : list(in))
             zone.flips.push_back(int(f));
       EXPECT_TRUE(zones.emplace(name, zone).second) << name;
-    }
+    });
   }
 };
 

@@ -3,7 +3,8 @@
 
 // Meshes in the formats CGNS and Exodus II: read back by the libraries, and by cgnscheck where that is installed.
 
-#include "openfoam_case.h"
+#include "installed_programs.h"
+#include "resource_limits.h"
 #include "solver_meshes.h"
 
 #include <CGAL/Tubular_meshing/IO/hdf5_at_exit.h>
@@ -25,11 +26,6 @@
 #include <string>
 #include <vector>
 
-#ifdef __unix__
-#include <csignal>
-#include <sys/resource.h>
-#endif
-
 namespace {
 
 // Before any test: files that cannot be written are among them.
@@ -39,23 +35,6 @@ std::string name_of(const TM::Label_names& names, int label, const std::string& 
   const auto found = names.find(label);
   return found == names.end() ? prefix + std::to_string(label) : found->second;
 }
-
-#ifdef __unix__
-// Writes under limits on the size of files, which the system says are met by any full disk.
-template <class Write> void expect_nothing_is_left(const Write& write) {
-  rlimit limit;
-  getrlimit(RLIMIT_FSIZE, &limit);
-  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
-  rlimit tight = limit;
-  for (rlim_t most : {100, 5000, 20000, 40000}) {
-    tight.rlim_cur = most;
-    setrlimit(RLIMIT_FSIZE, &tight);
-    EXPECT_THROW(write(), TM::Output_error) << most;
-    setrlimit(RLIMIT_FSIZE, &limit);
-  }
-  std::signal(SIGXFSZ, handler);
-}
-#endif
 
 } // namespace
 
@@ -250,8 +229,8 @@ TEST_F(IO, CGNS_gets_names_of_32_bytes_and_the_whole_besides) {
 #ifdef __unix__
 TEST_F(IO, A_limit_on_file_size_leaves_no_CGNS) {
   const Mesh large = Layered_box::make(12, "TTT", "112");
-  expect_nothing_is_left([&] { TM::IO::write_cgns(path("m.cgns"), large); });
-  EXPECT_EQ(number_of_files(), 0u);
+  expect_no_file_within_limits<TM::Output_error>([&] { TM::IO::write_cgns(path("m.cgns"), large); },
+                                                 [&] { EXPECT_EQ(number_of_files(), 0u); });
   TM::IO::write_cgns(path("m.cgns"), large);
   EXPECT_EQ(Cgns(path("m.cgns")).points.size(), large.points.size());
 }
@@ -415,8 +394,8 @@ TEST_F(IO, Exodus_gets_long_names_none_twice_and_numbers_above_zero) {
 #ifdef __unix__
 TEST_F(IO, A_limit_on_file_size_leaves_no_Exodus) {
   const Mesh large = Layered_box::make(12, "TTT", "112");
-  expect_nothing_is_left([&] { TM::IO::write_exodus(path("m.exo"), large); });
-  EXPECT_EQ(number_of_files(), 0u);
+  expect_no_file_within_limits<TM::Output_error>([&] { TM::IO::write_exodus(path("m.exo"), large); },
+                                                 [&] { EXPECT_EQ(number_of_files(), 0u); });
   TM::IO::write_exodus(path("m.exo"), large);
   EXPECT_EQ(Exodus(path("m.exo")).points.size(), large.points.size());
 }

@@ -5,6 +5,7 @@
 
 #include "openfoam_case.h"
 #include "poly_mesh.h"
+#include "resource_limits.h"
 #include "solver_meshes.h"
 
 #include <CGAL/Tubular_meshing/IO/write_openfoam.h>
@@ -20,11 +21,6 @@
 #include <sstream>
 #include <string>
 #include <vector>
-
-#ifdef __unix__
-#include <csignal>
-#include <sys/resource.h>
-#endif
 
 namespace {
 
@@ -292,20 +288,13 @@ TEST_F(IO, A_limit_on_file_size_leaves_the_folder_as_it_was) {
   const Mesh m = Layered_box::make(1, "H", "1"), large = Layered_box::make(8, "TTT", "112");
   TM::IO::write_openfoam(path("case"), m);
   const std::string before = bytes_of(path("case/constant/polyMesh/faces"));
-  rlimit limit;
-  getrlimit(RLIMIT_FSIZE, &limit);
-  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
-  rlimit tight = limit;
-  tight.rlim_cur = 20000;
-  setrlimit(RLIMIT_FSIZE, &tight);
   std::string said;
   try {
+    const Resource_limit limit(RLIMIT_FSIZE, 20000);
     TM::IO::write_openfoam(path("case"), large);
   } catch (const TM::Output_error& e) {
     said = e.what();
   }
-  setrlimit(RLIMIT_FSIZE, &limit);
-  std::signal(SIGXFSZ, handler);
   EXPECT_NE(said.find(path("case/constant/polyMesh/")), std::string::npos) << said;
   EXPECT_EQ(bytes_of(path("case/constant/polyMesh/faces")), before);
   EXPECT_EQ(std::distance(fs::directory_iterator(directory / "case" / "constant"), fs::directory_iterator()), 1);

@@ -4,6 +4,7 @@
 // A file is written whole or not at all.
 
 #include "io_fixture.h"
+#include "resource_limits.h"
 
 #include <CGAL/Tubular_meshing/IO/Output_file.h>
 #include <CGAL/Tubular_meshing/IO/write_mesh.h>
@@ -12,11 +13,6 @@
 #include <cerrno>
 #include <cstring>
 #include <string>
-
-#ifdef __unix__
-#include <csignal>
-#include <sys/resource.h>
-#endif
 
 TEST_F(IO, An_output_file_is_written_whole_or_not_at_all) {
   make("a.txt", "old");
@@ -77,15 +73,10 @@ TEST_F(IO, A_full_disk_is_an_output_error) {
 
 TEST_F(IO, A_limit_on_file_size_is_an_output_error) {
   make("m.mesh", "old");
-  rlimit before;
-  getrlimit(RLIMIT_FSIZE, &before);
-  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
-  rlimit tight = before;
-  tight.rlim_cur = 100;
-  setrlimit(RLIMIT_FSIZE, &tight);
-  EXPECT_THROW(TM::IO::write_mesh(path("m.mesh"), sample_mesh()), TM::Output_error);
-  setrlimit(RLIMIT_FSIZE, &before);
-  std::signal(SIGXFSZ, handler);
+  {
+    const Resource_limit limit(RLIMIT_FSIZE, 100);
+    EXPECT_THROW(TM::IO::write_mesh(path("m.mesh"), sample_mesh()), TM::Output_error);
+  }
   EXPECT_EQ(bytes_of(path("m.mesh")), "old");
   EXPECT_EQ(number_of_files(), 1u);
 }

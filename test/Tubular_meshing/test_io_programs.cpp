@@ -4,6 +4,7 @@
 // Surfaces as other programs write them: what VTK and meshio wrote, where they are installed, and variants of formats
 // that this test writes itself.
 
+#include "installed_programs.h"
 #include "io_fixture.h"
 
 #include <CGAL/Tubular_meshing/IO/internal/decompress.h>
@@ -16,11 +17,9 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <cstring>
 #include <set>
 #include <string>
-#include <sys/wait.h>
 #include <vector>
 
 namespace {
@@ -39,16 +38,12 @@ double area_of(const Data& data) {
 }
 
 TEST_F(IO, All_that_VTK_and_meshio_write) {
-  const std::string script =
-      (fs::path(TUBULAR_MESHING_DATA).parent_path() / "test/Tubular_meshing/write_by_programs.py").string();
-  if (!fs::exists(script) || !fs::exists("/usr/bin/python3"))
-    GTEST_SKIP() << "needs /usr/bin/python3 and " << script;
-  const int status =
-      std::system(("/usr/bin/python3 '" + script + "' '" + directory.string() + "' > /dev/null 2>&1").c_str());
-  ASSERT_TRUE(WIFEXITED(status));
-  if (WEXITSTATUS(status) == 77)
+  const std::string log = path("log");
+  const int status = run_script("write_by_programs.py", {directory.string()}, log);
+  if (status == lacks_packages)
     GTEST_SKIP() << "needs VTK or meshio in Python";
-  ASSERT_EQ(WEXITSTATUS(status), 0);
+  ASSERT_EQ(status, 0) << bytes_of(log);
+  fs::remove(log);
   const double area = 2 * 12 * std::sin(CGAL_PI / 12) * 5; // of a prism of 12 sides, 5 high
   std::size_t files = 0, labelled = 0;
   for (const auto& entry : fs::directory_iterator(directory)) {

@@ -4,6 +4,7 @@
 // Files of quadratic meshes, read back by other programs: each node is where its place in a list says. What formats
 // cannot hold.
 
+#include "installed_programs.h"
 #include "quadratic_meshes.h"
 #include "solver_meshes.h"
 
@@ -15,11 +16,9 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <fstream>
 #include <set>
 #include <string>
-#include <sys/wait.h>
 #include <vector>
 
 namespace {
@@ -34,16 +33,6 @@ std::string why_not_written(const std::string& file, const TM::Quadratic_mesh& m
   } catch (const TM::Output_error& e) {
     return e.what();
   }
-}
-
-/* The test's script; what it returns. */
-int run_script(const std::string& directory) {
-  const std::string script =
-      (fs::path(TUBULAR_MESHING_DATA).parent_path() / "test/Tubular_meshing/check_quadratic_files.py").string();
-  if (!fs::exists(script) || !fs::exists("/usr/bin/python3"))
-    return 77;
-  const int status = std::system(("/usr/bin/python3 '" + script + "' '" + directory + "'").c_str());
-  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
 TEST_F(IO, Nodes_of_quadratic_elements_are_where_other_programs_look_for_them) {
@@ -67,10 +56,10 @@ TEST_F(IO, Nodes_of_quadratic_elements_are_where_other_programs_look_for_them) {
     }
   EXPECT_GE(written, 100u);
   EXPECT_GE(refused, 20u);
-  const int status = run_script(directory.string());
-  if (status == 77)
+  const int status = run_script("check_quadratic_files.py", {directory.string()}, path("log"));
+  if (status == lacks_packages)
     GTEST_SKIP() << "needs VTK or meshio in Python";
-  EXPECT_EQ(status, 0);
+  EXPECT_EQ(status, 0) << bytes_of(path("log"));
 }
 
 TEST_F(IO, Dolfinx_finds_the_volume_of_curved_cells) {
@@ -87,10 +76,10 @@ TEST_F(IO, Dolfinx_finds_the_volume_of_curved_cells) {
     out.precision(17);
     out << volumes(mesh)[1];
   }
-  const int status = run_script(directory.string());
-  if (status == 77)
+  const int status = run_script("check_quadratic_files.py", {directory.string()}, path("log"));
+  if (status == lacks_packages)
     GTEST_SKIP() << "needs dolfinx in Python";
-  EXPECT_EQ(status, 0);
+  EXPECT_EQ(status, 0) << bytes_of(path("log"));
 }
 
 // --- what formats cannot hold ---

@@ -3,7 +3,8 @@
 
 // Meshes for FEniCSx: read back by HDF5, and by dolfinx where that is installed.
 
-#include "openfoam_case.h"
+#include "installed_programs.h"
+#include "resource_limits.h"
 #include "solver_meshes.h"
 
 #include <CGAL/Tubular_meshing/IO/hdf5_at_exit.h>
@@ -24,11 +25,6 @@
 #include <sstream>
 #include <string>
 #include <vector>
-
-#ifdef __unix__
-#include <csignal>
-#include <sys/resource.h>
-#endif
 
 #ifndef CGAL_TUBULAR_MESHING_WITH_HDF5
 
@@ -198,18 +194,8 @@ TEST_F(IO, XDMF_meshes_are_read_by_FEniCSx) {
 #ifdef __unix__
 TEST_F(IO, A_limit_on_file_size_leaves_no_XDMF) {
   const Mesh large = Layered_box::make(12, "TTT", "112");
-  rlimit limit;
-  getrlimit(RLIMIT_FSIZE, &limit);
-  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
-  rlimit tight = limit;
-  for (rlim_t most : {100, 5000, 20000, 40000}) {
-    tight.rlim_cur = most;
-    setrlimit(RLIMIT_FSIZE, &tight);
-    EXPECT_THROW(TM::IO::write_xdmf(path("m.xdmf"), large), TM::Output_error);
-    setrlimit(RLIMIT_FSIZE, &limit);
-    EXPECT_EQ(number_of_files(), 0u);
-  }
-  std::signal(SIGXFSZ, handler);
+  expect_no_file_within_limits<TM::Output_error>([&] { TM::IO::write_xdmf(path("m.xdmf"), large); },
+                                                 [&] { EXPECT_EQ(number_of_files(), 0u); });
   TM::IO::write_xdmf(path("m.xdmf"), large);
   EXPECT_EQ(read_xdmf(directory / "m.xdmf").at("mesh").elements.size(), large.tetrahedra.size());
 }

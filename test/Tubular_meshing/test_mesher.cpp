@@ -64,6 +64,19 @@ TEST(Mesher, Makes_the_same_meshes_in_any_order) {
   expect_same(isotropic, tubular::make_isotropic_mesh(model, np));
 }
 
+TEST(Mesher, What_N_was_before_does_not_matter) {
+  const auto model = bifurcation();
+  const auto np = parameters::points_per_circumference(12).curvature_points(9).number_of_threads(1);
+  Mesher first(model, np), second(model, np);
+  for (double points : {4., 2., 12.}) // few enough for curvature to have the least of points, or none
+    second.set_points_per_circumference(points);
+  const auto a = first.surface(tubular::Surface_elements::anisotropic_triangles),
+             b = second.surface(tubular::Surface_elements::anisotropic_triangles);
+  ASSERT_EQ(a.surface.number_of_vertices(), b.surface.number_of_vertices());
+  for (auto v : a.surface.vertices())
+    EXPECT_EQ(a.surface.point(v), b.surface.point(v));
+}
+
 TEST(Mesher, Makes_cut_and_maps_once) {
   if (!keeps_boundary())
     GTEST_SKIP() << "built with neither TetGen nor CGAL 6.1";

@@ -35,6 +35,47 @@ template <class Labels> std::size_t count(const Labels& labels, int label) {
   return std::size_t(std::count(labels.begin(), labels.end(), label));
 }
 
+/* A tube of six sides through four rings, with faces as long as from one ring to the next: it bends at the second ring and
+ * widens, so that the scale of its map jumps there. */
+std::string coarse_bend() {
+  static const char* const points[] = {
+      "-1.57 0 0.102",       "-1.57 -0.088 0.051",  "-1.57 -0.088 -0.051", "-1.57 0 -0.102",      "-1.57 0.088 -0.051",
+      "-1.57 0.088 0.051",   "-0.001 -0.001 0.127", "0.037 -0.103 0.063",  "0.038 -0.103 -0.063", "0.001 0.001 -0.127",
+      "-0.037 0.103 -0.063", "-0.038 0.103 0.063",  "1.584 1.321 0.143",   "1.663 1.283 0.095",   "1.676 1.302 -0.003",
+      "1.61 1.359 -0.052",   "1.531 1.397 -0.004",  "1.518 1.378 0.093",   "1.891 2.563 0.762",   "2.015 2.556 0.71",
+      "2.039 2.607 0.588",   "1.939 2.665 0.518",   "1.816 2.671 0.57",    "1.791 2.62 0.692",    "-1.57 0 0",
+      "1.915 2.614 0.64",
+  };
+  std::string off = "OFF\n26 48 0\n";
+  for (const char* point : points)
+    off += std::string(point) + "\n";
+  const auto face = [&](int a, int b, int c) {
+    off += "3 " + std::to_string(a) + " " + std::to_string(b) + " " + std::to_string(c) + "\n";
+  };
+  for (int k = 0; k < 6; ++k) {
+    const int next = (k + 1) % 6;
+    for (int ring = 0; ring < 18; ring += 6) {
+      face(ring + k, ring + next, ring + next + 6);
+      face(ring + k, ring + next + 6, ring + k + 6);
+    }
+    face(24, next, k);
+    face(25, 18 + k, 18 + next);
+  }
+  return off;
+}
+
+TEST_F(Tool, Makes_layers_where_the_map_of_a_coarse_bend_jumps) {
+  NEEDS_FILLING();
+  const std::string input = make("bend.off", coarse_bend());
+  for (const char* points : {"9", "10", "12"}) { // long triangles turned over, and no layer had room on them
+    SCOPED_TRACE(points);
+    succeed({input, "-n", points, "--boundary-layer-prisms", "4", "--first-height", "0.03", "-o", out("mesh.vtu"),
+             "--report", out("r.json")});
+    expect_valid(mesh_in(out("mesh.vtu")));
+    EXPECT_GT(json_in(out("r.json"))["boundary_layer"]["mean_ratio"].get<double>(), 0.95);
+  }
+}
+
 TEST_F(Tool, Makes_a_mixed_mesh_with_a_wall) {
   NEEDS("LEMON", tubular::has_lemon());
   NEEDS_FILLING();

@@ -132,7 +132,30 @@ TEST_F(Tool, Page_takes_names_as_text) {
   EXPECT_EQ(page.find("<script>alert"), std::string::npos);
   EXPECT_EQ(count(page, "<script"), count(page, "</script>"));
   EXPECT_EQ(Json::parse(script_of(page, "report"))["openings"][0]["name"], name);
-  EXPECT_NE(page.find("a&#39;b &amp; &lt;/script&gt;&lt;script&gt;alert(1)&lt;/script&gt;\xc3\xbc"), std::string::npos);
+  EXPECT_NE(page.find("a'b &amp; &lt;/script&gt;&lt;script&gt;alert(1)&lt;/script&gt;\xc3\xbc"), std::string::npos);
+}
+
+// Names of files and patches are bytes: those that are no letters in UTF-8 have no place in JSON, XML and pages.
+TEST_F(Tool, Names_need_not_be_UTF_8) {
+  const Sample s = tube();
+  succeed({make("ar\xeate.off", s.surface), "-c", make("lines.vtk", s.lines), "-n", "8", "--rename",
+           "inlet=entr\xe9"
+           "e",
+           "-o", out("mesh.vtu"), "--report", out("report.json"), "--report", out("page.html"), "--write-0d",
+           out("model.json")});
+  const Json report = json_in(out("report.json"));
+  EXPECT_NE(report["input"].get<std::string>().find("ar\xef\xbf\xbdte.off"), std::string::npos);
+  EXPECT_EQ(report["openings"][0]["name"], "entr\xef\xbf\xbd"
+                                           "e");
+  EXPECT_EQ(Json::parse(script_of(bytes_of(out("page.html")), "report")), report);
+  EXPECT_NE(bytes_of(out("mesh.vtu"))
+                .find("Name=\"entr\xef\xbf\xbd"
+                      "e\""),
+            std::string::npos);
+  EXPECT_EQ(json_in(out("model.json"))["boundary_conditions"][0]["bc_name"], "entr\xef\xbf\xbd"
+                                                                             "e");
+  succeed({in("ar\xeate.off"), "--dry-run", "--report", out("dry.json")});
+  EXPECT_EQ(json_in(out("dry.json"))["input"], report["input"]);
 }
 
 TEST_F(Tool, Page_leaves_cells_out_that_do_not_fit) {

@@ -133,6 +133,8 @@ inline std::vector<Refusal> usage_errors() {
        usage,
        {"--mean-pressure", "--murray"},
        with("--write-0d OUT/z.json --length-unit mm --mean-pressure 1e4")},
+      {"Section_spacing_of_nothing", usage, {"--section-spacing", "--write-sections"}, with("--section-spacing 1")},
+      {"Page_of_a_dry_run", usage, {"page", ".json"}, with("--dry-run --report OUT/r.htm")},
       {"Section_spacing_too_small", usage, {"--section-spacing"}, with("--section-spacing 0.001")},
       {"Mixed_wall_of_tetrahedra",
        usage,

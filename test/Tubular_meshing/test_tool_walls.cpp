@@ -253,6 +253,11 @@ TEST_F(Tool, Walls_have_a_thickness_by_branch) {
   }
   make("short.csv", "1,0.1\n*,0.25\n");
   succeed(run + Arguments{"--wall-thickness-table", in("short.csv")});
+  const std::string by_lines = bytes_of(out("m.vtu"));
+  make("of_a_spreadsheet.csv", "\xef\xbb\xbf"
+                               "1,0.1\r\n *, 0.25\r\n");
+  succeed(run + Arguments{"--wall-thickness-table", in("of_a_spreadsheet.csv")});
+  EXPECT_EQ(bytes_of(out("m.vtu")), by_lines);
 
   const std::map<std::string, std::string> bad = {{"0,0.3\n1,0.1\n", "Branch 2 has no thickness"},
                                                   {"0,0.3\n1,0.1\n2,0.1\n3,0.1\n", "no branch 3"},
@@ -261,7 +266,9 @@ TEST_F(Tool, Walls_have_a_thickness_by_branch) {
                                                   {"0,0.3\n0,0.1\n", "branch 0"},
                                                   {"0,nan\n", "Line 1"},
                                                   {"", "no branch"},
-                                                  {"*,0\n", "Line 1"}};
+                                                  {"*,0\n", "Line 1"},
+                                                  {"*,0.1\n*,0.2\n", "Line 2"},
+                                                  {"*3,0.1\n", "Line 1"}};
   for (const auto& b : bad) {
     const Outcome outcome = this->run(run + Arguments{"--wall-thickness-table", make("bad.csv", b.first)});
     EXPECT_EQ(outcome.status, tool_test::input) << b.first;

@@ -313,6 +313,11 @@ TEST(Zero_d_model, Loops_and_blind_ends_have_junctions_and_conditions) {
     for (std::size_t i = 0; i < 2; ++i)
       if (graph.nodes()[n].point == (i == 0 ? 0u : 5u))
         openings[i].node = n;
+  openings.push_back(openings[1]); // where another one is
+  openings.push_back(openings[1]); // and one where vessels meet
+  openings.back().node =
+      std::size_t(std::find_if(graph.nodes().begin(), graph.nodes().end(), [](const auto& n) { return !n.is_end(); }) -
+                  graph.nodes().begin());
   for (TM::Opening& o : openings)
     o.radius = 0.5;
   openings[1].name = "aorta \"a\\b\"";
@@ -322,7 +327,7 @@ TEST(Zero_d_model, Loops_and_blind_ends_have_junctions_and_conditions) {
   EXPECT_EQ(model.boundary_conditions.size(), 3u);
   EXPECT_EQ(condition_named(model, "blind_1").value, 0);
   EXPECT_EQ(condition_named(model, "blind_1").type, TM::Zero_d_boundary_condition::flow);
-  EXPECT_EQ(model.openings_left_out, std::vector<std::string>{"outlet_2"});
+  EXPECT_EQ(model.openings_left_out, (std::vector<std::string>{"outlet_2", "outlet_3", "outlet_4"}));
 
   const Json json = json_of(model);
   std::set<std::string> names;

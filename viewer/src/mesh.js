@@ -54,8 +54,8 @@ export class Mesh {
     this.patch = sections.patch.differences(n, Uint16Array);
     this.facetBranch = sections.branch.differences(n, Uint32Array);
     this.facetKind = sections.kind.differences(n, Uint8Array);
-    this.facetRegion = sections.region.differences(n, Uint8Array);
-    this.beyond = sections.beyond.differences(n, Uint8Array);
+    this.facetRegion = sections.region.differences(n, Uint16Array);
+    this.beyond = sections.beyond.differences(n, Uint16Array);
     this.facetQuality = readQuality(sections.quality, n);
     this.sides = [sections.cell.differences(n, Uint32Array), sections.other_cell.differences(n, Uint32Array)];
   }
@@ -87,7 +87,7 @@ export class Mesh {
     this.cellStart = new Uint32Array(cells + 1);
     this.cellCorners = new Uint32Array(corners);
     this.cellKind = new Uint8Array(cells);
-    this.cellRegion = new Uint8Array(cells);
+    this.cellRegion = new Uint16Array(cells);
     this.cellBranch = new Uint32Array(cells);
     this.cellQuality = new Float32Array(cells);
     let cell = 0;
@@ -126,7 +126,7 @@ export class Mesh {
       }
     });
     const number = cell - begin;
-    this.cellRegion.set(sections.region.differences(number, Uint8Array), begin);
+    this.cellRegion.set(sections.region.differences(number, Uint16Array), begin);
     this.cellBranch.set(sections.branch.differences(number, Uint32Array), begin);
     this.cellQuality.set(readQuality(sections.quality, number), begin);
   }

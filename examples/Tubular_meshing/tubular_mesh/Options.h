@@ -7,6 +7,7 @@
 #include <CGAL/Tubular_meshing/IO/Mesh_format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <limits>
 #include <string>
 #include <vector>
@@ -114,6 +115,12 @@ struct Options {
   double wall_growth() const { return wall.growth > 0 ? wall.growth : 1; }
   // Patch by patch; else surface and volume at once, by Mesh_3.
   bool meshes_patches() const;
+
+  // Whether a report is a page; else it is JSON.
+  static bool is_page(const std::string& report) {
+    const std::string ending = std::filesystem::path(report).extension().string();
+    return ending == ".html" || ending == ".htm";
+  }
 
   // That are there when all is done; nothing but reports of a dry run.
   std::vector<std::string> written_files() const {

@@ -5,14 +5,15 @@
 
 #include "Run.h"
 #include "Schedule.h"
+#include "report/counts.h"
+#include "report/json.h"
 
 #include <CGAL/Tubular_meshing/base/exceptions.h>
-
-#include <nlohmann/json.hpp>
 
 #include <sys/ioctl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <condition_variable>
@@ -24,7 +25,6 @@
 #include <thread>
 
 namespace tubular = CGAL::Tubular_meshing;
-typedef nlohmann::ordered_json Json;
 
 namespace {
 
@@ -130,6 +130,13 @@ public:
     const std::lock_guard<std::mutex> lock(mutex_);
     clear_line();
     log(std::move(event));
+  }
+
+  // That all of it is there: a full disk is no reason to end work, but one to say so.
+  void check_log() const {
+    if (log_ && std::ferror(log_) != 0)
+      throw tubular::Output_error("The log of --log-json could not be written to the end, as on a full disk; the other "
+                                  "files are whole.");
   }
 
 private:
@@ -240,11 +247,9 @@ void Progress::finish(const Run& run) {
   impl_->last({{"event", "end"},
                {"status", 0},
                {"outputs", outputs},
-               {"cells",
-                {{"tetrahedra", mesh.tetrahedra.size()},
-                 {"pyramids", mesh.pyramids.size()},
-                 {"prisms", mesh.prisms.size()},
-                 {"hexahedra", mesh.hexahedra.size()}}}});
+               {"cells", cells_by_kind(mesh.tetrahedra.size(), mesh.pyramids.size(), mesh.prisms.size(),
+                                       mesh.hexahedra.size())}});
+  impl_->check_log();
 }
 
 void Progress::fail(int status, const std::string& sentence) {

@@ -319,7 +319,7 @@ void check(const Options& o, bool has_output) {
     throw tubular::Parameter_error("--min-size is larger than --max-size.");
   check_output(o, has_output);
   for (const std::string& report : o.reports)
-    if (o.dry_run && has_ending(report, ".html"))
+    if (o.dry_run && Options::is_page(report))
       throw tubular::Parameter_error("A dry run makes no mesh that a page could show: give its report a .json file.");
   if (!o.picture.empty() && !has_ending(o.picture, ".png"))
     throw tubular::Parameter_error("The picture cannot be written to \"" + o.picture + "\": give a .png file.");

@@ -7,6 +7,7 @@
 #include "../command_line/run_tool.h"
 #include "../command_line/validators.h"
 #include "Options.h"
+#include "view/Coloring.h"
 
 #include <CLI/CLI.hpp>
 
@@ -250,7 +251,8 @@ inline void declare_reduced_model_options(CLI::App& app, Options& o) {
                  "write the cross-sections of all branches: area, perimeter, hydraulic diameter, inscribed radius, "
                  "eccentricity, curvature and torsion: .csv .vtp")
       ->group(group);
-  app.add_option("--section-spacing", o.section_spacing, "of the cross-sections, in local radii")
+  app.add_option("--section-spacing", o.section_spacing,
+                 "of the cross-sections, in local radii; with --write-sections or --write-0d")
       ->capture_default_str()
       ->check(in_range(0.01, 1e3))
       ->group(group);
@@ -292,6 +294,8 @@ inline void declare_physical_options(CLI::App& app, Options& o) {
       all[i]->check(in_range(least, most));
   }
   app.parse_complete_callback([all, &app] {
+    if (app.count("--section-spacing") > 0 && app.count("--write-sections") == 0 && app.count("--write-0d") == 0)
+      throw CLI::RequiresError("--section-spacing", "--write-sections or --write-0d");
     if (app.count("--case") > 0 || app.count("--write-0d") > 0)
       return;
     for (const CLI::Option* option : all)
@@ -331,7 +335,7 @@ inline void declare_report_options(CLI::App& app, Options& o) {
   app.add_option("--picture-color", o.picture_color,
                  "patch, region, type, quality, size or branch: what its colours stand for")
       ->capture_default_str()
-      ->check(CLI::IsMember({"patch", "region", "type", "quality", "size", "branch"}).description(""))
+      ->check(CLI::IsMember(Coloring::names()).description(""))
       ->needs(picture)
       ->group(group);
   app.add_option("--picture-size", o.picture_size, "its width and height in pixels, 16 to 4096")

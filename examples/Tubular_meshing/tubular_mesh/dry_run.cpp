@@ -4,14 +4,15 @@
 #include "dry_run.h"
 
 #include "renames.h"
+#include "report/counts.h"
+#include "report/json.h"
+#include "report/times.h"
 #include "stages.h"
 
 #include <CGAL/Tubular_meshing/IO/Output_file.h>
 #include <CGAL/Tubular_meshing/Pipelines/Mesh_estimate.h>
 #include <CGAL/Tubular_meshing/Pipelines/join_parts.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -22,13 +23,8 @@
 #include <vector>
 
 namespace tubular = CGAL::Tubular_meshing;
-typedef nlohmann::ordered_json Json;
 
 namespace {
-
-template <class Point> Json vector_of(const Point& p) {
-  return {p.x(), p.y(), p.z()};
-}
 
 Json openings(const tubular::Tubular_model& model) {
   const auto names = tubular::patch_names(model);
@@ -71,14 +67,10 @@ Json integrals(const tubular::Lumen_integrals& n) {
 }
 
 Json estimate(const tubular::Mesh_estimate& e, const Options& o) {
-  Json json = {{"cells",
-                {{"tetrahedra", std::round(e.tetrahedra)},
-                 {"pyramids", std::round(e.pyramids)},
-                 {"prisms", std::round(e.prisms)},
-                 {"hexahedra", std::round(e.hexahedra)}}},
+  Json json = {{"cells", cells_by_kind(std::round(e.tetrahedra), std::round(e.pyramids), std::round(e.prisms),
+                                       std::round(e.hexahedra))},
                {"facets",
-                {{"triangles", std::round(e.wall_triangles + e.cap_triangles)},
-                 {"quads", std::round(e.wall_quads + e.cap_quads)}}},
+                facets_by_kind(std::round(e.wall_triangles + e.cap_triangles), std::round(e.wall_quads + e.cap_quads))},
                {"seconds", e.seconds},
                {"memory_bytes", std::round(e.bytes)},
                {"integrals", integrals(e.integrals)}};
@@ -162,10 +154,9 @@ void print(const Json& r, bool verbose) {
               number(r["points_per_circumference"]));
   std::printf("\na mesh of type %s would have about\n", r["type"].get<std::string>().c_str());
   const Json& e = r["estimate"];
-  for (const char* group : {"cells", "facets"})
-    for (const auto& kind : e[group].items())
-      if (number(kind.value()) > 0)
-        std::printf("%14s %s\n", about(number(kind.value())).c_str(), kind.key().c_str());
+  for_each_count(e, [&](const Json& count, const std::string& kind) {
+    std::printf("%14s %s\n", about(number(count)).c_str(), kind.c_str());
+  });
   std::printf("and take about %s MB of memory and %s, beside the %.1f s that this took\n",
               about(number(e["memory_bytes"]) / 1e6).c_str(), about_seconds(number(e["seconds"])).c_str(),
               number(r["total_time"]));
@@ -182,13 +173,10 @@ void dry_run(Prepared& prepared, Stage_clock& clock, Progress& progress) {
     all.add(e);
   clock.finish();
   Json report = report_of(prepared, all);
-  for (const auto& stage : clock.stages())
-    report["times"][stage.first] = stage.second;
-  report["total_time"] = clock.total();
-  report["peak_memory_bytes"] = Stage_clock::peak_memory();
+  add_times(report, clock);
   for (const std::string& name : o.reports) {
     tubular::IO::Output_file file(name);
-    file.write(report.dump(2) + "\n");
+    file.write(text_of(report));
     file.commit();
   }
   progress.finish(prepared.run);

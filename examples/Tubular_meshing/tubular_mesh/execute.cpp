@@ -16,7 +16,6 @@
 #include "walls.h"
 
 #include <CGAL/Tubular_meshing/IO/unfinished_outputs.h>
-
 #include <CGAL/Tubular_meshing/IO/write_centerlines.h>
 #include <CGAL/Tubular_meshing/IO/write_mesh.h>
 #include <CGAL/Tubular_meshing/IO/write_partitioned_mesh.h>
@@ -39,15 +38,6 @@
 #include <vector>
 
 namespace tubular = CGAL::Tubular_meshing;
-
-namespace {
-
-bool is_page(const std::string& report) {
-  const std::string ending = std::filesystem::path(report).extension().string();
-  return ending == ".html" || ending == ".htm";
-}
-
-} // namespace
 
 void write_surface(tubular::IO::Output_file& file, const tubular::Remeshed_surface& surface,
                    const tubular::Tubular_model& model) {
@@ -112,7 +102,7 @@ void write(const Run& run, Run_report& report, Stage_clock& clock) {
   if (!o.zero_d_output.empty())
     tubular::IO::write_zero_d_model(open(o.zero_d_output), run.zero_d);
   std::unique_ptr<Shown_mesh> shown; // if it is
-  if (!o.picture.empty() || std::any_of(o.reports.begin(), o.reports.end(), is_page)) {
+  if (!o.picture.empty() || std::any_of(o.reports.begin(), o.reports.end(), Options::is_page)) {
     clock.begin("picture");
     shown = std::make_unique<Shown_mesh>(run.cells(), run.model.centerlines, o.threads);
   }
@@ -121,8 +111,9 @@ void write(const Run& run, Run_report& report, Stage_clock& clock) {
   clock.finish();
   report.add_times(clock);
   for (const std::string& name : o.reports)
-    open(name).write(is_page(name) ? make_page(report.json(), *shown, o.command, std::size_t(1e6 * o.report_budget))
-                                   : report.json());
+    open(name).write(Options::is_page(name)
+                         ? make_page(report.json(), *shown, o.command, std::size_t(1e6 * o.report_budget))
+                         : report.json());
   for (auto& output : outputs)
     output->finish();
   tubular::internal::check_interruption();

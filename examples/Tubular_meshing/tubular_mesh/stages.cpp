@@ -327,8 +327,7 @@ tubular::Size_requests size_requests(const Options& o, const tubular::IO::Surfac
   const auto array = data.point_arrays.find(o.size_array);
   if (array == data.point_arrays.end()) {
     std::string known;
-    for (const auto& a : data.point_arrays)
-      known += (known.empty() ? "" : ", ") + a.first;
+    add_names_of(data.point_arrays, known);
     throw tubular::Input_error("The surface has no point array \"" + o.size_array + "\" of one number a point" +
                                (known.empty() ? ", nor any other." : "; it has " + known + "."));
   }

@@ -22,13 +22,6 @@ namespace tubular = CGAL::Tubular_meshing;
 
 namespace {
 
-typedef std::map<std::string, std::vector<double>> Arrays;
-
-void add_names_of(const Arrays& arrays, std::string& names) {
-  for (const auto& a : arrays)
-    names += (names.empty() ? "" : ", ") + a.first;
-}
-
 // That of the cells, if there are two of a name.
 tubular::Wall_array array_named(const std::string& name, const tubular::IO::Surface_data& data) {
   tubular::Wall_array array;
@@ -51,6 +44,29 @@ tubular::Wall_array array_named(const std::string& name, const tubular::IO::Surf
   return array;
 }
 
+// A line of a table, which is about `place`: "Line 3 of …".
+void read_thickness(std::string line, const std::string& place, Wall_requests& requests) {
+  std::array<double, 2> x = {};
+  const bool is_of_others = line.front() == '*';
+  if (is_of_others)
+    line.front() = '0';
+  if (!command_line::parse_numbers(line, x) || !(x[0] >= 0 && x[0] < 1e9) || x[0] != double(std::size_t(x[0])) ||
+      (is_of_others && x[0] != 0))
+    throw tubular::Input_error(place + " is not a branch and a thickness; two numbers apart by a comma are, or * for "
+                                       "all other branches.");
+  if (!(x[1] > 0))
+    throw tubular::Input_error(place + " has a thickness that is not above 0; a wall is thicker than 0 everywhere.");
+  const bool is_new =
+      is_of_others ? requests.of_other_branches == 0 : requests.of_branches.emplace(std::size_t(x[0]), x[1]).second;
+  if (!is_new)
+    throw tubular::Input_error(place + " names " +
+                               (is_of_others ? "all other branches, which have"
+                                             : "branch " + std::to_string(std::size_t(x[0])) + ", which has") +
+                               " a thickness already.");
+  if (is_of_others)
+    requests.of_other_branches = x[1];
+}
+
 // A branch and its thickness a line, apart by a comma; * for all others. The first line may be a heading.
 void read_table(const std::string& file, Wall_requests& requests) {
   std::ifstream in(file);
@@ -58,28 +74,14 @@ void read_table(const std::string& file, Wall_requests& requests) {
     throw tubular::Input_error("The file \"" + file + "\" cannot be read.");
   std::string line;
   for (int number = 1, lines = 0; std::getline(in, line); ++number) {
-    const std::size_t first = line.find_first_not_of(" \t\r");
-    if (first == std::string::npos || line[first] == '#')
+    if (number == 1 && line.compare(0, 3, "\xef\xbb\xbf") == 0) // that begins files of spreadsheets
+      line.erase(0, 3);
+    line.erase(0, line.find_first_not_of(" \t\r"));
+    if (line.empty() || line[0] == '#')
       continue;
-    std::array<double, 2> x = {};
-    const bool is_of_others = line[first] == '*';
-    const std::size_t comma = line.find(',');
-    const std::string text = is_of_others && comma != std::string::npos ? "0" + line.substr(comma) : line;
-    const bool is_heading = lines++ == 0 && std::string("+-.0123456789*").find(line[first]) == std::string::npos;
-    if (is_heading)
-      continue;
-    if (!command_line::parse_numbers(text, x) || !(x[0] >= 0 && x[0] < 1e9) || x[0] != double(std::size_t(x[0])))
-      throw tubular::Input_error("Line " + std::to_string(number) + " of \"" + file +
-                                 "\" is not a branch and a thickness; two numbers apart by a comma are, or * for all "
-                                 "other branches.");
-    if (!(x[1] > 0))
-      throw tubular::Input_error("Line " + std::to_string(number) + " of \"" + file +
-                                 "\" has a thickness that is not above 0; a wall is thicker than 0 everywhere.");
-    if (is_of_others)
-      requests.of_other_branches = x[1];
-    else if (!requests.of_branches.emplace(std::size_t(x[0]), x[1]).second)
-      throw tubular::Input_error("Line " + std::to_string(number) + " of \"" + file + "\" names branch " +
-                                 std::to_string(std::size_t(x[0])) + ", which has a thickness already.");
+    const bool is_heading = lines++ == 0 && std::string("+-.0123456789*").find(line[0]) == std::string::npos;
+    if (!is_heading)
+      read_thickness(line, "Line " + std::to_string(number) + " of \"" + file + "\"", requests);
   }
   if (requests.of_branches.empty() && requests.of_other_branches == 0)
     throw tubular::Input_error("The file \"" + file + "\" has no branch and no thickness.");
@@ -138,14 +140,6 @@ tubular::Label_names names_of_materials(const Options& o, const tubular::IO::Sur
   return names;
 }
 
-std::map<int, std::size_t> cells_by_region(const tubular::Mixed_mesh& mesh) {
-  std::map<int, std::size_t> number;
-  for (const auto* labels : {&mesh.tetrahedra.label, &mesh.pyramids.label, &mesh.prisms.label, &mesh.hexahedra.label})
-    for (int region : *labels)
-      ++number[region];
-  return number;
-}
-
 void check_materials(const Run& run) {
   const std::map<int, std::size_t> cells = cells_by_region(run.mesh);
   for (const auto& name : run.mesh.region_names)
@@ -157,6 +151,19 @@ void check_materials(const Run& run) {
 }
 
 } // namespace
+
+void add_names_of(const std::map<std::string, std::vector<double>>& arrays, std::string& names) {
+  for (const auto& a : arrays)
+    names += (names.empty() ? "" : ", ") + a.first;
+}
+
+std::map<int, std::size_t> cells_by_region(const tubular::Mixed_mesh& mesh) {
+  std::map<int, std::size_t> number;
+  for (const auto* labels : {&mesh.tetrahedra.label, &mesh.pyramids.label, &mesh.prisms.label, &mesh.hexahedra.label})
+    for (int region : *labels)
+      ++number[region];
+  return number;
+}
 
 Wall_requests wall_requests(const Options& o, const tubular::IO::Surface_data& data) {
   Wall_requests requests;

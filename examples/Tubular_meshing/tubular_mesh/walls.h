@@ -10,6 +10,9 @@
 
 #include <CGAL/Tubular_meshing/IO/read_surface.h>
 
+#include <cstddef>
+#include <map>
+#include <string>
 #include <vector>
 
 /* The vessel's wall: how thick it is where, what it is made of, and the directions in it. */
@@ -22,5 +25,11 @@ void distribute_walls(Run& run, std::vector<Part>& parts);
 
 /* Of the mesh of all vessels: checks that it has all materials, and finds the directions of fibres, if they are wanted. */
 void finish_walls(Run& run, Stage_clock& clock);
+
+/* The names of arrays, apart by commas, behind those that are in the list. */
+void add_names_of(const std::map<std::string, std::vector<double>>& arrays, std::string& names);
+
+/* How many cells each region has. */
+std::map<int, std::size_t> cells_by_region(const CGAL::Tubular_meshing::Mixed_mesh& mesh);
 
 #endif // TUBULAR_MESH_WALLS_H

@@ -35,15 +35,12 @@ double least_distance(const Shown_mesh& mesh) {
 } // namespace
 
 Quantization::Quantization(const Shown_mesh& mesh) {
-  Shown_mesh::Vector low(infinity, infinity, infinity), high(-infinity, -infinity, -infinity);
-  for (const auto& p : mesh.mesh().points) {
-    low = {(std::min)(low.x, p.x()), (std::min)(low.y, p.y()), (std::min)(low.z, p.z())};
-    high = {(std::max)(high.x, p.x()), (std::max)(high.y, p.y()), (std::max)(high.z, p.z())};
-  }
-  const double extent = (std::max)({high.x - low.x, high.y - low.y, high.z - low.z});
+  const auto box = mesh.extent();
+  const Shown_mesh::Vector sides = box[1] - box[0];
+  const double extent = (std::max)({sides.x, sides.y, sides.z});
   if (!(extent > 0)) // nor where there are no points
     return;
-  origin_ = low;
+  origin_ = box[0];
   const double wanted = least_distance(mesh) / 8;
   int bits = 16;
   while (bits < 24 && extent / double((1 << bits) - 1) > wanted)

@@ -36,9 +36,9 @@ std::string histogram(const std::vector<double>& counts, const std::string& titl
                       : "middle") +
             "\">" + number(x) + "</text>";
   return "<svg class=\"histogram\" role=\"img\" viewBox=\"0 0 " + number(width) + " " + number(height) + "\" width=\"" +
-         number(width) + "\" height=\"" + number(height) + "\"><title>" + html::escaped(title) +
+         number(width) + "\" height=\"" + number(height) + "\"><title>" + html::escaped_for_xml(title) +
          ": histogram from 0 to 1, heights by the square root of the number</title><text x=\"" + number(left) +
-         "\" y=\"14\">" + html::escaped(title) + "</text>" + bars + "<path d=\"M" + number(left) + " " +
+         "\" y=\"14\">" + html::escaped_for_xml(title) + "</text>" + bars + "<path d=\"M" + number(left) + " " +
          number(height - bottom + 0.5) + "H" + number(width - left) + "\" stroke=\"currentColor\"/>" + axis +
          "</svg>\n";
 }

@@ -3,36 +3,15 @@
 
 #include "html.h"
 
+#include <cstddef>
 #include <cstdio>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace html {
 
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (char c : text)
-    switch (c) {
-    case '&':
-      out += "&amp;";
-      break;
-    case '<':
-      out += "&lt;";
-      break;
-    case '>':
-      out += "&gt;";
-      break;
-    case '"':
-      out += "&quot;";
-      break;
-    case '\'':
-      out += "&#39;";
-      break;
-    default: // no other control character than these is allowed in a page
-      out += static_cast<unsigned char>(c) < ' ' && c != '\n' && c != '\t' ? ' ' : c;
-    }
-  return out;
-}
-
-// Within JSON, these stand in strings alone.
+// Within JSON, a < stands in strings alone.
 std::string in_script(std::string json) {
   std::string out;
   for (char c : json)
@@ -53,11 +32,11 @@ std::string value(const Json& json) {
   if (json.is_null())
     return "";
   if (json.is_string())
-    return escaped(json.get<std::string>());
+    return escaped_for_xml(json.get<std::string>());
   if (json.is_boolean())
     return json.get<bool>() ? "yes" : "no";
   if (!json.is_number_integer())
-    return json.is_number() ? number(json.get<double>(), 4) : escaped(json.dump());
+    return json.is_number() ? number(json.get<double>(), 4) : escaped_for_xml(json.dump());
   std::string digits = std::to_string(json.get<long long>());
   for (std::ptrdiff_t i = std::ptrdiff_t(digits.size()) - 3; i > (digits[0] == '-' ? 1 : 0); i -= 3)
     digits.insert(std::size_t(i), "\u202f");
@@ -84,14 +63,14 @@ void Table::row(const std::vector<std::string>& cells) {
 std::string Table::text() const {
   std::string head;
   for (const std::string& h : headings_)
-    head += h[0] == '#' ? "<th scope=\"col\" class=\"number\">" + escaped(h.substr(1)) + "</th>"
-                        : "<th scope=\"col\">" + escaped(h) + "</th>";
-  return "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"" + escaped(caption_) +
+    head += h[0] == '#' ? "<th scope=\"col\" class=\"number\">" + escaped_for_xml(h.substr(1)) + "</th>"
+                        : "<th scope=\"col\">" + escaped_for_xml(h) + "</th>";
+  return "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"" + escaped_for_xml(caption_) +
          "\"><table><thead><tr>" + head + "</tr></thead>\n<tbody>\n" + rows_ + "</tbody></table></div>\n";
 }
 
 std::string section(const std::string& id, const std::string& title, const std::string& content) {
-  return "<section id=\"" + id + "\"><h2>" + escaped(title) + "</h2>\n" + content + "</section>\n";
+  return "<section id=\"" + id + "\"><h2>" + escaped_for_xml(title) + "</h2>\n" + content + "</section>\n";
 }
 
 std::string show_place(const Json& xyz, double radius, const std::string& of_what) {
@@ -101,7 +80,7 @@ std::string show_place(const Json& xyz, double radius, const std::string& of_wha
   for (const auto& x : xyz)
     at += (at.empty() ? "" : ",") + number(x.get<double>(), 9);
   return "<button type=\"button\" class=\"show\" hidden data-place=\"" + at + "\" data-radius=\"" + number(radius) +
-         "\" aria-label=\"Show me " + escaped(of_what) + "\">show me</button>";
+         "\" aria-label=\"Show me " + escaped_for_xml(of_what) + "\">show me</button>";
 }
 
 std::string show_branch(std::size_t branch) {

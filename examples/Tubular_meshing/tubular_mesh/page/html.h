@@ -4,8 +4,11 @@
 #ifndef TUBULAR_MESH_PAGE_HTML_H
 #define TUBULAR_MESH_PAGE_HTML_H
 
+#include <CGAL/Tubular_meshing/base/escaped_for_xml.h>
+
 #include <nlohmann/json.hpp>
 
+#include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,8 +18,7 @@ namespace html {
 
 typedef nlohmann::ordered_json Json;
 
-// As text, or in quotes as the value of an attribute, whatever it holds.
-std::string escaped(const std::string& text);
+using CGAL::Tubular_meshing::internal::escaped_for_xml;
 
 // JSON within a script element: as JSON, it says the same.
 std::string in_script(std::string json);

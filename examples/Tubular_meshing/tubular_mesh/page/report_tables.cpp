@@ -4,13 +4,14 @@
 #include "report_tables.h"
 
 #include "histogram.h"
+#include "tubular_mesh/report/counts.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <numeric>
 #include <vector>
 
-using html::escaped;
+using html::escaped_for_xml;
 using html::Json;
 using html::number;
 using html::Table;
@@ -75,13 +76,9 @@ std::string worst_cells(const Shown_mesh& mesh) {
 
 std::string summary_of(const Json& report) {
   std::string counts;
-  const auto add = [&](const Json& numbers) {
-    for (const auto& n : numbers.items())
-      if (n.value() != 0)
-        counts += (counts.empty() ? "" : ", ") + value(n.value()) + " " + n.key();
-  };
-  add(report["cells"]);
-  add(report["facets"]);
+  for_each_count(report, [&](const Json& number, const std::string& kind) {
+    counts += (counts.empty() ? "" : ", ") + value(number) + " " + kind;
+  });
   std::string text = "<p class=\"counts\">" + value(report["points"]) + " points, " + counts + "; " +
                      value(Json(report["openings"].size())) + " openings, " + value(Json(report["branches"].size())) +
                      " branches. Volume " + number(report["volume"]["mesh"].get<double>()) + ", that of the surface " +
@@ -143,7 +140,7 @@ std::string branches_section(const Json& report) {
 std::string places_section(const Json& report) {
   Table table("What was repaired or gave way", {"what", "#number", "#size", "place", ""});
   const auto add = [&](const std::string& sentence, const std::string& count, double size, const Json& place) {
-    table.row({escaped(sentence), count, size > 0 ? html::number(size, 4) : "",
+    table.row({escaped_for_xml(sentence), count, size > 0 ? html::number(size, 4) : "",
                place.is_array() ? html::point(place) : "", html::show_place(place, size, "the place: " + sentence)});
   };
   for (const auto& r : report["repairs"])
@@ -169,7 +166,7 @@ std::string times_section(const Json& report) {
   const double total = report["total_time"].get<double>();
   for (const auto& t : report["times"].items()) {
     const double share = total > 0 ? t.value().get<double>() / total : 0;
-    table.row({escaped(t.key()), number(t.value().get<double>(), 3),
+    table.row({escaped_for_xml(t.key()), number(t.value().get<double>(), 3),
                "<div class=\"bar\" style=\"width:" + number(200 * share, 4) + "px\"></div>"});
   }
   table.row({"total", number(total, 4), ""});
@@ -182,6 +179,6 @@ std::string command_section(const Json& report, const std::string& command) {
   std::string text =
       "<p>Made by " + value(report["program"]) + " from <code>" + value(report["input"]) + "</code>.</p>\n";
   if (!command.empty())
-    text += "<pre tabindex=\"0\" id=\"command-line\">" + escaped(command) + "</pre>\n";
+    text += "<pre tabindex=\"0\" id=\"command-line\">" + escaped_for_xml(command) + "</pre>\n";
   return html::section("command", "Command", text);
 }

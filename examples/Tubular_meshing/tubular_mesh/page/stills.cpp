@@ -22,9 +22,9 @@ const int width = 720, height = 540;
 
 std::string svg(const std::string& title, const Image& image, const std::string& over_it) {
   return "<svg class=\"still\" role=\"img\" viewBox=\"0 0 " + std::to_string(width) + " " + std::to_string(height) +
-         "\"><title>" + html::escaped(title) + "</title><image width=\"" + std::to_string(width) + "\" height=\"" +
-         std::to_string(height) + "\" href=\"data:image/png;base64," + base64(png_of(image)) + "\"/>" + over_it +
-         "</svg>\n";
+         "\"><title>" + html::escaped_for_xml(title) + "</title><image width=\"" + std::to_string(width) +
+         "\" height=\"" + std::to_string(height) + "\" href=\"data:image/png;base64," + base64(png_of(image)) + "\"/>" +
+         over_it + "</svg>\n";
 }
 
 // Of the largest openings, those whose names have room.
@@ -41,8 +41,8 @@ std::string names_of_openings(const html::Json& report, const Camera& camera) {
       continue;
     taken.push_back(at);
     text += "<text x=\"" + number(std::clamp(at.x, 45., width - 45.), 5) + "\" y=\"" +
-            number(std::clamp(at.y, 14., height - 4.), 5) + "\">" + html::escaped(o["name"].get<std::string>()) +
-            "</text>";
+            number(std::clamp(at.y, 14., height - 4.), 5) + "\">" +
+            html::escaped_for_xml(o["name"].get<std::string>()) + "</text>";
   }
   return "<g class=\"names\">" + text + "</g>";
 }

@@ -63,13 +63,8 @@ std::vector<Camera::Vector> points_of(const Shown_mesh& mesh, const Seen_faces& 
 }
 
 Camera::Vector center_of_extent(const Shown_mesh& mesh) {
-  const double infinity = (std::numeric_limits<double>::infinity)();
-  Camera::Vector low(infinity, infinity, infinity), high(-infinity, -infinity, -infinity);
-  for (const auto& p : mesh.mesh().points) {
-    low = {(std::min)(low.x, p.x()), (std::min)(low.y, p.y()), (std::min)(low.z, p.z())};
-    high = {(std::max)(high.x, p.x()), (std::max)(high.y, p.y()), (std::max)(high.z, p.z())};
-  }
-  return low.x <= high.x ? 0.5 * (low + high) : Camera::Vector();
+  const auto box = mesh.extent();
+  return box[0].x <= box[1].x ? 0.5 * (box[0] + box[1]) : Camera::Vector();
 }
 
 // Its sign is that of its largest component, so that it does not depend on the order of points.

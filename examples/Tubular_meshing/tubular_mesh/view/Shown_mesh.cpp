@@ -8,6 +8,8 @@
 #include <CGAL/Tubular_meshing/base/parallel.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -96,8 +98,10 @@ void Shown_mesh::measure() {
     if (std::find(names.begin(), names.end(), measure) == names.end())
       return;
     const std::vector<double> values = tubular::element_quality(mesh_, measure);
-    for (std::size_t i = 0; i < values.size(); ++i)
-      quality[first + i] = float(is_inverse ? 1 / values[i] : values[i]);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const double q = is_inverse ? 1 / values[i] : values[i];
+      quality[first + i] = std::isfinite(q) ? float(q) : 0; // of a cell that is flat
+    }
   };
   put("gamma_tau", cell_quality_, 0, false);
   put("Q_tau", cell_quality_, 0, true);
@@ -127,6 +131,16 @@ void Shown_mesh::find_places(int threads) {
     const Face corners = facet(f);
     facet_place_[f] = place_of(corners, number_of_corners(corners), of_point);
   }
+}
+
+std::array<Shown_mesh::Vector, 2> Shown_mesh::extent() const {
+  const double infinity = (std::numeric_limits<double>::infinity)();
+  Vector low(infinity, infinity, infinity), high(-infinity, -infinity, -infinity);
+  for (const auto& p : mesh_.points) {
+    low = {(std::min)(low.x, p.x()), (std::min)(low.y, p.y()), (std::min)(low.z, p.z())};
+    high = {(std::max)(high.x, p.x()), (std::max)(high.y, p.y()), (std::max)(high.z, p.z())};
+  }
+  return {low, high};
 }
 
 Shown_mesh::Vector Shown_mesh::center_of_cell(std::size_t cell) const {

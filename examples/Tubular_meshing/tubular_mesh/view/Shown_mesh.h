@@ -52,6 +52,8 @@ public:
   const Place& place_of_facet(std::size_t facet) const { return facet_place_[facet]; }
 
   Vector point(std::uint32_t v) const { return Vector(mesh_.points[v]); }
+  // The corners of the box around all points; the first is not below the second where there are none.
+  std::array<Vector, 2> extent() const;
   Vector center_of_cell(std::size_t cell) const;
   Vector center_of_face(const Face& face) const;
   // The mean length of its edges.

@@ -70,7 +70,7 @@ struct Zero_d_model {
   std::vector<Zero_d_boundary_condition> boundary_conditions;
   double density = 0, viscosity = 0;          ///< as they were given
   double flow_rate = 0;                       ///< at the first inlet, cm³/s
-  std::vector<std::string> openings_left_out; ///< to which no centerline leads
+  std::vector<std::string> openings_left_out; ///< at which no branch ends, or another opening's does
 };
 
 /*! \ingroup PkgTubularMeshingCenterlines

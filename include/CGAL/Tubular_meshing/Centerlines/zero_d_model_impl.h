@@ -177,11 +177,15 @@ private:
 
   void add_boundary_conditions() {
     std::map<std::size_t, std::size_t> opening_at; // by node
-    for (std::size_t i = 0; i < openings_.size(); ++i)
-      if (openings_[i].node < graph_.nodes().size())
-        opening_at.emplace(openings_[i].node, i);
-      else
-        model_.openings_left_out.push_back(name_of(i));
+    for (std::size_t i = 0; i < openings_.size(); ++i) {
+      const std::size_t node = openings_[i].node;
+      if (node < graph_.nodes().size() && graph_.nodes()[node].is_end() && opening_at.emplace(node, i).second)
+        continue;
+      if (inlets_.count(i) != 0)
+        throw Input_error("No centerline leads to " + name_of(i) +
+                          ", where flow would come into the zero-dimensional model; give another inlet.");
+      model_.openings_left_out.push_back(name_of(i));
+    }
     const std::vector<std::size_t> component = components();
     std::map<std::size_t, Vessel_ends> ends; // by component
     for (const auto& o : opening_at) {
@@ -206,10 +210,6 @@ private:
       attach(condition, n);
       model_.boundary_conditions.push_back(std::move(condition));
     }
-    for (std::size_t i : inlets_)
-      if (i < openings_.size() && openings_[i].node >= graph_.nodes().size())
-        throw Input_error("No centerline leads to " + name_of(i) +
-                          ", where flow would come into the zero-dimensional model; give another inlet.");
   }
 
   Zero_d_boundary_condition condition_of(std::size_t opening, const Vessel_ends& ends) {

@@ -9,6 +9,7 @@
 #include <CGAL/Tubular_meshing/IO/internal/Vtk_xml_writer.h>
 #include <CGAL/Tubular_meshing/IO/write_sections.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
+#include <CGAL/Tubular_meshing/base/utf_8.h>
 
 #include <cmath>
 #include <cstddef>
@@ -130,7 +131,7 @@ inline void write_sections_vtp(Output_file& file, const std::vector<Cross_sectio
 inline std::string json_string(const std::string& text) {
   static const char* const digits = "0123456789abcdef";
   std::string out = "\"";
-  for (char c : text)
+  for (char c : Tubular_meshing::internal::as_utf_8(text))
     if (c == '"' || c == '\\')
       (out += '\\') += c;
     else if (static_cast<unsigned char>(c) < 0x20)

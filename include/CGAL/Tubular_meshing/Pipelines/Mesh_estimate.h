@@ -58,6 +58,7 @@ struct Mesh_estimate {
   double seconds = 0;                                   ///< from the mesh size on, which is there already
   double bytes = 0;                                     ///< of memory at the most
   Hexahedral_method method = Hexahedral_method::blocks; ///< of a hexahedral mesh
+  static constexpr double bytes_of_program = 30e6;      ///< without any mesh, part of `bytes`
   std::vector<std::string> fallbacks;                   ///< a sentence each, where another way will be taken
   Lumen_integrals integrals;
 
@@ -80,6 +81,8 @@ inline void Mesh_estimate::add_wall(int layers, bool of_tetrahedra) {
 }
 
 inline void Mesh_estimate::add(const Mesh_estimate& other) {
+  if (bytes > 0 && other.bytes > 0) // the program itself is there once
+    bytes -= bytes_of_program;
   for (double Mesh_estimate::*number :
        {&Mesh_estimate::tetrahedra, &Mesh_estimate::pyramids, &Mesh_estimate::prisms, &Mesh_estimate::hexahedra,
         &Mesh_estimate::wall_triangles, &Mesh_estimate::wall_quads, &Mesh_estimate::cap_triangles,

@@ -4,28 +4,20 @@
 #ifndef CGAL_TUBULAR_MESHING_PIPELINES_MESHER_IMPL_H
 #define CGAL_TUBULAR_MESHING_PIPELINES_MESHER_IMPL_H
 
-#include <CGAL/Tubular_meshing/Centerlines/Centerline_field.h>
-#include <CGAL/Tubular_meshing/Centerlines/Wall_distance.h>
 #include <CGAL/Tubular_meshing/Fields/Centerline_metric_field.h>
 #include <CGAL/Tubular_meshing/Fields/Centerline_sizing_field.h>
 #include <CGAL/Tubular_meshing/Fields/Local_radius.h>
 #include <CGAL/Tubular_meshing/Fields/Refined_metric_field.h>
-#include <CGAL/Tubular_meshing/Hexahedra/subdivide_into_hexahedra.h>
 #include <CGAL/Tubular_meshing/Layers/append_mesh.h>
 #include <CGAL/Tubular_meshing/Layers/boundary_layer_heights.h>
 #include <CGAL/Tubular_meshing/Layers/unfold_wall.h>
-#include <CGAL/Tubular_meshing/Volume/move_boundary_to_surface.h>
-#include <CGAL/Tubular_meshing/Volume/preserve_volume.h>
 #include <CGAL/Tubular_meshing/Pipelines/Element_target.h>
 #include <CGAL/Tubular_meshing/Pipelines/Mesher.h>
 #include <CGAL/Tubular_meshing/Pipelines/internal/Element_counts.h>
+#include <CGAL/Tubular_meshing/Pipelines/internal/Hexahedral_mesher.h>
 #include <CGAL/Tubular_meshing/Pipelines/internal/Lumen_integrator.h>
-#include <CGAL/Tubular_meshing/Pipelines/internal/Model_in_its_frame.h>
+#include <CGAL/Tubular_meshing/Pipelines/internal/Mesher_core.h>
 #include <CGAL/Tubular_meshing/Pipelines/internal/check_mesh_of_model.h>
-#include <CGAL/Tubular_meshing/Pipelines/internal/check_requests.h>
-#include <CGAL/Tubular_meshing/Pipelines/internal/hexahedral_sentences.h>
-#include <CGAL/Tubular_meshing/Pipelines/internal/mesh_by_blocks.h>
-#include <CGAL/Tubular_meshing/Pipelines/internal/optimize_subdivided.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 
 #include <algorithm>
@@ -49,31 +41,12 @@ inline std::size_t number_of_cells(const Mixed_mesh& mesh) {
 
 } // namespace internal
 
-class Mesher::Impl {
+class Mesher::Impl : public internal::Mesher_core {
 public:
-  Impl(std::shared_ptr<const Tubular_model> model, const Mesher_options& options)
-      : model_(std::move(model))
-      , options_(options)
-      , frame_(*model_) {
-    frame_.scale_lengths(options_.size);
-    frame_.scale_lengths(options_.metric);
-    internal::check_requests(options_.size.size_requests, *model_);
-    options_.size.size_requests = frame_.in_frame(std::move(options_.size.size_requests));
-  }
+  using Mesher_core::Mesher_core;
 
-  const Tubular_model& model() const { return *model_; }
-  const Mesher_report& report() const { return report_; }
   Remeshed_surface take_kept_surface() { return std::exchange(kept_, Remeshed_surface()); }
   Block_structure take_block_structure() { return std::exchange(structure_, Block_structure()); }
-
-  double points() const { return options_.size.points_per_circumference; }
-  void set_points(double points) {
-    const double factor = points / options_.size.points_per_circumference, least = 3;
-    for (double* n : {&options_.metric.curvature_points, &options_.metric.points_per_circumference})
-      *n = points < least ? points : (std::max)(factor * *n, least);
-    options_.size.points_per_circumference = points;
-    size_.reset();
-  }
 
   double estimated_number_of_tetrahedra() { return size().estimated_number_of_tetrahedra(); }
 
@@ -101,7 +74,7 @@ public:
     result.largest_size = frame_.length_from_frame(integrator.largest_size());
     const bool in_blocks = (type == Mesh_type::hexahedral && options_.hexahedral_method == Hexahedral_method::blocks) ||
                            (type == Mesh_type::surface && elements == Surface_elements::structured_quads);
-    if (in_blocks && !has_blocks(result))
+    if (in_blocks && !hexahedra_.has_blocks(result))
       result.method = Hexahedral_method::subdivision;
     if (type == Mesh_type::hexahedral && options_.hexahedral_method == Hexahedral_method::subdivision)
       result.method = Hexahedral_method::subdivision;
@@ -109,7 +82,7 @@ public:
     if (type == Mesh_type::surface)
       internal::count_facets(result, elements, points(), openings);
     else
-      internal::count_cells(result, type, layers, points(), coarsening_for_subdivision(), openings);
+      internal::count_cells(result, type, layers, points(), hexahedra_.coarsening(), openings);
     internal::estimate_cost(result, type, double(model_->surface.number_of_faces()));
     return result;
   }
@@ -174,8 +147,7 @@ public:
         internal::anisotropic_tetrahedral_remeshing(mesh, wall.surface, wall.patch, field, options_.remeshing);
       };
       options_.size.size_requests.empty() ? remesh(metric) : remesh(refined(metric));
-      stage("check");
-      internal::check_differences(mesh, *model_, frame_.surface().surface);
+      check(mesh);
       moves_wall_ = options_.preserve_volume;
       give_volume_to(mesh);
       mesh.region_names = {{labels::lumen, "lumen"}};
@@ -187,7 +159,7 @@ public:
   Mixed_mesh mixed() {
     return made([&] {
       internal::check_keeps_boundary(options_.volume_mesher);
-      check_memory();
+      check_fits_into_memory();
       Fill_with_pyramids_and_tetrahedra_options pyramids = options_.pyramids;
       pyramids.split_quads = !options_.has_boundary_layer(); // not the far sides of hexahedra
       kept_ = quads_in_frame();
@@ -199,24 +171,27 @@ public:
           });
       name_patches(mesh);
       add_wall(mesh);
-      stage("check");
-      internal::check_differences(mesh, *model_, frame_.surface().surface);
+      check(mesh);
       return mesh;
     });
   }
 
   Mixed_mesh hexahedral() {
     return made([&] {
-      check_memory();
+      check_fits_into_memory();
       std::optional<Mixed_mesh> mesh;
       if (options_.hexahedral_method == Hexahedral_method::blocks)
-        mesh = by_blocks(options_.hexahedral_fallback);
+        mesh = hexahedra_.by_blocks(options_.hexahedral_fallback, structure_);
       if (!mesh)
-        mesh = by_subdivision();
+        mesh = hexahedra_.by_subdivision([&] {
+          coarsening_ = hexahedra_.coarsening();
+          Mixed_mesh coarse = isotropic_in_frame(options_.surface_mesher);
+          kept_ = Remeshed_surface(); // its triangles are subdivided
+          return coarse;
+        });
       name_patches(*mesh);
       add_wall(*mesh);
-      stage("check");
-      internal::check_differences(*mesh, *model_, frame_.surface().surface);
+      check(*mesh);
       return std::move(*mesh);
     });
   }
@@ -239,37 +214,6 @@ private:
     std::vector<Patch_parameterization> maps;
   };
 
-  // Measures the blocks; false where there are none, for which the result has the reason.
-  bool has_blocks(Mesh_estimate& result) {
-    internal::Mesh_by_blocks blocks(*model_, frame_, size(), options_);
-    Hexahedral_report report;
-    const std::optional<internal::Length_of_blocks> length = blocks.length(report);
-    bring_back_places(report);
-    if (length) {
-      result.integrals.rows_of_blocks = double(length->rows);
-      result.integrals.domes_of_blocks = double(length->domes);
-    } else
-      result.fallbacks.push_back(
-          "There are no blocks of hexahedra along the vessels: " + internal::why_no_blocks(report) +
-          (options_.hexahedral_fallback == Hexahedral_fallback::none ? " Without a fallback there will be no mesh."
-                                                                     : " All hexahedra are made by subdivision."));
-    return bool(length);
-  }
-
-  void stage(const char* name) {
-    stage_ = name;
-    if (options_.observer)
-      options_.observer(name);
-  }
-
-  const Centerline_sizing_field& size() {
-    if (!size_) {
-      stage("size field");
-      size_.emplace(radius(), options_.size);
-    }
-    return *size_;
-  }
-
   /* The mesh size, or that of cells which are to be subdivided: larger. */
   struct Scaled_size {
     const Centerline_sizing_field* size;
@@ -279,17 +223,6 @@ private:
   Scaled_size scaled_size() {
     const Centerline_sizing_field& field = size();
     return {&field, coarsening_};
-  }
-
-  // The one radius that sizes, layers and walls are relative to.
-  const Local_radius& radius() {
-    if (!radius_) {
-      const Labelled_surface& s = frame_.surface();
-      Shape_radius_options shape;
-      shape.number_of_threads = options_.size.number_of_threads;
-      radius_.emplace(Centerline_field(frame_.centerlines()), Wall_distance(s.surface, s.patch, labels::wall), shape);
-    }
-    return *radius_;
   }
 
   // A metric with what is wanted beside it.
@@ -334,9 +267,9 @@ private:
   Remeshed_surface structured_quads_in_frame() {
     if (options_.has_boundary_layer())
       throw Parameter_error("Layers inside the lumen are of a mesh of cells; a surface has none.");
-    check_memory();
-    const Mixed_mesh mesh = *by_blocks(Hexahedral_fallback::none);
-    structure_ = Block_structure(); // of points that are not those of the surface
+    check_fits_into_memory();
+    Block_structure structure; // of points that are not those of the surface
+    const Mixed_mesh mesh = *hexahedra_.by_blocks(Hexahedral_fallback::none, structure);
     Remeshed_surface result;
     std::vector<Surface::Vertex_index> vertex_of(mesh.points.size(), Surface::null_vertex());
     for (std::size_t i = 0; i < mesh.quads.size(); ++i) {
@@ -363,7 +296,7 @@ private:
   }
 
   Mixed_mesh isotropic_in_frame(Surface_mesher mesher) {
-    check_memory();
+    check_fits_into_memory();
     if (mesher == Surface_mesher::mesh_3)
       return by_mesh_3();
     try {
@@ -407,8 +340,7 @@ private:
       optimization.keep_boundary = keeps;
       internal::optimize_tetrahedra(filling, wall.surface, wall.patch, optimization);
     });
-    stage("check");
-    internal::check_differences(mesh, *model_, frame_.surface().surface);
+    check(mesh);
     if (!keeps)
       give_volume_to(mesh);
     return mesh;
@@ -436,115 +368,6 @@ private:
     }
     throw Meshing_error("The mesh came out with " + differences +
                         ": the surface may intersect itself, or have parts much narrower than the mesh size there.");
-  }
-
-  // The local radius, as far as the mesh size goes with it.
-  auto limited_radius() {
-    return [&field = size(), points = points()](const Point_3& p) { return field(p) * points / (2 * CGAL_PI); };
-  }
-
-  /* Hexahedra in blocks; none where these cannot be had and another method is to be taken. */
-  std::optional<Mixed_mesh> by_blocks(Hexahedral_fallback fallback) {
-    Hexahedral_report& report = report_.hexahedral;
-    const Centerline_sizing_field& field = size();
-    stage("blocks");
-    internal::Mesh_by_blocks blocks(*model_, frame_, field, options_);
-    std::optional<Mixed_mesh> mesh = blocks.make(report, fallback == Hexahedral_fallback::mixed);
-    bring_back_places(report);
-    std::string why;
-    if (!mesh)
-      why = "There are no blocks of hexahedra along the vessels: " + internal::why_no_blocks(report) +
-            (blocks.why_not_filled().empty() ? "" : " " + internal::why_not_filled(blocks.why_not_filled()));
-    while (mesh) {
-      try {
-        finish(blocks, *mesh);
-        structure_ = blocks.take_structure();
-        if (blocks.has_filled_junctions())
-          report_.fallbacks.push_back(internal::filled_junctions(report, blocks.fineness()));
-        return mesh;
-      } catch (Meshing_error& e) {
-        e.transform_places([&](const Place& p) { return frame_.from_frame(p); });
-        const std::vector<Place_without_blocks> places = std::move(report.places_without_blocks);
-        report = Hexahedral_report(); // what it says is of blocks that are not used
-        report_.boundary_layer = Layer_report();
-        report_.volume = Preserve_volume_report();
-        why = std::string("Hexahedra in blocks are not valid: ") + e.what();
-        mesh.reset();
-        if (blocks.has_filled_junctions()) {
-          for (const Place_without_blocks& p : places)
-            report.places_without_blocks.push_back({p.place, p.reason});
-          why = "There are no blocks of hexahedra along the vessels: " + internal::why_no_blocks(report) + " " +
-                internal::why_not_filled(e.what());
-          const Hexahedral_report without = report;
-          stage("blocks");
-          mesh = blocks.make_finer(report);
-          if (!mesh)
-            report = without;
-          else
-            bring_back_places(report);
-        }
-      }
-    }
-    if (fallback == Hexahedral_fallback::none)
-      throw Meshing_error(why + " By subdivision there are hexahedra of any shape, and surfaces of any shape in quads "
-                                "that are not structured.");
-    report_.fallbacks.push_back(why + " All hexahedra are made by subdivision.");
-    return std::nullopt;
-  }
-
-  // Gives blocks the surface's volume, and layers along the wall.
-  void finish(const internal::Mesh_by_blocks& blocks, Mixed_mesh& mesh) {
-    stage("check");
-    internal::check_differences(mesh, *model_, frame_.surface().surface);
-    if (moves_wall_) {
-      give_volume_to(mesh);
-      stage("optimization");
-      blocks.optimize_inside(mesh);
-    }
-    if (!options_.has_boundary_layer())
-      return;
-    stage("boundary layer");
-    report_.boundary_layer = blocks.insert_layers(mesh, radius(), report_.hexahedral);
-    report_.boundary_layer.worst_place = frame_.from_frame(report_.boundary_layer.worst_place);
-    blocks.optimize_layers(mesh);
-    stage("check");
-    internal::check_differences(mesh, *model_, frame_.surface().surface);
-  }
-
-  void bring_back_places(Hexahedral_report& report) const {
-    for (Place_without_blocks& p : report.places_without_blocks)
-      p.place = frame_.from_frame(p.place);
-  }
-
-  /* Tetrahedra and prisms of a coarser mesh, subdivided: four hexahedra of each tetrahedron are as many as there are
-   * tetrahedra of 1.6 times smaller edges. A coarse mesh is no coarser than its topology can bear. */
-  Mixed_mesh by_subdivision() {
-    report_.hexahedral.method = Hexahedral_method::subdivision;
-    moves_wall_ = false; // its new vertices are to be on the surface first
-    coarsening_ = coarsening_for_subdivision();
-    Mixed_mesh mesh = isotropic_in_frame(options_.surface_mesher);
-    kept_ = Remeshed_surface(); // its triangles are subdivided
-    stage("subdivision");
-    mesh = subdivide_into_hexahedra(mesh);
-    const Labelled_surface& s = frame_.surface();
-    Move_boundary_to_surface_options moving;
-    moving.number_of_threads = options_.size.number_of_threads;
-    report_.hexahedral.boundary =
-        internal::move_boundary_to_surface(mesh, s.surface, s.patch, limited_radius(), moving);
-    frame_.bring_back(report_.hexahedral.boundary);
-    stage("optimization of hexahedra");
-    Optimize_hexahedra_options optimization = options_.hexahedra;
-    optimization.number_of_threads = options_.size.number_of_threads;
-    report_.hexahedral.optimization =
-        internal::optimize_subdivided(mesh, s, optimization, options_.has_boundary_layer());
-    moves_wall_ = options_.preserve_volume;
-    move_wall_of(mesh);
-    return mesh;
-  }
-
-  double coarsening_for_subdivision() const {
-    const double cube_root_of_four = 1.5874, fewest_points = 6;
-    return (std::min)((std::max)(points() / fewest_points, 1.), cube_root_of_four);
   }
 
   void add_wall(Mixed_mesh& mesh) {
@@ -593,70 +416,21 @@ private:
     report_.fallbacks.push_back(s.str());
   }
 
-  // --- the volume of the surface ---
-
-  template <class Report> void note_volume(Report report) {
-    frame_.bring_back(report);
-    report_.volume = std::move(report);
-  }
-  Preserve_volume_options volume_options() const {
-    Preserve_volume_options result;
-    result.number_of_threads = options_.size.number_of_threads;
-    return result;
-  }
-
-  // To a surface mesh that is kept from here on.
-  void give_volume_to(Remeshed_surface& mesh) {
-    if (!moves_wall_)
-      return;
-    stage("volume");
-    const Labelled_surface& s = frame_.surface();
-    note_volume(internal::preserve_volume(mesh.surface, mesh.patch, s.surface, s.patch, volume_options()));
-    if (mesh.quads.wall_quads() > 0)
-      internal::measure_quads(mesh);
-  }
-
-  // To a mesh that has brought its boundary to the surface.
-  void move_wall_of(Mixed_mesh& mesh) {
-    if (!moves_wall_)
-      return;
-    stage("volume");
-    const Labelled_surface& s = frame_.surface();
-    note_volume(internal::preserve_volume(mesh, s.surface, s.patch, limited_radius(), volume_options()));
-  }
-
-  // The same to a valid one; it is still valid then.
-  void give_volume_to(Mixed_mesh& mesh) {
-    if (!moves_wall_)
-      return;
-    move_wall_of(mesh);
-    stage("check");
-    internal::check_differences(mesh, *model_, frame_.surface().surface);
-  }
-
   void check_layers_can_be_kept(Volume_mesher mesher) const {
     if (options_.has_boundary_layer() && mesher == Volume_mesher::mesh_3)
       throw Meshing_error(
           "Layers inside the lumen need a mesher that keeps their sides: build this program where CMake "
           "finds TetGen (libtet1.5-dev), or CGAL 6.1 or later, and choose one of these.");
   }
-  void check_memory() { internal::check_memory(size().estimated_number_of_tetrahedra()); }
   void name_patches(Mixed_mesh& mesh) const {
     mesh.patch_names = patch_names(*model_);
     mesh.patch_ids = model_->patch_ids;
   }
 
-  std::shared_ptr<const Tubular_model> model_;
-  Mesher_options options_;
-  internal::Model_in_its_frame frame_;
-  std::optional<Local_radius> radius_;
-  std::optional<Centerline_sizing_field> size_;
+  internal::Hexahedral_mesher hexahedra_{*this};
   std::optional<Patches> by_patches_;
   Remeshed_surface kept_;
   Block_structure structure_;
-  Mesher_report report_;
-  std::string stage_;
-  bool moves_wall_ = true;
   double coarsening_ = 1; // of the mesh size, for cells that are to be subdivided
 };
 

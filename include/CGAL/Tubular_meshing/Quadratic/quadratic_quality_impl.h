@@ -14,7 +14,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <utility>
 #include <vector>
 
@@ -57,22 +56,15 @@ public:
         is_triangle ? at_triangle(facet, at[i], at[j] * (1 - at[i]), x, normal)
                     : at_quad(facet, at[i], at[j], x, normal);
         const double w = weight[i] * weight[j] * (is_triangle ? 1 - at[i] : 1);
-        three_volumes_ += w * dot(x - origin_, normal);
+        sums_.volumes += w * dot(x - origin_, normal);
         area += w * normal;
-        wall_ += label == labels::wall ? w * norm(normal) : 0;
+        sums_.wall_area += label == labels::wall ? w * norm(normal) : 0;
       }
     if (label != labels::wall)
-      openings_[label] += area;
+      sums_.openings[label] += area;
   }
 
-  Lumen_measures measures() const {
-    Lumen_measures result;
-    result.volume = three_volumes_ / 3;
-    result.wall_area = wall_;
-    for (const auto& o : openings_)
-      result.opening_area[o.first] = norm(o.second);
-    return result;
-  }
+  Lumen_measures measures() const { return sums_.measures(3); }
 
 private:
   static void at_triangle(const Cell_points& t, double u, double v, Vector_3d& x, Vector_3d& normal) {
@@ -105,8 +97,7 @@ private:
 
   const Quadratic_mesh& mesh_;
   const Vector_3d origin_; // near by, against cancellation
-  double three_volumes_ = 0, wall_ = 0;
-  std::map<int, Vector_3d> openings_;
+  Lumen_sums sums_;
 };
 
 } // namespace internal
@@ -160,10 +151,9 @@ CGAL_TUBULAR_MESHING_INLINE Quadratic_quality_report quality_report(const Quadra
 
 CGAL_TUBULAR_MESHING_INLINE Lumen_measures lumen_measures(const Quadratic_mesh& mesh, std::size_t number_of_openings) {
   internal::Curved_lumen_measurer measurer(mesh);
-  const int last = labels::wall + int(number_of_openings);
   internal::for_each_block_of_facets(mesh.linear, [&](Element_type type, const auto& block) {
     for (std::size_t i = 0; i < block.size(); ++i)
-      if (block.label[i] >= labels::wall && block.label[i] <= last)
+      if (internal::bounds_lumen(block.label[i], number_of_openings))
         measurer.add(type, block.vertices[i].data(), block.label[i]);
   });
   return measurer.measures();

@@ -23,6 +23,27 @@ struct Lumen_measures {
 
 namespace internal {
 
+/* What is summed up over the facets of a lumen, straight or curved. */
+struct Lumen_sums {
+  double volumes = 0; // so many times the volume
+  double wall_area = 0;
+  std::map<int, Vector_3d> openings; // the area, along the normal
+
+  Lumen_measures measures(double times_the_volume) const {
+    Lumen_measures result;
+    result.volume = volumes / times_the_volume;
+    result.wall_area = wall_area;
+    for (const auto& o : openings)
+      result.opening_area[o.first] = norm(o.second);
+    return result;
+  }
+};
+
+// Whether a facet with this label bounds the lumen.
+inline bool bounds_lumen(int label, std::size_t number_of_openings) {
+  return label >= labels::wall && label <= labels::wall + int(number_of_openings);
+}
+
 class Lumen_measurer {
 public:
   explicit Lumen_measurer(const Mixed_mesh& mesh)
@@ -38,30 +59,22 @@ public:
     for (std::size_t k = 0; k < facet.size(); ++k) {
       const Vector_3d p = point(facet[k]), q = point(facet[(k + 1) % facet.size()]);
       const Vector_3d part = 0.5 * cross(p - middle, q - middle);
-      six_volumes_ += dot(middle, cross(p, q));
+      sums_.volumes += dot(middle, cross(p, q));
       area += part;
-      wall_ += label == labels::wall ? norm(part) : 0;
+      sums_.wall_area += label == labels::wall ? norm(part) : 0;
     }
     if (label != labels::wall)
-      openings_[label] += area;
+      sums_.openings[label] += area;
   }
 
-  Lumen_measures measures() const {
-    Lumen_measures result;
-    result.volume = six_volumes_ / 6;
-    result.wall_area = wall_;
-    for (const auto& o : openings_)
-      result.opening_area[o.first] = norm(o.second);
-    return result;
-  }
+  Lumen_measures measures() const { return sums_.measures(6); }
 
 private:
   // from a point of the mesh, against cancellation
   Vector_3d point(std::size_t i) const { return Vector_3d(mesh_.points[i]) - Vector_3d(mesh_.points.front()); }
 
   const Mixed_mesh& mesh_;
-  double six_volumes_ = 0, wall_ = 0;
-  std::map<int, Vector_3d> openings_;
+  Lumen_sums sums_;
 };
 
 } // namespace internal
@@ -76,13 +89,13 @@ private:
  */
 inline Lumen_measures lumen_measures(const Mixed_mesh& mesh, std::size_t number_of_openings) {
   internal::Lumen_measurer measurer(mesh);
-  const int last = labels::wall + int(number_of_openings);
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
-    if (mesh.triangles.label[i] >= labels::wall && mesh.triangles.label[i] <= last)
-      measurer.add(mesh.triangles.vertices[i], mesh.triangles.label[i]);
-  for (std::size_t i = 0; i < mesh.quads.size(); ++i)
-    if (mesh.quads.label[i] >= labels::wall && mesh.quads.label[i] <= last)
-      measurer.add(mesh.quads.vertices[i], mesh.quads.label[i]);
+  const auto add = [&](const auto& facets) {
+    for (std::size_t i = 0; i < facets.size(); ++i)
+      if (internal::bounds_lumen(facets.label[i], number_of_openings))
+        measurer.add(facets.vertices[i], facets.label[i]);
+  };
+  add(mesh.triangles);
+  add(mesh.quads);
   return measurer.measures();
 }
 

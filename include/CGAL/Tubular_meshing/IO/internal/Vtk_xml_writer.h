@@ -5,6 +5,7 @@
 #define CGAL_TUBULAR_MESHING_IO_INTERNAL_VTK_XML_WRITER_H
 
 #include <CGAL/Tubular_meshing/IO/internal/Number_writer.h>
+#include <CGAL/Tubular_meshing/base/escaped_for_xml.h>
 
 #include <CGAL/double.h>
 #include <CGAL/number_utils.h>
@@ -18,27 +19,7 @@
 
 namespace CGAL::Tubular_meshing::IO::internal {
 
-inline std::string escaped_for_xml(std::string_view text) {
-  std::string out;
-  for (char c : text)
-    switch (c) {
-    case '&':
-      out += "&amp;";
-      break;
-    case '<':
-      out += "&lt;";
-      break;
-    case '>':
-      out += "&gt;";
-      break;
-    case '"':
-      out += "&quot;";
-      break;
-    default:
-      out += c;
-    }
-  return out;
-}
+using Tubular_meshing::internal::escaped_for_xml;
 
 template <class T> std::string vtk_xml_type_name() {
   const std::string bits = std::to_string(8 * sizeof(T));

@@ -124,7 +124,6 @@ struct Mesh_costs {
   static constexpr Cost tetrahedron{18, 230}, of_metric{112, 264}, mixed{28, 240}, in_blocks{40, 430},
       subdivided{60, 450}, in_layers{14, 180}, facet{25, 300}; // of a surface mesh alone
   static constexpr Cost triangle{15, 700}, triangle_and_metric{87, 1900};
-  static constexpr double bytes_of_program = 30e6;
 };
 
 inline void estimate_cost(Mesh_estimate& e, Mesh_type type, double triangles) {
@@ -140,7 +139,8 @@ inline void estimate_cost(Mesh_estimate& e, Mesh_type type, double triangles) {
   const double in_layers = is_hexahedral ? 0 : e.prisms + e.hexahedra;
   const double others = type == Mesh_type::surface ? e.facets() : e.cells() - in_layers;
   e.seconds = 1e-6 * (triangle.time * triangles + cell.time * others + C::in_layers.time * in_layers);
-  e.bytes = C::bytes_of_program + triangle.memory * triangles + cell.memory * others + C::in_layers.memory * in_layers;
+  e.bytes = Mesh_estimate::bytes_of_program + triangle.memory * triangles + cell.memory * others +
+            C::in_layers.memory * in_layers;
 }
 
 } // namespace CGAL::Tubular_meshing::internal

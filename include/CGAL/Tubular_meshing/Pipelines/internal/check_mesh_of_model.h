@@ -18,7 +18,6 @@
 #include <unistd.h>
 
 #include <cmath>
-#include <cmath>
 #include <cstddef>
 #include <set>
 #include <string>

@@ -10,9 +10,12 @@
 #include <CGAL/Tubular_meshing/Patches/pieces/Curve_divider.h>
 #include <CGAL/Tubular_meshing/Patches/pieces/Curve_gaps.h>
 #include <CGAL/Tubular_meshing/Patches/pieces/Piece_mesher.h>
+#include <CGAL/Tubular_meshing/base/Nearest_tree.h>
+#include <CGAL/Tubular_meshing/base/Vector_3d.h>
 #include <CGAL/Tubular_meshing/base/parallel.h>
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 namespace CGAL::Tubular_meshing::internal {
@@ -28,29 +31,8 @@ public:
       , gaps_(cut, polylines_) {}
 
   std::vector<size_type> improve(Remeshed_surface& result, const std::vector<size_type>& piece_of_face) const override {
-    Surface& surface = result.surface;
-    Triangle_improver improver(surface, sizes_.shape());
-    const std::vector<Face> bad = improver.bad_triangles();
-    if (bad.empty())
-      return {};
-    std::vector<char> is_fixed(surface.number_of_vertices(), 0);
-    for (size_type c : rims_)
-      for (Vertex v : result.curves[c])
-        is_fixed[size_type(v)] = 1;
-    const auto may_move = [&](Vertex v) {
-      return !is_fixed[size_type(v)] && result.patch_of_face[surface.face(surface.halfedge(v))] >= 0;
-    };
-    const auto may_flip = [&](Halfedge h) {
-      if (!sizes_.are_isotropic() && result.patch_of_face[surface.face(h)] < 0)
-        return false;
-      return piece_of_face[size_type(surface.face(h))] == piece_of_face[size_type(surface.face(surface.opposite(h)))];
-    };
-    std::vector<char> has_bad(cut_.patches.size(), 0);
-    for (Face f : bad)
-      if (result.patch_of_face[f] >= 0)
-        has_bad[size_type(result.patch_of_face[f])] = 1;
-    improver.improve(bad, old_triangles(surface_, cut_, has_bad), may_move, may_flip);
-    return {};
+    improve_shapes(result, piece_of_face);
+    return patches_turned_over(result);
   }
 
   bool may_smooth() const override { return true; }
@@ -81,6 +63,92 @@ protected:
   }
 
 private:
+  void improve_shapes(Remeshed_surface& result, const std::vector<size_type>& piece_of_face) const {
+    Surface& surface = result.surface;
+    Triangle_improver improver(surface, sizes_.shape());
+    const std::vector<Face> bad = improver.bad_triangles();
+    if (bad.empty())
+      return;
+    std::vector<char> is_fixed(surface.number_of_vertices(), 0);
+    for (size_type c : rims_)
+      for (Vertex v : result.curves[c])
+        is_fixed[size_type(v)] = 1;
+    const auto may_move = [&](Vertex v) {
+      return !is_fixed[size_type(v)] && result.patch_of_face[surface.face(surface.halfedge(v))] >= 0;
+    };
+    const auto may_flip = [&](Halfedge h) {
+      if (!sizes_.are_isotropic() && result.patch_of_face[surface.face(h)] < 0)
+        return false;
+      return piece_of_face[size_type(surface.face(h))] == piece_of_face[size_type(surface.face(surface.opposite(h)))];
+    };
+    std::vector<char> has_bad(cut_.patches.size(), 0);
+    for (Face f : bad)
+      if (result.patch_of_face[f] >= 0)
+        has_bad[size_type(result.patch_of_face[f])] = 1;
+    improver.improve(bad, old_triangles(surface_, cut_, has_bad), may_move, may_flip);
+  }
+
+  /* Patches of triangles that face away from where the surface next to their middle does, and are off it: long ones that
+   * pass from one side of a vessel to the other, where a bend or a coarse surface makes the map's scale jump. They are
+   * looked for at sharp edges alone, which each of them has. What lies on the surface is turned as that is. */
+  std::vector<size_type> patches_turned_over(const Remeshed_surface& result) const {
+    const double near = 0.1; // of the longest edge
+    const std::vector<Face> suspects = faces_at_sharp_edges(result);
+    if (suspects.empty())
+      return {};
+    std::vector<char> marked(pieces_.size(), 0);
+    for (Face f : suspects)
+      marked[size_type(result.patch_of_face[f])] = 1;
+    const Nearest_tree<Double_kernel::Triangle_3> old = old_triangles(surface_, cut_, marked);
+    std::fill(marked.begin(), marked.end(), 0);
+    for (Face f : suspects) {
+      const auto c = corners(result.surface, f);
+      const auto nearest = old.nearest(as<Double_kernel::Point_3>((1. / 3) * (c[0] + c[1] + c[2])));
+      const auto& t = old.shape(nearest.index);
+      const Vector_3d p(t.vertex(0)), q(t.vertex(1)), r(t.vertex(2));
+      const bool is_on_surface = nearest.squared_distance < near * near * squared_length_of_longest(c);
+      if (!is_on_surface && dot(cross(c[1] - c[0], c[2] - c[0]), cross(q - p, r - p)) < 0)
+        marked[size_type(result.patch_of_face[f])] = 1;
+    }
+    std::vector<size_type> patches;
+    for (size_type k = 0; k < marked.size(); ++k)
+      if (marked[k])
+        patches.push_back(k);
+    return patches;
+  }
+
+  // Of patches, on both sides; in order, each once.
+  static std::vector<Face> faces_at_sharp_edges(const Remeshed_surface& result) {
+    const double sharp = 0.5; // the cosine between the normals
+    const Surface& surface = result.surface;
+    std::vector<Face> faces;
+    for (auto e : surface.edges()) {
+      if (surface.is_border(e))
+        continue;
+      const Halfedge h = surface.halfedge(e);
+      const Face f = surface.face(h), g = surface.face(surface.opposite(h));
+      if (result.patch_of_face[f] >= 0 && result.patch_of_face[g] >= 0 &&
+          dot(normal(surface, f), normal(surface, g)) < sharp)
+        faces.insert(faces.end(), {f, g});
+    }
+    std::sort(faces.begin(), faces.end());
+    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+    return faces;
+  }
+
+  static std::array<Vector_3d, 3> corners(const Surface& surface, Face f) {
+    const Halfedge h = surface.halfedge(f);
+    return {Vector_3d(surface.point(surface.source(h))), Vector_3d(surface.point(surface.target(h))),
+            Vector_3d(surface.point(surface.target(surface.next(h))))};
+  }
+  static double squared_length_of_longest(const std::array<Vector_3d, 3>& c) {
+    return (std::max)({squared_norm(c[1] - c[0]), squared_norm(c[2] - c[1]), squared_norm(c[0] - c[2])});
+  }
+  static Vector_3d normal(const Surface& surface, Face f) {
+    const auto c = corners(surface, f);
+    return normalized(cross(c[1] - c[0], c[2] - c[0]));
+  }
+
   // The longest edge in a gap, relative to its width: with 2, the worst triangle that fits has a gamma_T of 0.68.
   static constexpr double size_in_gap = 1.5;
 
