@@ -37,7 +37,8 @@ Json description_of(const Run& run) {
   if (!run.options.material_array.empty()) // which may be in several places, and part the wall
     validity.region_components.erase(validity.region_components.lower_bound(tubular::labels::wall_region),
                                      validity.region_components.end());
-  const tubular::Quality_report quality = tubular::quality_report(mesh);
+  const tubular::Quality_report quality =
+      tubular::quality_report(mesh, tubular::parameters::number_of_threads(run.options.threads));
   const std::size_t openings_of_all = run.model.openings.size();
   const tubular::Lumen_measures measures = run.options.is_quadratic()
                                                ? tubular::lumen_measures(run.quadratic, openings_of_all)

@@ -132,8 +132,10 @@ Json qualities_of(const tubular::Quality_report& quality) {
 }
 
 // Of a mesh in a metric, with layers at the wall.
-void add_metric_quality(Json& report, const tubular::Tubular_model& model, const tubular::Mixed_mesh& mesh) {
-  const tubular::Quality_report quality = tubular::quality_report(mesh, tubular::labels::lumen);
+void add_metric_quality(Json& report, const tubular::Tubular_model& model, const tubular::Mixed_mesh& mesh,
+                        int threads) {
+  const tubular::Quality_report quality =
+      tubular::quality_report(mesh, tubular::labels::lumen, tubular::parameters::number_of_threads(threads));
   report["quality"]["Q_tau"] = statistics(quality.Q_tau);
   report["quality"]["Q_tau"]["share_below_3"] = quality.Q_tau.share_below(3);
   report["quality"]["efficiency"] = quality.efficiency;
