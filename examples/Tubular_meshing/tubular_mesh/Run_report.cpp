@@ -157,7 +157,7 @@ Run_report::Run_report(const Run& run)
   if (run.options.boundary_layer_prisms > 0)
     add_layers(report, "boundary_layer", run.meshing.boundary_layer);
   if (run.options.is_anisotropic())
-    add_metric_quality(report, run.model, run.cells());
+    add_metric_quality(report, run.model, run.cells(), run.options.threads);
   if (run.options.is_quadratic())
     add_quadratic(report, run);
   if (run.options.partitions > 0)
