@@ -177,9 +177,7 @@ private:
     for_each_entry(text, [&](const std::string& name, std::istringstream& in) {
       Patch p;
       for (std::string word, value; in >> word && word != "}";) {
-        in >> value;
-        EXPECT_EQ(value.back(), ';') << name << ' ' << word;
-        value.pop_back();
+        EXPECT_TRUE(std::getline(in >> std::ws, value, ';')) << name << ' ' << word;
         if (word == "type")
           p.type = value;
         else if (word == "nFaces")
