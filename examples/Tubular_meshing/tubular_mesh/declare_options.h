@@ -106,7 +106,7 @@ inline void declare_layer_options(CLI::App& app, Options& o) {
       ->group(group);
   app.add_flag("--fibres", o.fibres,
                "write the circumferential and the longitudinal direction of each cell of the wall: .vtu .pvtu .msh "
-               ".xdmf and mesh-complete")
+               ".xdmf .feb .inp .exo and mesh-complete")
       ->group(group);
   app.add_option("--boundary-layer-prisms", o.boundary_layer_prisms,
                  "layers of prisms, or hexahedra, along the wall inside the lumen; of --first-height, by --growth")

@@ -55,6 +55,7 @@ public:
     if (blocks_.empty())
       refuse(file_.name(), "its format is for meshes with cells, and this one has none", write_vtu_instead);
     name_blocks();
+    name_variables();
     patch_names_ = patch_names_in_file(mesh_, Mesh_format::exodus);
     ex_opts(0); // errors become exceptions, not text
     int of_program = sizeof(double), of_file = sizeof(double);
@@ -66,6 +67,7 @@ public:
     write_points();
     write_blocks();
     write_side_sets();
+    write_variables();
     const int exodus = exodus_;
     exodus_ = -1;
     check(ex_close(exodus));
@@ -95,12 +97,23 @@ private:
     }
   }
 
+  // One a number: programs put those of a vector together by their ends.
+  void name_variables() {
+    for (const Cell_array& a : nodes_.cell_arrays())
+      for (int k = 0; k < a.components; ++k)
+        variable_names_.push_back(a.components == 1   ? a.name
+                                  : a.components == 3 ? a.name + '_' + "xyz"[k]
+                                                      : a.name + '_' + std::to_string(k + 1));
+  }
+
   void allow_long_names() const {
     std::size_t longest = 32;
     for (const std::string& n : block_names_)
       longest = (std::max)(longest, n.size());
     for (const auto& n : patch_names_)
       longest = (std::max)(longest, n.second.size());
+    for (const std::string& n : variable_names_)
+      longest = (std::max)(longest, n.size());
     check(ex_set_max_name_length(exodus_, int(longest)));
   }
 
@@ -182,6 +195,34 @@ private:
     }
   }
 
+  // Values of cells are element variables, of one time.
+  void write_variables() {
+    if (variable_names_.empty())
+      return;
+    std::vector<char*> names;
+    for (std::string& n : variable_names_)
+      names.push_back(&n[0]);
+    const int time_step = 1;
+    const double time = 0;
+    check(ex_put_variable_param(exodus_, EX_ELEM_BLOCK, int(names.size())));
+    check(ex_put_variable_names(exodus_, EX_ELEM_BLOCK, int(names.size()), names.data()));
+    check(ex_put_time(exodus_, time_step, &time));
+    int variable = 0;
+    for (const Cell_array& a : nodes_.cell_arrays())
+      for (std::size_t k = 0; k < std::size_t(a.components); ++k) {
+        ++variable;
+        for (std::size_t b = 0; b < blocks_.size(); ++b) {
+          const auto cells = order_.cells_of(b);
+          std::vector<double> values;
+          values.reserve(cells.size());
+          for (std::uint32_t c : cells)
+            values.push_back(a.values[std::size_t(a.components) * c + k]);
+          check(ex_put_var(exodus_, time_step, EX_ELEM_BLOCK, variable, block_ids_[b], std::int64_t(values.size()),
+                           values.data()));
+        }
+      }
+  }
+
   Output_file& file_;
   const Mesh_nodes nodes_;
   const Mixed_mesh& mesh_;
@@ -192,6 +233,7 @@ private:
   const std::vector<Cells_of_region>& blocks_;
   std::vector<std::string> block_names_;
   std::vector<int> block_ids_;
+  std::vector<std::string> variable_names_;
   Label_names patch_names_;
   int exodus_ = -1;
 };

@@ -5,6 +5,7 @@
 #define CGAL_TUBULAR_MESHING_IO_WRITE_MESH_IMPL_H
 
 #include <CGAL/Tubular_meshing/IO/Output_folder.h>
+#include <CGAL/Tubular_meshing/IO/internal/Fibre_directions.h>
 #include <CGAL/Tubular_meshing/IO/internal/check_mesh.h>
 #include <CGAL/Tubular_meshing/IO/internal/names_in_files.h>
 #include <CGAL/Tubular_meshing/IO/internal/write_inp.h>
@@ -131,7 +132,23 @@ CGAL_TUBULAR_MESHING_INLINE void write_mesh(Output& output, const Quadratic_mesh
   write_nodes(output, mesh, choice);
 }
 
-// Those that VTK's, Gmsh's and MEDIT's files keep as they are.
+// Formats that have a place for some arrays: decks for axes of materials alone, FEBio for numbers and vectors.
+inline void check_places(const std::vector<Cell_array>& arrays, Mesh_format format, const std::string& file) {
+  const Fibre_directions fibres(arrays);
+  for (const Cell_array& a : arrays) {
+    if (format == Mesh_format::abaqus && !fibres.contain(a))
+      refuse(file,
+             "its format has no place for the cell array " + quoted(a.name) +
+                 ", but for the arrays circumferential and longitudinal of fibres",
+             write_vtu_instead);
+    if (format == Mesh_format::febio && a.components != 1 && a.components != 3)
+      refuse(file,
+             "FEBio has no values of " + std::to_string(a.components) + " components, as the cell array " +
+                 quoted(a.name) + " has",
+             write_vtu_instead);
+  }
+}
+
 CGAL_TUBULAR_MESHING_INLINE void check_arrays(const std::vector<Cell_array>& arrays, const Mixed_mesh& mesh,
                                               Mesh_format format, const std::string& file) {
   const std::string why_not = arrays.empty() ? "" : why_no_cell_arrays(format);
@@ -144,6 +161,7 @@ CGAL_TUBULAR_MESHING_INLINE void check_arrays(const std::vector<Cell_array>& arr
                          std::to_string(a.values.size()) + " values, which are not " + std::to_string(a.components) +
                          " for each of the " + std::to_string(mesh.number_of_cells()) + " cells.");
   }
+  check_places(arrays, format, file);
 }
 
 CGAL_TUBULAR_MESHING_INLINE void write_mesh(Output& output, const Mixed_mesh& mesh,
@@ -211,11 +229,14 @@ CGAL_TUBULAR_MESHING_INLINE std::string why_no_cell_arrays(Mesh_format format) {
   case Mesh_format::gmsh:
   case Mesh_format::xdmf:
   case Mesh_format::svmultiphysics:
+  case Mesh_format::febio:
+  case Mesh_format::abaqus:
+  case Mesh_format::exodus:
   case Mesh_format::by_name:
     return "";
   default:
-    return "Directions of fibres, or other values of cells, are written to .vtu, .pvtu, .msh and .xdmf files and for "
-           "svMultiPhysics alone: choose one of these formats.";
+    return "Directions of fibres, or other values of cells, are written to .vtu, .pvtu, .msh, .xdmf, .feb, .inp and "
+           ".exo files and for svMultiPhysics alone: choose one of these formats.";
   }
 }
 
