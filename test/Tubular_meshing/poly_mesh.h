@@ -169,9 +169,7 @@ private:
       Patch p;
       while (in >> word && word != "}") {
         std::string value;
-        in >> value;
-        EXPECT_EQ(value.back(), ';') << name << ' ' << word;
-        value.pop_back();
+        EXPECT_TRUE(std::getline(in >> std::ws, value, ';')) << name << ' ' << word;
         if (word == "type")
           p.type = value;
         else if (word == "nFaces")

@@ -385,8 +385,8 @@ inline void declare_options(CLI::App& app, Options& o, const std::string& versio
   app.add_option(
          "--format", o.format,
          "format of the mesh, where its name does not tell it: vtu, pvtu, gmsh, medit, abaqus, openfoam (of a case: "
-         "its "
-         "constant/polyMesh), openfoam-binary, svmultiphysics, su2, febio, fluent, xdmf (FEniCSx), cgns or exodus")
+         "its constant/polyMesh), openfoam-binary, openfoam-regions (of a case: a polyMesh a region), "
+         "openfoam-regions-binary, svmultiphysics, su2, febio, fluent, xdmf (FEniCSx), cgns or exodus")
       ->check(CLI::IsMember(CGAL::Tubular_meshing::IO::mesh_format_names()).description(""));
   app.add_option("-t,--type", o.type,
                  "kind of mesh: isotropic or anisotropic (tetrahedra), mixed (hexahedra, pyramids, tetrahedra), "

@@ -24,6 +24,8 @@ enum class Mesh_format {
   abaqus,          ///< Abaqus and CalculiX, `.inp`
   openfoam,        ///< OpenFOAM, a folder `polyMesh`, as text: write_openfoam()
   openfoam_binary, ///< the same, as bytes
+  openfoam_regions,        ///< OpenFOAM, a folder a region in a case: write_openfoam_regions()
+  openfoam_regions_binary, ///< the same, as bytes
   svmultiphysics,  ///< svMultiPhysics, a folder `mesh-complete`: write_svmultiphysics()
   su2,             ///< SU2, `.su2`: write_su2()
   febio,           ///< FEBio, `.feb`: write_febio()
@@ -50,6 +52,11 @@ Mesh_format mesh_format_named(const std::string& name);
 /*! \ingroup PkgTubularMeshingIO
  * Whether meshes of a format are folders. */
 bool is_folder(Mesh_format format);
+
+/*! \ingroup PkgTubularMeshingIO
+ * Whether a format is one of those of OpenFOAM; of these, whether it is one of a folder a region. */
+bool is_openfoam(Mesh_format format);
+bool is_openfoam_regions(Mesh_format format);
 
 /*! \ingroup PkgTubularMeshingIO
  * Why meshes of a format cannot be written, as a sentence, where the library for it was not built in; else empty. */

@@ -56,6 +56,8 @@ CGAL_TUBULAR_MESHING_INLINE std::unique_ptr<Output> open_mesh(const std::string&
     return open_partitioned_mesh(file, 1, format);
   if (format == Mesh_format::svmultiphysics)
     return std::unique_ptr<Output>(new Output_folder(svmultiphysics_folder(file)));
+  if (is_openfoam_regions(format))
+    return open_openfoam_regions(file);
   if (is_folder(format))
     return std::unique_ptr<Output>(new Output_folder(openfoam_folder(file)));
   return std::make_unique<Output_file>(file);
@@ -99,6 +101,8 @@ inline void write_nodes(Output& output, const Mesh_nodes& nodes, const Format_ch
   const Mesh_format format = checked_format(output.name(), choice);
   if (format == Mesh_format::pvtu)
     return write_parts(output, nodes, {1, std::vector<std::uint32_t>(nodes.mesh().number_of_cells(), 0)}, format);
+  if (is_openfoam_regions(format))
+    return write_openfoam_regions(output, nodes.mesh(), format == Mesh_format::openfoam_regions_binary);
   if (auto* folder = dynamic_cast<Output_folder*>(&output); folder != nullptr && is_folder(format))
     write_mesh_folder(*folder, nodes, format);
   else if (auto* file = dynamic_cast<Output_file*>(&output); file != nullptr && !is_folder(format))
@@ -212,7 +216,8 @@ CGAL_TUBULAR_MESHING_INLINE std::vector<std::string> changes_in(const Mixed_mesh
     changes.push_back("The file has other names of patches: " + patches + ".");
   if (!internal::keeps_names(format) && format != Mesh_format::abaqus) {
     const std::string regions = internal::renamed(mesh.region_names, internal::region_names_in_file(mesh, format));
-    if (!regions.empty() && format != Mesh_format::svmultiphysics && format != Mesh_format::su2)
+    if (!regions.empty() && format != Mesh_format::svmultiphysics && format != Mesh_format::su2 &&
+        !is_openfoam_regions(format))
       changes.push_back("The file has other names of regions: " + regions + ".");
   }
   for (const Point_array& a : mesh.point_arrays)
