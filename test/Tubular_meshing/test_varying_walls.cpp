@@ -386,7 +386,7 @@ TEST(Wall_materials, Areas_of_an_array_are_regions) {
   for (int kind = 0; kind < 3; ++kind) {
     TM::Mixed_mesh mesh = kind == 2 ? coarse.quads() : coarse.triangles();
     const auto np = TM::parameters::wall_thickness(0.2).wall_layers(3).tetrahedral_wall(kind == 1);
-    TM::extrude_wall(mesh, one, materials, np.second_wall_thickness(0.1).second_wall_layers(2));
+    TM::extrude_wall(mesh, one, np.wall_materials(materials).second_wall_thickness(0.1).second_wall_layers(2));
     expect_valid(mesh);
     EXPECT_EQ(mesh.region_names.at(2), "wall");
     EXPECT_EQ(mesh.region_names.at(3), "second_wall");
@@ -407,7 +407,7 @@ TEST(Wall_materials, Each_column_is_of_one_material) {
   const auto value = [](const TM::Point_3& p) { return p.x() > 0.3 * std::sin(p.z()) ? 2. : 0.; };
   const auto materials = TM::materials_of_array(Tube{50, 61}.array(value), {{2, "plaque"}, {0, "media"}});
   EXPECT_EQ(materials.names, (TM::Label_names{{4, "media"}, {5, "plaque"}})); // 0 has a name of its own
-  TM::extrude_wall(mesh, one, materials, TM::parameters::wall_layers(4));
+  TM::extrude_wall(mesh, one, TM::parameters::wall_materials(materials).wall_layers(4));
   expect_valid(mesh);
   EXPECT_EQ(mesh.region_names.count(labels::wall_region), 0u);
   const std::size_t n = mesh.prisms.size() / 4;
