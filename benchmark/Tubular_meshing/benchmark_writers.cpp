@@ -10,7 +10,7 @@
 //     --keep leaves the files in the folder, --only FORMAT writes one format
 //
 // Each format is written by a process of its own, three times (once, of more than three million cells); the shortest time
-// counts. A format that cannot hold the mesh says why.
+// counts, of the processor's: other work on the machine matters less. A format that cannot hold the mesh says why.
 
 #include <CGAL/Tubular_meshing/IO/Mesh_format.h>
 #include <CGAL/Tubular_meshing/IO/read_mesh.h>
@@ -18,17 +18,18 @@
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 #include <CGAL/Tubular_meshing/base/labels.h>
 
+#include <malloc.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <exception>
 #include <filesystem>
 #include <fstream>
@@ -193,9 +194,9 @@ Outcome write_here(const Mixed_mesh& mesh, const Written_format& f, const fs::pa
   const double before = memory("VmRSS:");
   try {
     for (int i = 0; i < times; ++i) {
-      const auto begin = std::chrono::steady_clock::now();
+      const std::clock_t begin = std::clock();
       tubular::IO::write_mesh((folder / f.file).string(), mesh, np);
-      const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+      const double seconds = double(std::clock() - begin) / CLOCKS_PER_SEC;
       outcome.seconds = i == 0 ? seconds : std::min(outcome.seconds, seconds);
     }
     outcome.written = true;
@@ -233,6 +234,7 @@ Outcome write_in_child(const Mixed_mesh& mesh, const Written_format& f, const fs
 
 void measure(const std::string& name, const Mixed_mesh& mesh, const fs::path& folder, const std::string& only,
              bool keep) {
+  malloc_trim(0); // what was freed before would hide what a writer takes
   const int times = mesh.number_of_cells() > 3000000 ? 1 : 3;
   const double bytes = bytes_of(mesh);
   std::printf("\n%s: %zu points, %zu cells, %zu facets, %.1f MB\n\n", name.c_str(), mesh.points.size(),

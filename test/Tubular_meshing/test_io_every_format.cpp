@@ -11,11 +11,13 @@
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 #include <CGAL/Tubular_meshing/base/parameters.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <map>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -60,12 +62,21 @@ Mesh tetrahedra(std::size_t n) {
 
 } // namespace
 
+namespace {
+
 class Every_format : public IO {
 protected:
   std::size_t all_files() const {
     return std::size_t(std::distance(fs::recursive_directory_iterator(directory), fs::recursive_directory_iterator()));
   }
 };
+
+// Of a parameter, in messages.
+void PrintTo(const Written& w, std::ostream* out) {
+  *out << w.name;
+}
+
+} // namespace
 
 TEST_F(Every_format, Is_known_here) {
   EXPECT_GE(written_formats().size(), 12u);
@@ -153,32 +164,49 @@ TEST_F(Every_format, Leaves_nothing_where_it_cannot_be_written) {
 
 #ifdef __unix__
 // Under limits on the size of files, which the system says are met by any full disk: what was there stays as it was.
-TEST_F(Every_format, Leaves_what_was_there_on_a_full_disk) {
+namespace {
+
+class Format_on_a_full_disk : public Every_format, public ::testing::WithParamInterface<Written> {
+protected:
+  std::map<std::string, std::string> contents() const {
+    std::map<std::string, std::string> result;
+    for (const auto& entry : fs::recursive_directory_iterator(directory))
+      result[entry.path().string()] = entry.is_regular_file() ? bytes_of(entry.path().string()) : "";
+    return result;
+  }
+};
+
+} // namespace
+
+TEST_P(Format_on_a_full_disk, Leaves_what_was_there) {
   const Mesh small = tetrahedra(2), large = tetrahedra(12);
+  const auto np = parameters::format(GetParam().format);
   rlimit limit;
   getrlimit(RLIMIT_FSIZE, &limit);
   const auto handler = std::signal(SIGXFSZ, SIG_IGN);
-  for (const Written& w : written_formats()) {
-    SCOPED_TRACE(w.name);
-    TM::IO::write_mesh(path("m"), small, parameters::format(w.format));
-    std::map<std::string, std::string> before;
-    for (const auto& entry : fs::recursive_directory_iterator(directory))
-      before[entry.path().string()] = entry.is_regular_file() ? bytes_of(entry.path().string()) : "";
-    for (rlim_t most : {100, 5000, 15000}) {
-      rlimit tight = limit;
-      tight.rlim_cur = most;
-      setrlimit(RLIMIT_FSIZE, &tight);
-      EXPECT_THROW(TM::IO::write_mesh(path("m"), large, parameters::format(w.format)), TM::Output_error) << most;
-      setrlimit(RLIMIT_FSIZE, &limit);
-      std::map<std::string, std::string> after;
-      for (const auto& entry : fs::recursive_directory_iterator(directory))
-        after[entry.path().string()] = entry.is_regular_file() ? bytes_of(entry.path().string()) : "";
-      EXPECT_TRUE(after == before) << most;
-    }
-    TM::IO::write_mesh(path("m"), large, parameters::format(w.format));
-    fs::remove_all(directory);
-    fs::create_directories(directory);
+  TM::IO::write_mesh(path("m"), small, np);
+  const auto before = contents();
+  for (rlim_t most : {100, 2000, 5000}) {
+    rlimit tight = limit;
+    tight.rlim_cur = most;
+    setrlimit(RLIMIT_FSIZE, &tight);
+    EXPECT_THROW(TM::IO::write_mesh(path("m"), large, np), TM::Output_error) << most;
+    setrlimit(RLIMIT_FSIZE, &limit);
+    EXPECT_TRUE(contents() == before) << most;
   }
   std::signal(SIGXFSZ, handler);
+  try { // there is room again
+    TM::IO::write_mesh(path("m"), large, np);
+    EXPECT_FALSE(contents() == before);
+  } catch (const TM::Output_error&) { // within the same process HDF5 does not give up files that it could not write
+    EXPECT_EQ(GetParam().format, Mesh_format::cgns);
+    EXPECT_TRUE(contents() == before);
+  }
 }
+
+INSTANTIATE_TEST_SUITE_P(All, Format_on_a_full_disk, ::testing::ValuesIn(written_formats()), [](const auto& info) {
+  std::string name = info.param.name;
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+});
 #endif

@@ -514,10 +514,11 @@ TEST(Cell_arrays, That_do_not_fit_are_refused) {
   const std::vector<TM::Cell_array> short_ones = {{"a", 3, std::vector<double>(5)}};
   EXPECT_THROW(TM::IO::write_mesh((folder / "m.vtu").string(), mesh, short_ones), TM::Output_error);
   const std::vector<TM::Cell_array> arrays = {{"a", 1, std::vector<double>(mesh.number_of_cells(), 2.5)}};
-  for (const char* name : {"m.su2", "m.inp", "m.mesh", "m.feb"}) {
+  for (const char* name : {"m.su2", "m.cas", "m.mesh"}) {
     EXPECT_THROW(TM::IO::write_mesh((folder / name).string(), mesh, arrays), TM::Output_error) << name;
     EXPECT_NE(TM::IO::why_no_cell_arrays(TM::IO::mesh_format_of(name)), "");
   }
+  EXPECT_THROW(TM::IO::write_mesh((folder / "m.inp").string(), mesh, arrays), TM::Output_error); // but for fibres
   EXPECT_TRUE(std::filesystem::is_empty(folder));
   for (const char* name : {"m.vtu", "m.msh"}) { // labels and points come back as they would without
     TM::IO::write_mesh((folder / name).string(), mesh, arrays);

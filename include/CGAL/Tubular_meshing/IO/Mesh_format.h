@@ -16,23 +16,23 @@ namespace CGAL::Tubular_meshing::IO {
  * The formats in which write_mesh() writes meshes. The names of some files and folders tell the format: see
  * mesh_format_of(). */
 enum class Mesh_format {
-  by_name,         ///< the one that the name tells
-  vtu,             ///< VTK, `.vtu`
-  pvtu,            ///< VTK in parts, `.pvtu` with a folder: write_partitioned_mesh()
-  gmsh,            ///< Gmsh, `.msh`
-  medit,           ///< Medit, FreeFEM and Mmg, `.mesh`
-  abaqus,          ///< Abaqus and CalculiX, `.inp`
-  openfoam,        ///< OpenFOAM, a folder `polyMesh`, as text: write_openfoam()
-  openfoam_binary, ///< the same, as bytes
+  by_name,                 ///< the one that the name tells
+  vtu,                     ///< VTK, `.vtu`
+  pvtu,                    ///< VTK in parts, `.pvtu` with a folder: write_partitioned_mesh()
+  gmsh,                    ///< Gmsh, `.msh`
+  medit,                   ///< Medit, FreeFEM and Mmg, `.mesh`
+  abaqus,                  ///< Abaqus and CalculiX, `.inp`
+  openfoam,                ///< OpenFOAM, a folder `polyMesh`, as text: write_openfoam()
+  openfoam_binary,         ///< the same, as bytes
   openfoam_regions,        ///< OpenFOAM, a folder a region in a case: write_openfoam_regions()
   openfoam_regions_binary, ///< the same, as bytes
-  svmultiphysics,  ///< svMultiPhysics, a folder `mesh-complete`: write_svmultiphysics()
-  su2,             ///< SU2, `.su2`: write_su2()
-  febio,           ///< FEBio, `.feb`: write_febio()
-  fluent,          ///< Ansys Fluent, `.cas`, or its own `.msh`: write_fluent()
-  xdmf,            ///< FEniCSx, `.xdmf` with a `.h5`: write_xdmf()
-  cgns,            ///< CGNS, `.cgns`: write_cgns()
-  exodus           ///< Exodus II, `.exo`, `.ex2` or `.e`: write_exodus()
+  svmultiphysics,          ///< svMultiPhysics, a folder `mesh-complete`: write_svmultiphysics()
+  su2,                     ///< SU2, `.su2`: write_su2()
+  febio,                   ///< FEBio, `.feb`: write_febio()
+  fluent,                  ///< Ansys Fluent, `.cas`, or its own `.msh`: write_fluent()
+  xdmf,                    ///< FEniCSx, `.xdmf` with a `.h5`: write_xdmf()
+  cgns,                    ///< CGNS, `.cgns`: write_cgns()
+  exodus                   ///< Exodus II, `.exo`, `.ex2` or `.e`: write_exodus()
 };
 
 /*! \ingroup PkgTubularMeshingIO

@@ -26,24 +26,23 @@ struct Named_format {
 };
 
 inline const std::vector<Named_format>& named_formats() {
-  static const std::vector<Named_format> formats = {{Mesh_format::vtu, "vtu", {"vtu"}},
-                                                    {Mesh_format::pvtu, "pvtu", {"pvtu"}},
-                                                    {Mesh_format::gmsh, "gmsh", {"msh"}},
-                                                    {Mesh_format::medit, "medit", {"mesh"}},
-                                                    {Mesh_format::abaqus, "abaqus", {"inp"}},
-                                                    {Mesh_format::openfoam, "openfoam", {}},
-                                                    {Mesh_format::openfoam_binary, "openfoam-binary", {}},
-                                                    {Mesh_format::openfoam_regions, "openfoam-regions", {}},
-                                                    {Mesh_format::openfoam_regions_binary,
-                                                     "openfoam-regions-binary",
-                                                     {}},
-                                                    {Mesh_format::svmultiphysics, "svmultiphysics", {}},
-                                                    {Mesh_format::su2, "su2", {"su2"}},
-                                                    {Mesh_format::febio, "febio", {"feb"}},
-                                                    {Mesh_format::fluent, "fluent", {"cas"}},
-                                                    {Mesh_format::xdmf, "xdmf", {"xdmf"}},
-                                                    {Mesh_format::cgns, "cgns", {"cgns"}},
-                                                    {Mesh_format::exodus, "exodus", {"exo", "ex2", "e"}}};
+  static const std::vector<Named_format> formats = {
+      {Mesh_format::vtu, "vtu", {"vtu"}},
+      {Mesh_format::pvtu, "pvtu", {"pvtu"}},
+      {Mesh_format::gmsh, "gmsh", {"msh"}},
+      {Mesh_format::medit, "medit", {"mesh"}},
+      {Mesh_format::abaqus, "abaqus", {"inp"}},
+      {Mesh_format::openfoam, "openfoam", {}},
+      {Mesh_format::openfoam_binary, "openfoam-binary", {}},
+      {Mesh_format::openfoam_regions, "openfoam-regions", {}},
+      {Mesh_format::openfoam_regions_binary, "openfoam-regions-binary", {}},
+      {Mesh_format::svmultiphysics, "svmultiphysics", {}},
+      {Mesh_format::su2, "su2", {"su2"}},
+      {Mesh_format::febio, "febio", {"feb"}},
+      {Mesh_format::fluent, "fluent", {"cas"}},
+      {Mesh_format::xdmf, "xdmf", {"xdmf"}},
+      {Mesh_format::cgns, "cgns", {"cgns"}},
+      {Mesh_format::exodus, "exodus", {"exo", "ex2", "e"}}};
   return formats;
 }
 

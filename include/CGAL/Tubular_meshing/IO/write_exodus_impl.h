@@ -176,23 +176,30 @@ private:
     }
   }
 
+  // All sets in one call: each call that declares some makes the library move all that comes before.
   void write_side_sets() {
     const std::vector<std::uint32_t> number = order_.numbers();
-    std::map<int, std::vector<std::uint32_t>> patches = facets_by_patch(facets_);
+    const std::map<int, std::vector<std::uint32_t>> patches = facets_by_patch(facets_);
+    std::vector<std::vector<int>> elements, sides;
+    std::vector<ex_set> sets;
     int next = patches.empty() ? 0 : patches.rbegin()->first;
     for (const auto& patch : patches) {
-      const int id = patch.first > 0 ? patch.first : next = (std::max)(0, next) + 1;
-      std::vector<int> elements, sides;
+      elements.emplace_back();
+      sides.emplace_back();
       for (std::uint32_t f : patch.second) {
         const Facet_sides::Sides& s = facets_.sides(f);
         const Facet_sides::Side& side = s[1].is_there() ? s[1] : s[0];
-        elements.push_back(int(number[side.cell]) + 1);
-        sides.push_back(side_of(cells_.kind(side.cell), side.face));
+        elements.back().push_back(int(number[side.cell]) + 1);
+        sides.back().push_back(side_of(cells_.kind(side.cell), side.face));
       }
-      check(ex_put_set_param(exodus_, EX_SIDE_SET, id, std::int64_t(elements.size()), 0));
-      check(ex_put_set(exodus_, EX_SIDE_SET, id, elements.data(), sides.data()));
-      check(ex_put_name(exodus_, EX_SIDE_SET, id, patch_names_.at(patch.first).c_str()));
+      const int id = patch.first > 0 ? patch.first : next = (std::max)(0, next) + 1;
+      sets.push_back({id, EX_SIDE_SET, std::int64_t(patch.second.size()), 0, elements.back().data(),
+                      sides.back().data(), nullptr});
     }
+    check(ex_put_sets(exodus_, sets.size(), sets.data()));
+    auto set = sets.begin();
+    for (const auto& patch : patches)
+      check(ex_put_name(exodus_, EX_SIDE_SET, (set++)->id, patch_names_.at(patch.first).c_str()));
   }
 
   // Values of cells are element variables, of one time.

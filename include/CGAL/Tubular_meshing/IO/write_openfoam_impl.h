@@ -85,14 +85,21 @@ CGAL_TUBULAR_MESHING_INLINE void write_openfoam_regions(Output& output, const Mi
   internal::check_mesh(mesh, output.name());
   const internal::Face_mesh faces(mesh, output.name());
   const internal::Openfoam_regions regions(mesh);
-  const Cell_partition partition = regions.partition(faces.cells());
-  const internal::Openfoam_parts parts(faces, partition, regions, binary);
   const std::filesystem::path openfoam_case(output.name());
-  for (std::size_t r = 0; r < regions.size(); ++r) {
-    const std::filesystem::path folder = openfoam_case / regions.location(r);
-    Output_folder& opened = set->add(std::unique_ptr<Output_folder>(new Output_folder(openfoam_folder(folder.string()))));
-    parts.write(opened, r);
-    opened.finish();
+  const auto folder_of = [&](std::size_t region) -> Output_folder& {
+    const std::string folder = (openfoam_case / regions.location(region)).string();
+    return set->add(std::unique_ptr<Output_folder>(new Output_folder(openfoam_folder(folder))));
+  };
+  if (regions.size() == 1) { // it is the whole
+    internal::Openfoam_writer(folder_of(0), faces, binary, regions.location(0)).write();
+  } else {
+    const Cell_partition partition = regions.partition(faces.cells());
+    const internal::Openfoam_parts parts(faces, partition, regions, binary);
+    for (std::size_t r = 0; r < regions.size(); ++r) {
+      Output_folder& folder = folder_of(r);
+      parts.write(folder, r);
+      folder.finish();
+    }
   }
   const std::filesystem::path properties = openfoam_case / "constant" / "regionProperties";
   std::error_code error;

@@ -53,6 +53,7 @@ public:
       , patches_(openfoam_patches(faces))
       , outer_faces_(partition.number_of_parts)
       , local_point_(mesh_.points.size())
+      , seen_in_(mesh_.points.size(), no_cell)
       , binary_(binary) {
     std::uint32_t number = 0;
     first_face_.reserve(faces_.cells().size());
@@ -71,7 +72,7 @@ public:
     Openfoam_files files(folder, binary_,
                          "nPoints:" + std::to_string(p.points.size()) +
                              "  nCells:" + std::to_string(cells_.of_part(part).size()) +
-                             "  nFaces:" + std::to_string(p.faces.size()) +
+                             "  nFaces:" + std::to_string(p.number_of_faces()) +
                              "  nInternalFaces:" + std::to_string(p.number_of_inner_faces),
                          rules_.location(part));
     for (std::size_t i = 0; i < p.points.size(); ++i)
@@ -80,22 +81,15 @@ public:
       for (std::uint32_t v : p.points)
         put(mesh_.points[v]);
     });
-    files.write_faces(p.faces.size(), [&](const auto& put) {
-      for (const Part_face& f : p.faces)
-        put(corners(f));
-    });
+    files.write_faces(p.number_of_faces(),
+                      [&](const auto& put) { for_each_face(part, p, [&](const Part_face& f) { put(corners(f)); }); });
     files.write_labels(
-        "owner", p.faces.size(),
-        [&](const auto& put) {
-          for (const Part_face& f : p.faces)
-            put(cells_.place(f.cell));
-        },
-        true);
+        "owner", p.number_of_faces(),
+        [&](const auto& put) { for_each_face(part, p, [&](const Part_face& f) { put(cells_.place(f.cell)); }); }, true);
     files.write_labels(
         "neighbour", p.number_of_inner_faces,
         [&](const auto& put) {
-          for (std::size_t i = 0; i < p.number_of_inner_faces; ++i)
-            put(cells_.place(p.faces[i].neighbour));
+          for_each_inner_face(part, [&](const Part_face& f) { put(cells_.place(f.neighbour)); });
         },
         true);
     files.write_boundary(p.patches, p.number_of_inner_faces);
@@ -115,12 +109,34 @@ private:
     bool is_flipped() const { return side.cell != cell; }
   };
 
+  // Faces between cells come first; they are found as often as they are wanted, as those of the mesh are.
   struct Part {
-    std::vector<Part_face> faces; // between cells, then by patch
     std::size_t number_of_inner_faces = 0;
+    std::vector<Part_face> outer_faces; // by patch
     std::vector<Openfoam_patch> patches;
     std::vector<std::uint32_t> points;
+
+    std::size_t number_of_faces() const { return number_of_inner_faces + outer_faces.size(); }
   };
+
+  // Calls f(face) for those of a part between two of its cells.
+  template <class F> void for_each_inner_face(std::size_t part, F f) const {
+    for (std::uint32_t c : cells_.of_part(part)) {
+      std::uint32_t number = first_face_[c];
+      faces_.for_each_face_owned_by(c, [&](const Face_mesh::Inner_face& face) {
+        if (partition_.part[face.neighbour] == part)
+          f(Part_face{number, face.owner, c, face.neighbour});
+        ++number;
+      });
+    }
+  }
+
+  // The same for all of a part, in the order in which they are written.
+  template <class F> void for_each_face(std::size_t part, const Part& p, F f) const {
+    for_each_inner_face(part, f);
+    for (const Part_face& face : p.outer_faces)
+      f(face);
+  }
 
   struct Face_in_zone {
     std::size_t number;
@@ -150,17 +166,22 @@ private:
     std::map<std::uint32_t, std::vector<Part_face>> between; // by the other part
     for (std::uint32_t c : cells_.of_part(part)) {
       for (std::uint32_t v : faces_.cells().corners(c))
-        result.points.push_back(v);
+        if (seen_in_[v] != part) {
+          seen_in_[v] = std::uint32_t(part);
+          result.points.push_back(v);
+        }
       std::uint32_t number = first_face_[c];
       faces_.for_each_face_owned_by(c, [&](const Face_mesh::Inner_face& f) {
         const std::uint32_t other = partition_.part[f.neighbour];
-        (other == part ? result.faces : between[other]).push_back({number++, f.owner, c, f.neighbour});
+        if (other == part)
+          ++result.number_of_inner_faces;
+        else
+          between[other].push_back({number, f.owner, c, f.neighbour});
+        ++number;
       });
       add_faces_below(c, part, between);
     }
     std::sort(result.points.begin(), result.points.end());
-    result.points.erase(std::unique(result.points.begin(), result.points.end()), result.points.end());
-    result.number_of_inner_faces = result.faces.size();
     add_patches(part, result);
     add_patches_between(part, between, result);
     return result;
@@ -189,7 +210,7 @@ private:
   void add_patches(std::size_t part, Part& result) const {
     std::vector<std::size_t> sizes(patches_.size(), 0);
     for (const Outer_face& f : outer_faces_[part]) { // by patch
-      result.faces.push_back({f.number, f.side, f.side.cell, no_cell});
+      result.outer_faces.push_back({f.number, f.side, f.side.cell, no_cell});
       ++sizes[f.patch];
     }
     for (std::size_t i = 0; i < patches_.size(); ++i)
@@ -202,7 +223,7 @@ private:
     for (auto& b : between) {
       std::sort(b.second.begin(), b.second.end(),
                 [](const Part_face& f, const Part_face& g) { return f.number < g.number; });
-      result.faces.insert(result.faces.end(), b.second.begin(), b.second.end());
+      result.outer_faces.insert(result.outer_faces.end(), b.second.begin(), b.second.end());
       std::set<int> labels;
       for (const Part_face& f : b.second)
         if (const Face_in_zone* zone = zone_of(f.number))
@@ -241,12 +262,16 @@ private:
     if (rules_.are_of_a_whole())
       for (const Face_in_zone& z : in_zones_)
         zones[z.label];
-    const std::size_t end = rules_.are_of_a_whole() ? p.faces.size() : p.number_of_inner_faces;
-    for (std::size_t i = 0; i < end; ++i)
-      if (const Face_in_zone* zone = zone_of(p.faces[i].number)) {
+    std::size_t i = 0;
+    for_each_face(part, p, [&](const Part_face& f) {
+      const Face_in_zone* const zone =
+          rules_.are_of_a_whole() || i < p.number_of_inner_faces ? zone_of(f.number) : nullptr;
+      if (zone != nullptr) {
         zones[zone->label].faces.push_back(i);
-        zones[zone->label].flipped.push_back(zone->flipped != p.faces[i].is_flipped());
+        zones[zone->label].flipped.push_back(zone->flipped != f.is_flipped());
       }
+      ++i;
+    });
     if (!zones.empty())
       files.write_face_zones(patch_names_in_file(mesh_, Mesh_format::openfoam), zones);
   }
@@ -258,9 +283,9 @@ private:
       for (std::uint32_t v : p.points)
         put(points_.number(v));
     });
-    files.write_labels("faceProcAddressing", p.faces.size(), [&](const auto& put) {
-      for (const Part_face& f : p.faces)
-        put((f.is_flipped() ? -1 : 1) * (std::int64_t(f.number) + 1));
+    files.write_labels("faceProcAddressing", p.number_of_faces(), [&](const auto& put) {
+      for_each_face(part, p,
+                    [&](const Part_face& f) { put((f.is_flipped() ? -1 : 1) * (std::int64_t(f.number) + 1)); });
     });
     files.write_labels("cellProcAddressing", cells.size(), [&](const auto& put) {
       for (std::uint32_t c : cells)
@@ -283,6 +308,7 @@ private:
   std::vector<std::vector<Outer_face>> outer_faces_; // of each part, in the order of the mesh
   std::vector<Face_in_zone> in_zones_;               // by number
   mutable std::vector<std::uint32_t> local_point_;   // of the part that is being written
+  mutable std::vector<std::uint32_t> seen_in_;       // the part that a point was last seen in
   const bool binary_;
 };
 
