@@ -41,7 +41,7 @@ void write_openfoam(Output_folder& folder, const Mixed_mesh& mesh, bool binary =
  * - A sign that OpenFOAM takes in no name, as a blank, becomes an underscore; a name that is there twice gets a number.
  * - Coordinates are kept to the last bit. Points that no cell has, and point arrays, are not written.
  *
- * Expected time O(n log n). It takes less memory than the mesh.
+ * Expected time O(n log n). It takes about as much memory as the mesh.
  *
  * \param folder the case, or its `constant/polyMesh`
  * \param mesh the mesh
@@ -78,7 +78,7 @@ void write_openfoam_regions(Output& output, const Mixed_mesh& mesh, bool binary 
  *
  * All of it is written or nothing. A `polyMesh` of a region that is there is replaced, as by write_openfoam().
  *
- * Expected time O(n log n). It takes less memory than the mesh.
+ * Expected time O(n log n). It takes about as much memory as the mesh.
  *
  * \param folder the case
  * \param mesh the mesh
