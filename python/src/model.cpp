@@ -125,7 +125,7 @@ py::tuple sections_of(const Python_model& model, double spacing, int threads) {
     return tubular::cross_sections(model.whole().surface, model.whole().centerlines, spacing, threads);
   });
   std::vector<std::uint64_t> branch;
-  std::vector<double> abscissa, area, perimeter, inscribed;
+  std::vector<double> abscissa, area, perimeter, inscribed, hydraulic, eccentricity, curvature, torsion;
   std::vector<std::array<double, 3>> points, centers, normals;
   for (const auto& s : sections) {
     branch.push_back(s.branch);
@@ -133,13 +133,19 @@ py::tuple sections_of(const Python_model& model, double spacing, int threads) {
     area.push_back(s.area);
     perimeter.push_back(s.perimeter);
     inscribed.push_back(s.inscribed_radius);
+    hydraulic.push_back(s.hydraulic_diameter());
+    eccentricity.push_back(s.eccentricity);
+    curvature.push_back(s.curvature);
+    torsion.push_back(s.torsion);
     points.push_back({s.point.x(), s.point.y(), s.point.z()});
     centers.push_back({s.center.x(), s.center.y(), s.center.z()});
     normals.push_back({s.normal.x(), s.normal.y(), s.normal.z()});
   }
   return py::make_tuple(array_of(std::move(branch)), array_of(std::move(abscissa)), array_of(std::move(points)),
                         array_of(std::move(normals)), array_of(std::move(centers)), array_of(std::move(area)),
-                        array_of(std::move(perimeter)), array_of(std::move(inscribed)));
+                        array_of(std::move(perimeter)), array_of(std::move(inscribed)),
+                        array_of(std::move(hydraulic)), array_of(std::move(eccentricity)),
+                        array_of(std::move(curvature)), array_of(std::move(torsion)));
 }
 
 // The closed surface: points, triangles, and the patch of each.

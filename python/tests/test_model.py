@@ -61,6 +61,31 @@ def test_sections_of_a_tube_are_its_polygon(bend, spacing):
         assert np.allclose(sections.area, polygon, rtol=1e-3)
         assert np.allclose(sections.centers[:, :2], 0, atol=1e-2)
         assert np.allclose(sections.perimeter, 2 * 16 * np.sin(np.pi / 16), rtol=1e-3)
+        assert np.all(sections.eccentricity < 0.05)
+        assert np.all(sections.curvature < 1e-3)
+        assert np.all(sections.torsion == 0)
+    assert np.allclose(sections.hydraulic_diameter, 4 * sections.area / sections.perimeter)
+
+
+def test_sections_of_a_helix_and_of_a_slit():
+    turns, slope = 1.0, 2.0  # per unit of angle; the radius of the axis is 3
+    t = np.linspace(0, 2 * np.pi * turns, 160)
+    axis = np.column_stack([3 * np.cos(t), 3 * np.sin(t), slope * t])
+    along = np.gradient(axis, axis=0)
+    along /= np.linalg.norm(along, axis=1)[:, None]
+    normal = np.column_stack([-np.cos(t), -np.sin(t), 0 * t])
+    angles = 2 * np.pi * np.arange(24) / 24
+    rings = axis[:, None] + 0.5 * (np.cos(angles)[:, None] * normal[:, None] +
+                                   0.6 * np.sin(angles)[:, None] * np.cross(along, normal)[:, None])
+    i, j = np.meshgrid(np.arange(24), np.arange(159))
+    a, b = j * 24 + i, j * 24 + (i + 1) % 24
+    triangles = np.concatenate([np.stack([a, b, b + 24], -1).reshape(-1, 3), np.stack([a, b + 24, a + 24], -1).reshape(-1, 3)])
+    sections = tm.Model(tm.Surface(rings.reshape(-1, 3), triangles)).sections()
+    inside = slice(len(sections.area) // 4, -(len(sections.area) // 4))
+    assert np.allclose(sections.curvature[inside], 3 / (3**2 + slope**2), rtol=0.05)
+    assert np.allclose(sections.torsion[inside], slope / (3**2 + slope**2), rtol=0.15)
+    assert np.allclose(sections.eccentricity[inside], 0.8, atol=0.03)
+    assert np.allclose(sections.area[inside], np.pi * 0.5 * 0.3, rtol=0.03)
 
 
 def test_sections_do_not_depend_on_threads(arch):

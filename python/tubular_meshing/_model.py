@@ -64,6 +64,10 @@ class Sections(NamedTuple):
     area: NDArray[np.float64]  #: of shape (n,); 0 where the plane meets no closed loop of the wall
     perimeter: NDArray[np.float64]  #: of shape (n,)
     inscribed_radius: NDArray[np.float64]  #: of the largest ball in the lumen round the point, of shape (n,)
+    hydraulic_diameter: NDArray[np.float64]  #: 4 area / perimeter, of shape (n,); 0 where there is no section
+    eccentricity: NDArray[np.float64]  #: of the ellipse of the same second moments: 0 of a disk, below 1, of shape (n,)
+    curvature: NDArray[np.float64]  #: of the centerline, 1 / length, of shape (n,)
+    torsion: NDArray[np.float64]  #: of the centerline, 1 / length, of shape (n,); positive of a right-handed helix
 
     @property
     def radius(self) -> NDArray[np.float64]:

@@ -8,6 +8,8 @@
 
 #include "io_fixture.h"
 
+#include <CGAL/Tubular_meshing/Layers/wall_fibres.h>
+#include <CGAL/Tubular_meshing/base/Cell_array.h>
 #include <CGAL/Tubular_meshing/base/labels.h>
 
 #include <algorithm>
@@ -199,6 +201,38 @@ inline Cells_of_regions cells_of(const Mesh& m) {
   add(m.pyramids);
   add(m.prisms);
   add(m.hexahedra);
+  return result;
+}
+
+/* Directions as those of fibres, others in each cell: unit vectors at right angles, 0 in the lumen. */
+inline std::vector<TM::Cell_array> fibres_of(const Mesh& m) {
+  std::vector<TM::Cell_array> arrays = {{TM::circumferential_array_name, 3, {}}, {TM::longitudinal_array_name, 3, {}}};
+  double angle = 0.1;
+  const auto add = [&](const auto& block) {
+    for (int region : block.label) {
+      const double c = std::cos(angle), s = std::sin(angle);
+      const std::array<double, 3> first = {c, s, 0}, second = {-s * c, c * c, s};
+      for (std::size_t k = 0; k < 3; ++k) {
+        arrays[0].values.push_back(region == TM::labels::lumen ? 0 : first[k]);
+        arrays[1].values.push_back(region == TM::labels::lumen ? 0 : second[k]);
+      }
+      angle += 0.1;
+    }
+  };
+  add(m.tetrahedra);
+  add(m.pyramids);
+  add(m.prisms);
+  add(m.hexahedra);
+  return arrays;
+}
+
+// The numbers of the cells of each region, in the order of cells_of().
+inline std::map<int, std::vector<std::size_t>> cell_numbers(const Mesh& m) {
+  std::map<int, std::vector<std::size_t>> result;
+  std::size_t number = 0;
+  for (const auto* labels : {&m.tetrahedra.label, &m.pyramids.label, &m.prisms.label, &m.hexahedra.label})
+    for (int region : *labels)
+      result[region].push_back(number++);
   return result;
 }
 

@@ -10,6 +10,7 @@
 #include <CGAL/Tubular_meshing/IO/hdf5_at_exit.h>
 #include <CGAL/Tubular_meshing/IO/write_cgns.h>
 #include <CGAL/Tubular_meshing/IO/write_exodus.h>
+#include <CGAL/Tubular_meshing/IO/write_mesh.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 
 #ifdef CGAL_TUBULAR_MESHING_WITH_CGNS
@@ -19,7 +20,9 @@
 #include <exodusII.h>
 #endif
 
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <cstdlib>
 #include <map>
 #include <set>
@@ -264,6 +267,7 @@ struct Exodus {
   std::map<std::string, Block> blocks;
   std::vector<std::pair<std::string, std::vector<std::size_t>>> elements; // type, corners; in order
   std::map<std::string, Side_set> sets;
+  std::map<std::string, std::vector<double>> variables; // of all elements
 
   explicit Exodus(const std::string& file) {
     int of_program = 8, of_file = 0;
@@ -310,7 +314,27 @@ struct Exodus {
       ex_get_set(exodus, EX_SIDE_SET, id, set.elements.data(), set.sides.data());
       EXPECT_TRUE(sets.emplace(name, set).second);
     }
+    read_variables(exodus);
     ex_close(exodus);
+  }
+
+  void read_variables(int exodus) {
+    int number = 0;
+    ex_get_variable_param(exodus, EX_ELEM_BLOCK, &number);
+    std::vector<int> ids(blocks.size());
+    ex_get_ids(exodus, EX_ELEM_BLOCK, ids.data());
+    for (int v = 1; v <= number; ++v) {
+      char name[256];
+      EXPECT_EQ(ex_get_variable_name(exodus, EX_ELEM_BLOCK, v, name), 0);
+      std::vector<double>& values = variables[name];
+      for (int id : ids)
+        for (const auto& block : blocks)
+          if (block.second.id == id) {
+            std::vector<double> part(block.second.cells.size());
+            EXPECT_EQ(ex_get_var(exodus, 1, EX_ELEM_BLOCK, v, id, std::int64_t(part.size()), part.data()), 0);
+            values.insert(values.end(), part.begin(), part.end());
+          }
+    }
   }
 
   // The corners of a side, by the tables of the format's manual.
@@ -366,6 +390,32 @@ TEST_F(IO, Exodus_meshes_are_read_back_equal) {
     }
     EXPECT_EQ(exodus.sets.size(), facets_of(m.mesh).size());
     EXPECT_EQ(number_of_files(), 1u);
+  }
+}
+
+TEST_F(IO, Exodus_gets_values_of_cells_as_variables) {
+  for (const Named_mesh& m : solver_meshes()) {
+    SCOPED_TRACE(m.name);
+    std::vector<TM::Cell_array> arrays = fibres_of(m.mesh);
+    arrays.push_back({"a name of many more than thirty-two bytes", 1, {}});
+    arrays.push_back({"strain", 6, {}});
+    for (std::size_t a = 2; a < 4; ++a)
+      for (std::size_t i = 0; i < std::size_t(arrays[a].components) * m.mesh.number_of_cells(); ++i)
+        arrays[a].values.push_back(std::sin(double(i + a)));
+    TM::IO::write_mesh(path("m.exo"), m.mesh, arrays);
+    const Exodus exodus(path("m.exo"));
+    EXPECT_EQ(exodus.variables.size(), 3u + 3u + 1u + 6u);
+    std::size_t element = 0;
+    for (const auto& region : cell_numbers(m.mesh))
+      for (std::size_t cell : region.second) {
+        for (std::size_t k = 0; k < 3; ++k)
+          for (std::size_t a = 0; a < 2; ++a)
+            EXPECT_EQ(exodus.variables.at(arrays[a].name + '_' + "xyz"[k]).at(element), arrays[a].values[3 * cell + k]);
+        EXPECT_EQ(exodus.variables.at(arrays[2].name).at(element), arrays[2].values[cell]);
+        EXPECT_EQ(exodus.variables.at("strain_6").at(element), arrays[3].values[6 * cell + 5]);
+        ++element;
+      }
+    EXPECT_EQ(element, exodus.elements.size());
   }
 }
 

@@ -3,7 +3,7 @@
 
 // Meshes: what is written is read back equal, and input decks say what the mesh is.
 
-#include "io_fixture.h"
+#include "solver_meshes.h"
 
 #include <CGAL/Tubular_meshing/IO/internal/Input_file.h>
 #include <CGAL/Tubular_meshing/IO/internal/Vtk_xml_file.h>
@@ -315,6 +315,63 @@ TEST_F(IO, Input_decks_give_a_patch_between_regions_the_side_of_the_higher_one) 
     EXPECT_EQ(deck.elements.at(side.first).set, upper == 3 ? "region_3" : "region_2");
     EXPECT_EQ(deck.face(side.first, side.second), (std::set<std::size_t>{5, 6, 7, 8}));
   }
+}
+
+TEST_F(IO, Input_decks_get_fibres_as_an_orientation_by_elements) {
+  for (const Named_mesh& m : solver_meshes()) {
+    SCOPED_TRACE(m.name);
+    const std::vector<TM::Cell_array> arrays = fibres_of(m.mesh);
+    TM::IO::write_mesh(path("m.inp"), m.mesh, arrays);
+    std::vector<std::size_t> cells; // by kind, then by region, as the deck has them
+    std::size_t first = 0;
+    for (const auto* labels : {&m.mesh.tetrahedra.label, &m.mesh.pyramids.label, &m.mesh.prisms.label,
+                               &m.mesh.hexahedra.label}) {
+      std::map<int, std::vector<std::size_t>> by_region;
+      for (int region : *labels)
+        by_region[region].push_back(first++);
+      for (const auto& r : by_region)
+        cells.insert(cells.end(), r.second.begin(), r.second.end());
+    }
+    std::map<std::size_t, std::vector<double>> axes, expected;
+    std::istringstream in(bytes_of(path("m.inp")));
+    std::string line, keyword, orientation;
+    bool has_default = false;
+    while (std::getline(in, line)) {
+      if (line[0] == '*') {
+        keyword = line.substr(0, line.find(','));
+      } else if (keyword == "*DISTRIBUTION" && line[0] == ',') {
+        has_default = axes.empty();
+      } else if (keyword == "*DISTRIBUTION") {
+        std::istringstream fields(line);
+        std::string field;
+        std::getline(fields, field, ',');
+        std::vector<double>& a = axes[std::stoul(field)];
+        EXPECT_TRUE(a.empty());
+        while (std::getline(fields, field, ',')) {
+          EXPECT_LE(field.size(), 21u); // with the blank
+          a.push_back(std::stod(field));
+        }
+      } else if (keyword == "*ORIENTATION") {
+        orientation = line;
+      }
+    }
+    EXPECT_TRUE(has_default);
+    EXPECT_EQ(orientation, "fibre_axes");
+    for (std::size_t e = 0; e < cells.size(); ++e)
+      for (const TM::Cell_array& a : arrays)
+        for (std::size_t k = 0; k < 3; ++k)
+          if (arrays[0].values[3 * cells[e]] != 0)
+            expected[e + 1].push_back(a.values[3 * cells[e] + k]);
+    ASSERT_EQ(axes.size(), expected.size());
+    for (const auto& e : expected)
+      for (std::size_t k = 0; k < 6; ++k)
+        EXPECT_NEAR(axes.at(e.first).at(k), e.second[k], 1e-12);
+  }
+  const Mesh m = Layered_box::make(1, "HH", "12");
+  EXPECT_THROW(TM::IO::write_mesh(path("n.inp"), m, std::vector<TM::Cell_array>{{"age", 1, {1, 2}}}), TM::Output_error);
+  TM::IO::write_mesh(path("m.inp"), m);
+  EXPECT_EQ(bytes_of(path("m.inp")).find("*ORIENTATION"), std::string::npos);
+  EXPECT_EQ(number_of_files(), 1u);
 }
 
 TEST_F(IO, Input_decks_refuse_what_they_cannot_hold) {

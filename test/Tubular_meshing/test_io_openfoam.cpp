@@ -11,15 +11,19 @@
 #include <CGAL/Tubular_meshing/IO/write_openfoam.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <map>
 #include <set>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -202,6 +206,148 @@ TEST_F(IO, OpenFOAM_gets_no_points_that_no_cell_has_and_every_face_a_patch) {
   EXPECT_EQ(p.patches.at("defaultFaces").faces, 1u);
   EXPECT_EQ(p.faces.size(), 6u);
   EXPECT_NE(p.note.find("\"nPoints:8  nCells:1  nFaces:6  nInternalFaces:0\""), std::string::npos) << p.note;
+}
+
+namespace {
+
+const std::map<int, std::string> region_folders_of_samples = {{1, "fluid"}, {2, "solid"}, {3, "region_3"}};
+
+Corners in_mesh(const Poly_mesh& p, std::size_t face, const Point_finder& find) {
+  Corners result;
+  for (std::size_t v : p.faces.at(face))
+    result.insert(find(p.points.at(v)));
+  return result;
+}
+
+// The faces of the cells of a region, its patches, and the interfaces, whose two sides have the same faces.
+void expect_regions(const Mesh& m, const fs::path& openfoam_case) {
+  const Faces_of_cells cells(m);
+  const Point_finder find(m);
+  std::map<int, Poly_mesh> regions;
+  for (int region : cells.region)
+    if (regions.count(region) == 0)
+      regions.emplace(region, Poly_mesh(openfoam_case / "constant" / region_folders_of_samples.at(region) / "polyMesh"));
+  std::map<Corners, std::vector<std::size_t>> sides;
+  for (std::size_t c = 0; c < cells.faces.size(); ++c)
+    for (const Corners& f : cells.corners(c))
+      sides[f].push_back(c);
+  for (const auto& r : regions) {
+    const Poly_mesh& p = r.second;
+    std::vector<std::set<Corners>> faces;
+    for (std::size_t f = 0; f < p.faces.size(); ++f) {
+      faces.resize(std::max({faces.size(), p.owner[f] + 1, f < p.neighbour.size() ? p.neighbour[f] + 1 : 0}));
+      const Corners face = in_mesh(p, f, find);
+      EXPECT_TRUE(faces[p.owner[f]].insert(face).second);
+      if (f < p.neighbour.size()) {
+        EXPECT_TRUE(faces[p.neighbour[f]].insert(face).second);
+        EXPECT_LT(p.owner[f], p.neighbour[f]);
+      }
+    }
+    std::vector<std::set<Corners>> expected;
+    for (std::size_t c = 0; c < cells.faces.size(); ++c)
+      if (cells.region[c] == r.first)
+        expected.push_back(cells.corners(c));
+    EXPECT_EQ(faces, expected);
+    EXPECT_TRUE(p.cell_zones.empty());
+    std::map<std::string, std::set<Corners>> patches, facets;
+    for (const auto& patch : p.patches)
+      for (std::size_t k = 0; k < patch.second.faces; ++k)
+        patches[patch.first].insert(in_mesh(p, patch.second.first + k, find));
+    for (const auto& patch : facets_of(m))
+      for (const Corners& f : patch.second)
+        if (sides.at(f).size() == 1 && cells.region[sides.at(f)[0]] == r.first)
+          facets[m.patch_names.at(patch.first)].insert(f);
+    for (const auto& s : sides)
+      if (s.second.size() == 2)
+        for (std::size_t k = 0; k < 2; ++k)
+          if (cells.region[s.second[k]] == r.first && cells.region[s.second[1 - k]] != r.first)
+            facets[region_folders_of_samples.at(r.first) + "_to_" +
+                   region_folders_of_samples.at(cells.region[s.second[1 - k]])]
+                .insert(s.first);
+    EXPECT_EQ(patches, facets);
+    for (const auto& other : regions) {
+      const std::string mine = region_folders_of_samples.at(r.first), theirs = region_folders_of_samples.at(other.first);
+      const auto side = p.patches.find(mine + "_to_" + theirs);
+      if (side == p.patches.end())
+        continue;
+      EXPECT_EQ(side->second.type, "mappedWall");
+      const auto& back = other.second.patches.at(theirs + "_to_" + mine);
+      ASSERT_EQ(side->second.faces, back.faces);
+      for (std::size_t k = 0; k < back.faces; ++k) { // the same order, the same first point, turned round
+        std::vector<Point> loop, opposite;
+        for (std::size_t v : p.faces[side->second.first + k])
+          loop.push_back(p.points[v]);
+        for (std::size_t v : other.second.faces[back.first + k])
+          opposite.push_back(other.second.points[v]);
+        std::reverse(opposite.begin() + 1, opposite.end());
+        EXPECT_EQ(loop, opposite);
+      }
+    }
+  }
+}
+
+} // namespace
+
+TEST_F(IO, OpenFOAM_gets_a_folder_a_region_whose_interfaces_match) {
+  for (const Named_mesh& m : solver_meshes())
+    for (bool binary : {false, true}) {
+      SCOPED_TRACE(m.name + (binary ? " binary" : ""));
+      TM::IO::write_openfoam_regions(path("case"), m.mesh, binary);
+      expect_regions(m.mesh, directory / "case");
+      EXPECT_TRUE(fs::exists(directory / "case" / "constant" / "regionProperties"));
+      EXPECT_FALSE(fs::exists(directory / "case" / "constant" / "polyMesh"));
+      EXPECT_EQ(number_of_files(), 1u);
+      fs::remove_all(directory / "case");
+    }
+}
+
+TEST_F(IO, OpenFOAM_says_that_regions_are_OK) {
+  if (!has_program("checkMesh"))
+    GTEST_SKIP() << "needs checkMesh of OpenFOAM";
+  for (const char* layers : {"TT", "WW", "HH", "TW", "HXWT"}) {
+    SCOPED_TRACE(layers);
+    const std::size_t n = std::string(layers).size();
+    const fs::path folder = directory / "case";
+    make_openfoam_case(folder);
+    fs::remove_all(folder / "0");
+    TM::IO::write_openfoam_regions(folder.string(), Layered_box::make(3, layers, std::string(n - 1, '1') + "2"));
+    for (const char* region : {"fluid", "solid"}) {
+      fs::create_directories(folder / "system" / region);
+      for (const char* file : {"fvSchemes", "fvSolution"})
+        fs::copy_file(folder / "system" / file, folder / "system" / region / file);
+      EXPECT_TRUE(run_openfoam(std::string("checkMesh -allTopology -region ") + region, folder, path("log")));
+      EXPECT_NE(bytes_of(path("log")).find("\nMesh OK.\n"), std::string::npos) << bytes_of(path("log"));
+    }
+    fs::remove_all(folder);
+  }
+}
+
+TEST_F(IO, Regions_for_OpenFOAM_are_written_all_or_none) {
+  Mesh m = Layered_box::make(1, "HH", "12");
+  m.patch_names[2] = "fluid_to_solid"; // as the interface would be called
+  TM::IO::write_openfoam_regions(path("case"), m);
+  const fs::path constant = directory / "case" / "constant";
+  EXPECT_EQ(Poly_mesh(constant / "fluid" / "polyMesh").patches.at("fluid_to_solid_2").type, "mappedWall");
+  EXPECT_NE(bytes_of((constant / "fluid" / "polyMesh" / "boundary").string()).find("samplePatch     solid_to_fluid;"),
+            std::string::npos);
+  EXPECT_NE(bytes_of((constant / "solid" / "polyMesh" / "boundary").string()).find("samplePatch     fluid_to_solid_2;"),
+            std::string::npos);
+  // what the user has made of the list of regions stays
+  std::ofstream(constant / "regionProperties") << "mine";
+  TM::IO::write_openfoam_regions(path("case"), Layered_box::make(1, "WW", "12"));
+  EXPECT_EQ(bytes_of((constant / "regionProperties").string()), "mine");
+  EXPECT_EQ(Poly_mesh(constant / "solid" / "polyMesh").faces.size(), 9u);
+  // a file of the user's in the second region: the first one is as it was
+  std::ofstream(constant / "solid" / "polyMesh" / "mine.txt") << "mine";
+  const auto all_files = [&] {
+    return std::distance(fs::recursive_directory_iterator(directory), fs::recursive_directory_iterator());
+  };
+  const auto before = all_files();
+  EXPECT_THROW(TM::IO::write_openfoam_regions(path("case"), Layered_box::make(2, "HH", "12")), TM::Output_error);
+  EXPECT_EQ(Poly_mesh(constant / "fluid" / "polyMesh").faces.size(), 9u);
+  EXPECT_EQ(all_files(), before);
+  EXPECT_THROW(TM::IO::write_openfoam_regions(path("other"), Mesh()), TM::Output_error);
+  EXPECT_EQ(number_of_files(), 1u);
 }
 
 TEST_F(IO, OpenFOAM_refuses_what_is_no_mesh_of_cells) {

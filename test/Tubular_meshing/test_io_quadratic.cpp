@@ -9,6 +9,7 @@
 #include "solver_meshes.h"
 
 #include <CGAL/Tubular_meshing/IO/write_exodus.h>
+#include <CGAL/Tubular_meshing/IO/read_mesh.h>
 #include <CGAL/Tubular_meshing/IO/write_mesh.h>
 #include <CGAL/Tubular_meshing/IO/write_xdmf.h>
 #include <CGAL/Tubular_meshing/Quadratic/quadratic_quality.h>
@@ -120,6 +121,33 @@ TEST_F(IO, Elements_that_a_format_lacks_are_refused_with_the_option_that_helps) 
         << c.file << ": " << why_not_written(path(c.file), mesh);
     EXPECT_FALSE(fs::exists(path(c.file)));
   }
+}
+
+TEST_F(IO, Quadratic_files_are_refused_by_the_reader_with_the_option_that_helps) {
+  std::size_t refused = 0;
+  for (const Named_mesh& m : solver_meshes())
+    for (bool complete : {false, true}) {
+      const TM::Quadratic_mesh mesh = TM::straight_quadratic_mesh(m.mesh, complete);
+      for (const char* file : {"a.vtu", "a.msh"})
+        for (double version : {4.1, 2.2}) {
+          try {
+            TM::IO::write_mesh(path(file), mesh, parameters::format(version));
+          } catch (const TM::Output_error&) { // pyramids of 14 nodes
+            continue;
+          }
+          TM::Mixed_mesh read = m.mesh;
+          try {
+            TM::IO::read_mesh(path(file), read);
+            ADD_FAILURE() << m.name << ' ' << file;
+          } catch (const TM::Input_error& e) {
+            EXPECT_NE(std::string(e.what()).find("--order 2"), std::string::npos) << e.what();
+            EXPECT_NE(std::string(e.what()).find(path(file)), std::string::npos) << e.what();
+            ++refused;
+          }
+          EXPECT_EQ(read.points.size(), m.mesh.points.size());
+        }
+    }
+  EXPECT_GT(refused, 80u);
 }
 
 TEST_F(IO, Point_arrays_go_on_to_the_nodes_between_corners) {

@@ -6,6 +6,7 @@
 #include "solver_meshes.h"
 
 #include <CGAL/Tubular_meshing/IO/write_febio.h>
+#include <CGAL/Tubular_meshing/IO/write_mesh.h>
 #include <CGAL/Tubular_meshing/IO/write_su2.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 
@@ -274,5 +275,74 @@ TEST_F(IO, FEBio_gets_no_name_twice) {
   EXPECT_EQ(blocks, (std::set<std::string>{"same", "same_pyra5", "same_hex8", "same_2"}));
   m.triangles.push_back({0, 1, 6}, 1); // bounds no cell
   EXPECT_THROW(TM::IO::write_febio(path("n.feb"), m), TM::Output_error);
+  EXPECT_EQ(number_of_files(), 1u);
+}
+
+namespace {
+
+std::vector<double> reals(const std::string& text) {
+  std::vector<double> result;
+  std::string number;
+  std::istringstream in(text);
+  while (std::getline(in, number, ','))
+    result.push_back(std::strtod(number.c_str(), nullptr));
+  return result;
+}
+
+std::vector<double> values_of(const TM::Cell_array& a, std::size_t cell) {
+  const auto first = a.values.begin() + std::ptrdiff_t(cell) * a.components;
+  return std::vector<double>(first, first + a.components);
+}
+
+} // namespace
+
+TEST_F(IO, FEBio_gets_fibres_as_axes_of_the_material_and_other_values_as_maps) {
+  for (const Named_mesh& m : solver_meshes()) {
+    SCOPED_TRACE(m.name);
+    std::vector<TM::Cell_array> arrays = fibres_of(m.mesh);
+    arrays.push_back({"age", 1, {}});
+    for (std::size_t i = 0; i < m.mesh.number_of_cells(); ++i)
+      arrays.back().values.push_back(1 / (1. + double(i)));
+    TM::IO::write_mesh(path("m.feb"), m.mesh, arrays);
+    pugi::xml_document document;
+    ASSERT_TRUE(document.load_file(path("m.feb").c_str()));
+    const pugi::xml_node spec = document.child("febio_spec");
+    std::vector<std::size_t> cells; // of the mesh, of each element
+    for (const auto& region : cell_numbers(m.mesh))
+      cells.insert(cells.end(), region.second.begin(), region.second.end());
+    std::map<std::string, std::size_t> first; // element of each set, from 0
+    std::size_t number = 0;
+    for (const auto& block : spec.child("Mesh").children("Elements")) {
+      first[block.attribute("name").as_string()] = number;
+      for (const auto& e : block.children("elem"))
+        number += !e.empty();
+    }
+    std::set<std::size_t> with_axes, with_age;
+    for (const auto& data : spec.child("MeshData").children("ElementData")) {
+      const bool is_axes = data.attribute("type").as_string() == std::string("mat_axis");
+      for (const auto& e : data.children("elem")) {
+        const std::size_t cell =
+            cells.at(first.at(data.attribute("elem_set").as_string()) + e.attribute("lid").as_ullong() - 1);
+        EXPECT_TRUE((is_axes ? with_axes : with_age).insert(cell).second);
+        if (is_axes) {
+          EXPECT_EQ(reals(e.child("a").text().as_string()), values_of(arrays[0], cell));
+          EXPECT_EQ(reals(e.child("d").text().as_string()), values_of(arrays[1], cell));
+        } else {
+          EXPECT_EQ(data.attribute("name").as_string(), std::string("age"));
+          EXPECT_EQ(data.attribute("data_type").as_string(), std::string("scalar"));
+          EXPECT_EQ(reals(e.text().as_string()), values_of(arrays[2], cell));
+        }
+      }
+    }
+    std::set<std::size_t> of_wall;
+    for (const auto& region : cell_numbers(m.mesh))
+      if (region.first != TM::labels::lumen)
+        of_wall.insert(region.second.begin(), region.second.end());
+    EXPECT_EQ(with_axes, of_wall);
+    EXPECT_EQ(with_age.size(), cells.size());
+  }
+  const Mesh m = Layered_box::make(1, "HH", "12");
+  EXPECT_THROW(TM::IO::write_mesh(path("n.feb"), m, std::vector<TM::Cell_array>{{"strain", 6, std::vector<double>(12)}}),
+               TM::Output_error);
   EXPECT_EQ(number_of_files(), 1u);
 }

@@ -77,6 +77,20 @@ TEST_F(Tool, Solvers_of_walls_get_a_folder_a_region) {
     EXPECT_EQ(files.count(std::string("m-mesh-complete/") + file), 1u) << file;
 }
 
+TEST_F(Tool, OpenFOAM_gets_a_folder_a_region_on_request) {
+  NEEDS_FILLING();
+  succeed(run_to(*this, out("case")) +
+          Arguments{"-n", "8", "--wall", "0.2", "--wall-layers", "1", "--format", "openfoam-regions"});
+  std::set<std::string> files = below("case/constant/fluid/polyMesh", poly_mesh);
+  files.merge(below("case/constant/solid/polyMesh", poly_mesh));
+  files.insert("case/constant/regionProperties");
+  EXPECT_EQ(files_below(output_directory()), files);
+  expect_refused(*this, run_to(*this, out("c")) + Arguments{"--format", "openfoam-regions", "--order", "2"},
+                 {"OpenFOAM has no quadratic cells"});
+  expect_refused(*this, run_to(*this, out("c")) + Arguments{"--format", "openfoam-regions", "--partitions", "2"},
+                 {"in parts", "--format openfoam"});
+}
+
 TEST_F(Tool, What_solvers_cannot_take_is_refused_at_once) {
   const Arguments mesh = run_to(*this, out("mesh-complete"));
   expect_refused(*this, mesh + Arguments{"-t", "mixed"}, {"svMultiPhysics", "pyramids", "--type isotropic"});

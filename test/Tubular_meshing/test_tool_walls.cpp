@@ -8,6 +8,7 @@
 #include "test_tool_helpers.h"
 
 #include <CGAL/Tubular_meshing/IO/Mesh_format.h>
+#include <CGAL/Tubular_meshing/IO/write_exodus.h>
 #include <CGAL/Tubular_meshing/Quads/blossom_recombination.h>
 #include <CGAL/Tubular_meshing/Quality/validity_report.h>
 #include <CGAL/Tubular_meshing/Volume/Volume_mesher.h>
@@ -25,6 +26,7 @@
 #include <set>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #ifdef TUBULAR_MESH_TOOL
@@ -425,6 +427,16 @@ TEST_F(Tool, Fibres_are_written_where_a_format_has_a_place_for_them) {
   EXPECT_FALSE(fs::exists(out("t-mesh-complete/fluid/fibers-longitudinal.vtu")));
   succeed(common + Arguments{"-o", out("q.vtu"), "--order", "2"});
   EXPECT_NE(bytes_of(out("q.vtu")).find("circumferential"), std::string::npos);
+  for (const auto& [file, words] : {std::pair<const char*, const char*>{"m.feb", "type=\"mat_axis\" elem_set=\"wall\""},
+                                    {"m.inp", "*ORIENTATION, NAME=fibres"},
+                                    {"m.exo", "longitudinal_z"}}) {
+    if (file == std::string("m.exo") && !TM::IO::has_exodus())
+      continue;
+    for (const char* order : {"1", "2"}) {
+      succeed(common + Arguments{"-o", out(file), "--order", order});
+      EXPECT_NE(bytes_of(out(file)).find(words), std::string::npos) << file << ' ' << order;
+    }
+  }
 }
 
 TEST_F(Tool, Sections_and_a_model_come_beside_the_mesh) {

@@ -386,7 +386,7 @@ TEST(Wall_materials, Areas_of_an_array_are_regions) {
   for (int kind = 0; kind < 3; ++kind) {
     TM::Mixed_mesh mesh = kind == 2 ? coarse.quads() : coarse.triangles();
     const auto np = TM::parameters::wall_thickness(0.2).wall_layers(3).tetrahedral_wall(kind == 1);
-    TM::extrude_wall(mesh, one, materials, np.second_wall_thickness(0.1).second_wall_layers(2));
+    TM::extrude_wall(mesh, one, np.wall_materials(materials).second_wall_thickness(0.1).second_wall_layers(2));
     expect_valid(mesh);
     EXPECT_EQ(mesh.region_names.at(2), "wall");
     EXPECT_EQ(mesh.region_names.at(3), "second_wall");
@@ -407,7 +407,7 @@ TEST(Wall_materials, Each_column_is_of_one_material) {
   const auto value = [](const TM::Point_3& p) { return p.x() > 0.3 * std::sin(p.z()) ? 2. : 0.; };
   const auto materials = TM::materials_of_array(Tube{50, 61}.array(value), {{2, "plaque"}, {0, "media"}});
   EXPECT_EQ(materials.names, (TM::Label_names{{4, "media"}, {5, "plaque"}})); // 0 has a name of its own
-  TM::extrude_wall(mesh, one, materials, TM::parameters::wall_layers(4));
+  TM::extrude_wall(mesh, one, TM::parameters::wall_materials(materials).wall_layers(4));
   expect_valid(mesh);
   EXPECT_EQ(mesh.region_names.count(labels::wall_region), 0u);
   const std::size_t n = mesh.prisms.size() / 4;
@@ -514,10 +514,11 @@ TEST(Cell_arrays, That_do_not_fit_are_refused) {
   const std::vector<TM::Cell_array> short_ones = {{"a", 3, std::vector<double>(5)}};
   EXPECT_THROW(TM::IO::write_mesh((folder / "m.vtu").string(), mesh, short_ones), TM::Output_error);
   const std::vector<TM::Cell_array> arrays = {{"a", 1, std::vector<double>(mesh.number_of_cells(), 2.5)}};
-  for (const char* name : {"m.su2", "m.inp", "m.mesh", "m.feb"}) {
+  for (const char* name : {"m.su2", "m.cas", "m.mesh"}) {
     EXPECT_THROW(TM::IO::write_mesh((folder / name).string(), mesh, arrays), TM::Output_error) << name;
     EXPECT_NE(TM::IO::why_no_cell_arrays(TM::IO::mesh_format_of(name)), "");
   }
+  EXPECT_THROW(TM::IO::write_mesh((folder / "m.inp").string(), mesh, arrays), TM::Output_error); // but for fibres
   EXPECT_TRUE(std::filesystem::is_empty(folder));
   for (const char* name : {"m.vtu", "m.msh"}) { // labels and points come back as they would without
     TM::IO::write_mesh((folder / name).string(), mesh, arrays);

@@ -18,7 +18,8 @@ DEFAULTS = {"surfaces": "", "pattern": "*", "output": "meshes", "tool": "", "opt
 
 # The output of each format, where it is not the name with the format as its ending.
 OUTPUTS = {"gmsh": "{}.msh", "medit": "{}.mesh", "abaqus": "{}.inp", "febio": "{}.feb", "fluent": "{}.cas",
-           "exodus": "{}.exo", "openfoam": "case", "openfoam-binary": "case", "svmultiphysics": "mesh-complete"}
+           "exodus": "{}.exo", "openfoam": "case", "openfoam-binary": "case",
+           "openfoam-regions": "case", "openfoam-regions-binary": "case", "svmultiphysics": "mesh-complete"}
 FORMATS = set(OUTPUTS) | {"vtu", "su2", "xdmf", "cgns"}
 SURFACE_FORMATS = {"stl", "vtp", "ply", "off", "obj", "vtk"}
 

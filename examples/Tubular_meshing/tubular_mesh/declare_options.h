@@ -107,7 +107,7 @@ inline void declare_layer_options(CLI::App& app, Options& o) {
       ->group(group);
   app.add_flag("--fibres", o.fibres,
                "write the circumferential and the longitudinal direction of each cell of the wall: .vtu .pvtu .msh "
-               ".xdmf and mesh-complete")
+               ".xdmf .feb .inp .exo and mesh-complete")
       ->group(group);
   app.add_option("--boundary-layer-prisms", o.boundary_layer_prisms,
                  "layers of prisms, or hexahedra, along the wall inside the lumen; of --first-height, by --growth")
@@ -389,8 +389,8 @@ inline void declare_options(CLI::App& app, Options& o, const std::string& versio
   app.add_option(
          "--format", o.format,
          "format of the mesh, where its name does not tell it: vtu, pvtu, gmsh, medit, abaqus, openfoam (of a case: "
-         "its "
-         "constant/polyMesh), openfoam-binary, svmultiphysics, su2, febio, fluent, xdmf (FEniCSx), cgns or exodus")
+         "its constant/polyMesh), openfoam-binary, openfoam-regions (of a case: a polyMesh a region), "
+         "openfoam-regions-binary, svmultiphysics, su2, febio, fluent, xdmf (FEniCSx), cgns or exodus")
       ->check(CLI::IsMember(CGAL::Tubular_meshing::IO::mesh_format_names()).description(""));
   app.add_option("-t,--type", o.type,
                  "kind of mesh: isotropic or anisotropic (tetrahedra), mixed (hexahedra, pyramids, tetrahedra), "

@@ -9,6 +9,8 @@
 #include <CGAL/Tubular_meshing/IO/internal/Face_mesh.h>
 #include <CGAL/Tubular_meshing/IO/internal/names_in_files.h>
 #include <CGAL/Tubular_meshing/IO/write_mesh.h>
+#include <CGAL/Tubular_meshing/base/Cell_array.h>
+#include <CGAL/Tubular_meshing/base/Numbered_cells.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 #include <CGAL/Tubular_meshing/base/labels.h>
 
@@ -72,6 +74,7 @@ struct Case_mesh {
   tubular::Mixed_mesh linear; // empty if there are quadratic elements
   tubular::Quadratic_mesh quadratic;
   bool is_quadratic = false;
+  std::vector<tubular::Cell_array> cell_arrays; // directions of fibres in a wall
 
   const tubular::Mixed_mesh& cells() const { return is_quadratic ? quadratic.linear : linear; }
 };
@@ -136,6 +139,20 @@ tubular::Mixed_mesh walls_of(const tubular::Mixed_mesh& mesh, const std::set<int
   return walls;
 }
 
+// Values in the cells of walls_of(), which are those of the mesh without the lumen's.
+std::vector<tubular::Cell_array> arrays_of_walls(const tubular::Mixed_mesh& mesh,
+                                                 std::vector<tubular::Cell_array> arrays) {
+  const tubular::internal::cells::Numbered_cells cells(mesh);
+  for (tubular::Cell_array& a : arrays) {
+    std::size_t kept = 0;
+    for (std::size_t c = 0; c < cells.size(); ++c)
+      for (int k = 0; k < a.components && cells.region(c) != tubular::labels::lumen; ++k)
+        a.values[kept++] = a.values[c * std::size_t(a.components) + std::size_t(k)];
+    a.values.resize(kept);
+  }
+  return arrays;
+}
+
 Case_mesh mesh_of(const Run& run) {
   const Options& o = run.options;
   Case_mesh result;
@@ -151,6 +168,8 @@ Case_mesh mesh_of(const Run& run) {
     for (const tubular::Opening& opening : run.model.openings)
       openings.insert(opening.patch);
     result.linear = walls_of(run.cells(), openings, kept);
+    if (o.fibres)
+      result.cell_arrays = arrays_of_walls(run.cells(), run.fibres.arrays());
     if (o.is_quadratic()) { // with the nodes where they are on the edges of the whole
       result.quadratic = tubular::straight_quadratic_mesh(std::move(result.linear), o.complete_elements, o.threads);
       tubular::Quadratic_mesh& q = result.quadratic;
@@ -179,9 +198,9 @@ void make_executable(const std::filesystem::path& file) {
 void write_mesh(const std::filesystem::path& file, const Case_mesh& mesh, tubular::IO::Mesh_format format) {
   const auto np = tubular::parameters::format(format);
   if (mesh.is_quadratic)
-    tubular::IO::write_mesh(file.string(), mesh.quadratic, np);
+    tubular::IO::write_mesh(file.string(), mesh.quadratic, mesh.cell_arrays, np);
   else
-    tubular::IO::write_mesh(file.string(), mesh.linear, np);
+    tubular::IO::write_mesh(file.string(), mesh.linear, mesh.cell_arrays, np);
 }
 
 // --- OpenFOAM ---
@@ -404,7 +423,7 @@ void add_calculix(const tubular::Mixed_mesh& walls, const Run& run, Words& words
   for (int r : regions)
     words["SECTIONS"] +=
         "*SOLID SECTION, ELSET=" + tubular::IO::internal::as_abaqus_name("region_" + walls.region_names.at(r)) +
-        ", MATERIAL=TISSUE\n";
+        ", MATERIAL=TISSUE" + (run.options.fibres ? ", ORIENTATION=fibres" : "") + "\n";
   const int outer = tubular::labels::outer_wall_for(tubular::labels::wall + int(run.model.openings.size()));
   for (int label : labels)
     if (label > outer + 1)

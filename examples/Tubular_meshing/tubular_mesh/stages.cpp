@@ -221,8 +221,9 @@ void add_wall(Run& run, Stage_clock& clock) {
   clock.begin("wall");
   const tubular::Local_radius radius = local_radius(run);
   const auto or_as_the_wall = [](auto given, auto of_the_wall) { return given > 0 ? given : of_the_wall; };
-  run.wall = tubular::extrude_wall(run.mesh, radius, run.walls.materials,
+  run.wall = tubular::extrude_wall(run.mesh, radius,
                                    tubular::parameters::wall_thickness(run.walls.thickness)
+                                       .wall_materials(run.walls.materials)
                                        .wall_layers(o.wall_layers())
                                        .wall_growth(o.wall_growth())
                                        .tetrahedral_wall(o.wall_elements == "tetrahedra")

@@ -2,7 +2,8 @@
 """Steady laminar flow by dolfinx (FEniCSx), from the mesh beside this file: python3 flow.py
 
 Quadratic velocities and linear pressures (of hexahedra, too); Newton's method, from the Stokes flow on. case.json has the
-fluid and the patches, in metres, kilograms, seconds and pascals. Velocity and pressure go to flow.xdmf, for ParaView.
+fluid and the patches, in metres, kilograms, seconds and pascals. Velocity, pressure and the shear stress
+at the walls go to flow.xdmf, for ParaView.
 
 Exit status: 0 done, 1 no convergence, 77 there is no dolfinx (Debian: python3-dolfinx)."""
 
@@ -16,6 +17,7 @@ try:
     import dolfinx
     import ufl
     from dolfinx import fem
+    import dolfinx.fem.petsc
     from dolfinx.fem.petsc import LinearProblem
     from mpi4py import MPI
 except ImportError as missing:
@@ -26,12 +28,13 @@ FOLDER = pathlib.Path(__file__).resolve().parent
 
 
 def element(kind, cell, degree):
-    """Lagrange's, of a scalar or a vector, in dolfinx of any year."""
+    """Lagrange's, of a scalar or a vector, in dolfinx of any year; of degree 0 constants of cells."""
+    family = "Lagrange" if degree > 0 else "DG"
     if hasattr(ufl, "VectorElement"):
-        return (ufl.VectorElement if kind == "vector" else ufl.FiniteElement)("Lagrange", cell, degree)
+        return (ufl.VectorElement if kind == "vector" else ufl.FiniteElement)(family, cell, degree)
     import basix.ufl
 
-    return basix.ufl.element("Lagrange", cell.cellname(), degree, shape=(3,) if kind == "vector" else ())
+    return basix.ufl.element(family, cell.cellname(), degree, shape=(3,) if kind == "vector" else ())
 
 
 def mixed(*parts):
@@ -60,7 +63,39 @@ def profile(inlet):
     return velocity
 
 
-def main():
+class NotConverged(Exception):
+    """The flow may not be steady."""
+
+
+class Flow:
+    """The mesh with the tags of its facets, the velocity and the pressure, in SI units."""
+
+    def __init__(self, case, domain, tags, velocity, pressure):
+        self.case, self.domain, self.tags = case, domain, tags
+        self.velocity, self.pressure = velocity, pressure
+        self.ds, self.normal = ufl.Measure("ds", domain=domain, subdomain_data=tags), ufl.FacetNormal(domain)
+
+    def integral(self, form):
+        return self.domain.comm.allreduce(fem.assemble_scalar(fem.form(form)), op=MPI.SUM)
+
+    def shear_stress(self):
+        """The force of the flow along the walls, over their area: a vector a cell, the mean over its facets there; 0 in
+        cells without one."""
+        flat = space_of(self.domain, element("vector", self.domain.ufl_cell(), 0))
+        test, stress = ufl.TestFunction(flat), fem.Function(flat, name="wall_shear_stress")
+        u, n = self.velocity, self.normal
+        force = -self.case["viscosity"] * ufl.dot(ufl.grad(u) + ufl.grad(u).T, n)
+        along = force - ufl.dot(force, n) * n
+        walls = [self.ds(wall["label"]) for wall in self.case["walls"]]
+        forces = fem.petsc.assemble_vector(fem.form(sum(ufl.inner(along, test) * w for w in walls))).array
+        one = fem.Constant(self.domain, (1.0, 1.0, 1.0))
+        areas = fem.petsc.assemble_vector(fem.form(sum(ufl.inner(one, test) * w for w in walls))).array
+        stress.x.array[: len(forces)] = np.divide(forces, areas, out=np.zeros_like(forces), where=areas > 0)
+        return stress
+
+
+def solve():
+    """The flow of the case. Raises NotConverged."""
     case = json.loads((FOLDER / "case.json").read_text())
     with dolfinx.io.XDMFFile(MPI.COMM_WORLD, str(FOLDER / "mesh.xdmf"), "r") as file:
         domain = file.read_mesh(name="mesh")
@@ -115,10 +150,18 @@ def main():
             break
         inertia.value = 1.0
     if not change < 1e-6:
+        raise NotConverged()
+    return Flow(case, domain, tags, solution.sub(0).collapse(), solution.sub(1).collapse())
+
+
+def main():
+    try:
+        flow = solve()
+    except NotConverged:
         print("The flow has not converged: it may not be steady.")
         return 1
-
-    velocity, pressure = solution.sub(0).collapse(), solution.sub(1).collapse()
+    case, domain, velocity, pressure = flow.case, flow.domain, flow.velocity, flow.pressure
+    ds, normal, integral = flow.ds, flow.normal, flow.integral
     for opening in case["inlets"] + case["outlets"]:
         area = integral(fem.Constant(domain, 1.0) * ds(opening["label"]))
         print(f"{opening['name']}: mean pressure {integral(pressure * ds(opening['label'])) / area:.6g} Pa")
@@ -133,6 +176,7 @@ def main():
         out.write_mesh(domain)
         out.write_function(shown)
         out.write_function(pressures)
+        out.write_function(flow.shear_stress())
     return 0
 
 

@@ -16,21 +16,23 @@ namespace CGAL::Tubular_meshing::IO {
  * The formats in which write_mesh() writes meshes. The names of some files and folders tell the format: see
  * mesh_format_of(). */
 enum class Mesh_format {
-  by_name,         ///< the one that the name tells
-  vtu,             ///< VTK, `.vtu`
-  pvtu,            ///< VTK in parts, `.pvtu` with a folder: write_partitioned_mesh()
-  gmsh,            ///< Gmsh, `.msh`
-  medit,           ///< Medit, FreeFEM and Mmg, `.mesh`
-  abaqus,          ///< Abaqus and CalculiX, `.inp`
-  openfoam,        ///< OpenFOAM, a folder `polyMesh`, as text: write_openfoam()
-  openfoam_binary, ///< the same, as bytes
-  svmultiphysics,  ///< svMultiPhysics, a folder `mesh-complete`: write_svmultiphysics()
-  su2,             ///< SU2, `.su2`: write_su2()
-  febio,           ///< FEBio, `.feb`: write_febio()
-  fluent,          ///< Ansys Fluent, `.cas`, or its own `.msh`: write_fluent()
-  xdmf,            ///< FEniCSx, `.xdmf` with a `.h5`: write_xdmf()
-  cgns,            ///< CGNS, `.cgns`: write_cgns()
-  exodus           ///< Exodus II, `.exo`, `.ex2` or `.e`: write_exodus()
+  by_name,                 ///< the one that the name tells
+  vtu,                     ///< VTK, `.vtu`
+  pvtu,                    ///< VTK in parts, `.pvtu` with a folder: write_partitioned_mesh()
+  gmsh,                    ///< Gmsh, `.msh`
+  medit,                   ///< Medit, FreeFEM and Mmg, `.mesh`
+  abaqus,                  ///< Abaqus and CalculiX, `.inp`
+  openfoam,                ///< OpenFOAM, a folder `polyMesh`, as text: write_openfoam()
+  openfoam_binary,         ///< the same, as bytes
+  openfoam_regions,        ///< OpenFOAM, a folder a region in a case: write_openfoam_regions()
+  openfoam_regions_binary, ///< the same, as bytes
+  svmultiphysics,          ///< svMultiPhysics, a folder `mesh-complete`: write_svmultiphysics()
+  su2,                     ///< SU2, `.su2`: write_su2()
+  febio,                   ///< FEBio, `.feb`: write_febio()
+  fluent,                  ///< Ansys Fluent, `.cas`, or its own `.msh`: write_fluent()
+  xdmf,                    ///< FEniCSx, `.xdmf` with a `.h5`: write_xdmf()
+  cgns,                    ///< CGNS, `.cgns`: write_cgns()
+  exodus                   ///< Exodus II, `.exo`, `.ex2` or `.e`: write_exodus()
 };
 
 /*! \ingroup PkgTubularMeshingIO
@@ -50,6 +52,11 @@ Mesh_format mesh_format_named(const std::string& name);
 /*! \ingroup PkgTubularMeshingIO
  * Whether meshes of a format are folders. */
 bool is_folder(Mesh_format format);
+
+/*! \ingroup PkgTubularMeshingIO
+ * Whether a format is one of those of OpenFOAM; of these, whether it is one of a folder a region. */
+bool is_openfoam(Mesh_format format);
+bool is_openfoam_regions(Mesh_format format);
 
 /*! \ingroup PkgTubularMeshingIO
  * Why meshes of a format cannot be written, as a sentence, where the library for it was not built in; else empty. */

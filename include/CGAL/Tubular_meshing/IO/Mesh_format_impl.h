@@ -26,20 +26,23 @@ struct Named_format {
 };
 
 inline const std::vector<Named_format>& named_formats() {
-  static const std::vector<Named_format> formats = {{Mesh_format::vtu, "vtu", {"vtu"}},
-                                                    {Mesh_format::pvtu, "pvtu", {"pvtu"}},
-                                                    {Mesh_format::gmsh, "gmsh", {"msh"}},
-                                                    {Mesh_format::medit, "medit", {"mesh"}},
-                                                    {Mesh_format::abaqus, "abaqus", {"inp"}},
-                                                    {Mesh_format::openfoam, "openfoam", {}},
-                                                    {Mesh_format::openfoam_binary, "openfoam-binary", {}},
-                                                    {Mesh_format::svmultiphysics, "svmultiphysics", {}},
-                                                    {Mesh_format::su2, "su2", {"su2"}},
-                                                    {Mesh_format::febio, "febio", {"feb"}},
-                                                    {Mesh_format::fluent, "fluent", {"cas"}},
-                                                    {Mesh_format::xdmf, "xdmf", {"xdmf"}},
-                                                    {Mesh_format::cgns, "cgns", {"cgns"}},
-                                                    {Mesh_format::exodus, "exodus", {"exo", "ex2", "e"}}};
+  static const std::vector<Named_format> formats = {
+      {Mesh_format::vtu, "vtu", {"vtu"}},
+      {Mesh_format::pvtu, "pvtu", {"pvtu"}},
+      {Mesh_format::gmsh, "gmsh", {"msh"}},
+      {Mesh_format::medit, "medit", {"mesh"}},
+      {Mesh_format::abaqus, "abaqus", {"inp"}},
+      {Mesh_format::openfoam, "openfoam", {}},
+      {Mesh_format::openfoam_binary, "openfoam-binary", {}},
+      {Mesh_format::openfoam_regions, "openfoam-regions", {}},
+      {Mesh_format::openfoam_regions_binary, "openfoam-regions-binary", {}},
+      {Mesh_format::svmultiphysics, "svmultiphysics", {}},
+      {Mesh_format::su2, "su2", {"su2"}},
+      {Mesh_format::febio, "febio", {"feb"}},
+      {Mesh_format::fluent, "fluent", {"cas"}},
+      {Mesh_format::xdmf, "xdmf", {"xdmf"}},
+      {Mesh_format::cgns, "cgns", {"cgns"}},
+      {Mesh_format::exodus, "exodus", {"exo", "ex2", "e"}}};
   return formats;
 }
 
@@ -80,8 +83,15 @@ CGAL_TUBULAR_MESHING_INLINE Mesh_format mesh_format_named(const std::string& nam
 }
 
 CGAL_TUBULAR_MESHING_INLINE bool is_folder(Mesh_format format) {
-  return format == Mesh_format::openfoam || format == Mesh_format::openfoam_binary ||
-         format == Mesh_format::svmultiphysics;
+  return is_openfoam(format) || format == Mesh_format::svmultiphysics;
+}
+
+CGAL_TUBULAR_MESHING_INLINE bool is_openfoam(Mesh_format format) {
+  return format == Mesh_format::openfoam || format == Mesh_format::openfoam_binary || is_openfoam_regions(format);
+}
+
+CGAL_TUBULAR_MESHING_INLINE bool is_openfoam_regions(Mesh_format format) {
+  return format == Mesh_format::openfoam_regions || format == Mesh_format::openfoam_regions_binary;
 }
 
 CGAL_TUBULAR_MESHING_INLINE std::string why_not_built_in(Mesh_format format) {
@@ -100,10 +110,9 @@ CGAL_TUBULAR_MESHING_INLINE std::string why_not_built_in(Mesh_format format) {
 CGAL_TUBULAR_MESHING_INLINE std::string why_not_quadratic(Mesh_format format) {
   const std::string instead =
       ": leave --order 2 away, or write a .vtu, .msh, .inp, .exo, .feb or .xdmf file, or a folder mesh-complete.";
-  switch (format) {
-  case Mesh_format::openfoam:
-  case Mesh_format::openfoam_binary:
+  if (is_openfoam(format))
     return "OpenFOAM has no quadratic cells" + instead;
+  switch (format) {
   case Mesh_format::pvtu:
     return "Meshes in parts are written with linear cells alone" + instead;
   case Mesh_format::su2:

@@ -24,7 +24,8 @@ namespace CGAL::Tubular_meshing::IO {
  * Linear in the size of the file, in time and in memory; n log n for .msh files, whose elements may come in any order.
  *
  * \exception Input_error if the file cannot be read, is of no known format, damaged or truncated, has a coordinate that
- * is not finite, an index that is out of range or an element that is not linear, or contains no element
+ * is not finite, an index that is out of range or an element that is not linear (as those of `--order 2`), or contains no
+ * element
  */
 void read_mesh(const std::string& file, Mixed_mesh& mesh);
 

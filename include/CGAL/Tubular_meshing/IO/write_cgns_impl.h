@@ -148,7 +148,7 @@ private:
       check(cg_boco_write(cgns_, base_, zone_, name.c_str(), type, CGNS_ENUMV(PointRange), 2, range, &condition));
       check(cg_boco_gridlocation_write(cgns_, base_, zone_, condition, CGNS_ENUMV(FaceCenter)));
       const auto whole = mesh_.patch_names.find(patch.first);
-      if (whole != mesh_.patch_names.end() && whole->second != name) {
+      if (whole != mesh_.patch_names.end() && !whole->second.empty() && whole->second != name) {
         check(cg_goto(cgns_, base_, "Zone_t", zone_, "ZoneBC_t", 1, "BC_t", condition, "end"));
         check(cg_descriptor_write("Name", whole->second.c_str()));
       }

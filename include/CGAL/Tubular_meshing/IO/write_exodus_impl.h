@@ -55,6 +55,7 @@ public:
     if (blocks_.empty())
       refuse(file_.name(), "its format is for meshes with cells, and this one has none", write_vtu_instead);
     name_blocks();
+    name_variables();
     patch_names_ = patch_names_in_file(mesh_, Mesh_format::exodus);
     ex_opts(0); // errors become exceptions, not text
     int of_program = sizeof(double), of_file = sizeof(double);
@@ -66,6 +67,7 @@ public:
     write_points();
     write_blocks();
     write_side_sets();
+    write_variables();
     const int exodus = exodus_;
     exodus_ = -1;
     check(ex_close(exodus));
@@ -95,12 +97,23 @@ private:
     }
   }
 
+  // One a number: programs put those of a vector together by their ends.
+  void name_variables() {
+    for (const Cell_array& a : nodes_.cell_arrays())
+      for (int k = 0; k < a.components; ++k)
+        variable_names_.push_back(a.components == 1   ? a.name
+                                  : a.components == 3 ? a.name + '_' + "xyz"[k]
+                                                      : a.name + '_' + std::to_string(k + 1));
+  }
+
   void allow_long_names() const {
     std::size_t longest = 32;
     for (const std::string& n : block_names_)
       longest = (std::max)(longest, n.size());
     for (const auto& n : patch_names_)
       longest = (std::max)(longest, n.second.size());
+    for (const std::string& n : variable_names_)
+      longest = (std::max)(longest, n.size());
     check(ex_set_max_name_length(exodus_, int(longest)));
   }
 
@@ -163,23 +176,58 @@ private:
     }
   }
 
+  // All sets in one call: each call that declares some makes the library move all that comes before.
   void write_side_sets() {
     const std::vector<std::uint32_t> number = order_.numbers();
-    std::map<int, std::vector<std::uint32_t>> patches = facets_by_patch(facets_);
+    const std::map<int, std::vector<std::uint32_t>> patches = facets_by_patch(facets_);
+    std::vector<std::vector<int>> elements, sides;
+    std::vector<ex_set> sets;
     int next = patches.empty() ? 0 : patches.rbegin()->first;
     for (const auto& patch : patches) {
-      const int id = patch.first > 0 ? patch.first : next = (std::max)(0, next) + 1;
-      std::vector<int> elements, sides;
+      elements.emplace_back();
+      sides.emplace_back();
       for (std::uint32_t f : patch.second) {
         const Facet_sides::Sides& s = facets_.sides(f);
         const Facet_sides::Side& side = s[1].is_there() ? s[1] : s[0];
-        elements.push_back(int(number[side.cell]) + 1);
-        sides.push_back(side_of(cells_.kind(side.cell), side.face));
+        elements.back().push_back(int(number[side.cell]) + 1);
+        sides.back().push_back(side_of(cells_.kind(side.cell), side.face));
       }
-      check(ex_put_set_param(exodus_, EX_SIDE_SET, id, std::int64_t(elements.size()), 0));
-      check(ex_put_set(exodus_, EX_SIDE_SET, id, elements.data(), sides.data()));
-      check(ex_put_name(exodus_, EX_SIDE_SET, id, patch_names_.at(patch.first).c_str()));
+      const int id = patch.first > 0 ? patch.first : next = (std::max)(0, next) + 1;
+      sets.push_back({id, EX_SIDE_SET, std::int64_t(patch.second.size()), 0, elements.back().data(),
+                      sides.back().data(), nullptr});
     }
+    check(ex_put_sets(exodus_, sets.size(), sets.data()));
+    auto set = sets.begin();
+    for (const auto& patch : patches)
+      check(ex_put_name(exodus_, EX_SIDE_SET, (set++)->id, patch_names_.at(patch.first).c_str()));
+  }
+
+  // Values of cells are element variables, of one time.
+  void write_variables() {
+    if (variable_names_.empty())
+      return;
+    std::vector<char*> names;
+    for (std::string& n : variable_names_)
+      names.push_back(&n[0]);
+    const int time_step = 1;
+    const double time = 0;
+    check(ex_put_variable_param(exodus_, EX_ELEM_BLOCK, int(names.size())));
+    check(ex_put_variable_names(exodus_, EX_ELEM_BLOCK, int(names.size()), names.data()));
+    check(ex_put_time(exodus_, time_step, &time));
+    int variable = 0;
+    for (const Cell_array& a : nodes_.cell_arrays())
+      for (std::size_t k = 0; k < std::size_t(a.components); ++k) {
+        ++variable;
+        for (std::size_t b = 0; b < blocks_.size(); ++b) {
+          const auto cells = order_.cells_of(b);
+          std::vector<double> values;
+          values.reserve(cells.size());
+          for (std::uint32_t c : cells)
+            values.push_back(a.values[std::size_t(a.components) * c + k]);
+          check(ex_put_var(exodus_, time_step, EX_ELEM_BLOCK, variable, block_ids_[b], std::int64_t(values.size()),
+                           values.data()));
+        }
+      }
   }
 
   Output_file& file_;
@@ -192,6 +240,7 @@ private:
   const std::vector<Cells_of_region>& blocks_;
   std::vector<std::string> block_names_;
   std::vector<int> block_ids_;
+  std::vector<std::string> variable_names_;
   Label_names patch_names_;
   int exodus_ = -1;
 };

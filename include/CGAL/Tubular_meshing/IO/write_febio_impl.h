@@ -5,6 +5,7 @@
 #define CGAL_TUBULAR_MESHING_IO_WRITE_FEBIO_IMPL_H
 
 #include <CGAL/Tubular_meshing/IO/internal/Facet_sides.h>
+#include <CGAL/Tubular_meshing/IO/internal/Fibre_directions.h>
 #include <CGAL/Tubular_meshing/IO/internal/Mesh_nodes.h>
 #include <CGAL/Tubular_meshing/IO/internal/Number_writer.h>
 #include <CGAL/Tubular_meshing/IO/internal/Vtk_xml_writer.h>
@@ -37,7 +38,8 @@ public:
       , cells_(mesh_)
       , facets_(cells_, file.name())
       , order_(cells_)
-      , blocks_(order_.blocks()) {}
+      , blocks_(order_.blocks())
+      , fibres_(nodes.cell_arrays()) {}
 
   void write() {
     if (blocks_.empty())
@@ -51,6 +53,7 @@ public:
     write_patches();
     out_ << "</Mesh>\n";
     write_domains();
+    write_cell_arrays();
     out_ << "</febio_spec>\n";
     out_.flush();
   }
@@ -147,6 +150,56 @@ private:
     out_ << "</MeshDomains>\n";
   }
 
+  void write_cell_arrays() {
+    const std::vector<Cell_array>& arrays = nodes_.cell_arrays();
+    if (arrays.empty())
+      return;
+    out_ << "<MeshData>\n";
+    for (std::size_t b = 0; b < blocks_.size() && fibres_.are_there(); ++b)
+      write_axes(b);
+    for (const Cell_array& a : arrays)
+      for (std::size_t b = 0; b < blocks_.size() && !fibres_.contain(a); ++b)
+        write_values(a, b);
+    out_ << "</MeshData>\n";
+  }
+
+  // Axes of the material, element by element; of the wall: elsewhere there are none.
+  void write_axes(std::size_t block) {
+    const auto cells = order_.cells_of(block);
+    if (std::none_of(cells.begin(), cells.end(), [&](std::uint32_t c) { return fibres_.has(c); }))
+      return;
+    out_ << "<ElementData type=\"mat_axis\" elem_set=\"" << escaped_for_xml(block_names_[block]) << "\">\n";
+    std::size_t place = 0;
+    for (std::uint32_t c : cells) {
+      ++place;
+      if (!fibres_.has(c))
+        continue;
+      out_ << "<elem lid=\"" << place << "\"><a>";
+      write_numbers(fibres_.circumferential(c), 3, "</a><d>");
+      write_numbers(fibres_.longitudinal(c), 3, "</d></elem>\n");
+    }
+    out_ << "</ElementData>\n";
+  }
+
+  // FEBio joins maps of one name.
+  void write_values(const Cell_array& a, std::size_t block) {
+    out_ << "<ElementData name=\"" << escaped_for_xml(a.name) << "\" data_type=\""
+         << (a.components == 3 ? "vec3" : "scalar") << "\" elem_set=\"" << escaped_for_xml(block_names_[block])
+         << "\">\n";
+    std::size_t place = 0;
+    const std::size_t n = std::size_t(a.components);
+    for (std::uint32_t c : order_.cells_of(block)) {
+      out_ << "<elem lid=\"" << ++place << "\">";
+      write_numbers(&a.values[n * c], n, "</elem>\n");
+    }
+    out_ << "</ElementData>\n";
+  }
+
+  void write_numbers(const double* numbers, std::size_t n, const char* end) {
+    for (std::size_t k = 0; k < n; ++k)
+      out_ << numbers[k] << (k + 1 == n ? end : ",");
+  }
+
   Output_file& file_;
   Number_writer out_;
   const Mesh_nodes nodes_;
@@ -155,6 +208,7 @@ private:
   const Facet_sides facets_;
   const Cells_by_region order_;
   const std::vector<Cells_of_region>& blocks_;
+  const Fibre_directions fibres_;
   Label_names region_names_;
   std::vector<std::string> block_names_;
 };

@@ -187,6 +187,9 @@ void write_mesh(const std::string& file, const Quadratic_mesh& mesh,
  * | `.vtu`, `.pvtu` | cell arrays, 0 on facets |
  * | `.msh` | element data, of 1, 3, 6 (written as 9) or 9 components |
  * | `.xdmf` | attributes of the grid `mesh` |
+ * | `.exo` | element variables, a name a component: `NAME_x`, `NAME_y`, `NAME_z` |
+ * | `.feb` | directions of fibres: `ElementData` of type `mat_axis`, the first axis circumferential, the second longitudinal; others, of 1 or 3 components: maps of their name |
+ * | `.inp` | directions of fibres: `*ORIENTATION, NAME=fibres`, by a `*DISTRIBUTION` over the elements of the wall, x' circumferential, y' longitudinal; no others |
  * | svMultiPhysics | those of three components: directions of fibres, in a file each, `fibers-NAME.vtu`, with the cell array `FIB_DIR` |
  *
  * \exception Output_error as write_mesh() does; if the format has no place for them, see why_no_cell_arrays(); or if

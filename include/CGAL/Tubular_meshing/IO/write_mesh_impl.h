@@ -5,6 +5,7 @@
 #define CGAL_TUBULAR_MESHING_IO_WRITE_MESH_IMPL_H
 
 #include <CGAL/Tubular_meshing/IO/Output_folder.h>
+#include <CGAL/Tubular_meshing/IO/internal/Fibre_directions.h>
 #include <CGAL/Tubular_meshing/IO/internal/check_mesh.h>
 #include <CGAL/Tubular_meshing/IO/internal/names_in_files.h>
 #include <CGAL/Tubular_meshing/IO/internal/write_inp.h>
@@ -55,6 +56,8 @@ CGAL_TUBULAR_MESHING_INLINE std::unique_ptr<Output> open_mesh(const std::string&
     return open_partitioned_mesh(file, 1, format);
   if (format == Mesh_format::svmultiphysics)
     return std::unique_ptr<Output>(new Output_folder(svmultiphysics_folder(file)));
+  if (is_openfoam_regions(format))
+    return open_openfoam_regions(file);
   if (is_folder(format))
     return std::unique_ptr<Output>(new Output_folder(openfoam_folder(file)));
   return std::make_unique<Output_file>(file);
@@ -98,6 +101,8 @@ inline void write_nodes(Output& output, const Mesh_nodes& nodes, const Format_ch
   const Mesh_format format = checked_format(output.name(), choice);
   if (format == Mesh_format::pvtu)
     return write_parts(output, nodes, {1, std::vector<std::uint32_t>(nodes.mesh().number_of_cells(), 0)}, format);
+  if (is_openfoam_regions(format))
+    return write_openfoam_regions(output, nodes.mesh(), format == Mesh_format::openfoam_regions_binary);
   if (auto* folder = dynamic_cast<Output_folder*>(&output); folder != nullptr && is_folder(format))
     write_mesh_folder(*folder, nodes, format);
   else if (auto* file = dynamic_cast<Output_file*>(&output); file != nullptr && !is_folder(format))
@@ -131,7 +136,23 @@ CGAL_TUBULAR_MESHING_INLINE void write_mesh(Output& output, const Quadratic_mesh
   write_nodes(output, mesh, choice);
 }
 
-// Those that VTK's, Gmsh's and MEDIT's files keep as they are.
+// Formats that have a place for some arrays: decks for axes of materials alone, FEBio for numbers and vectors.
+inline void check_places(const std::vector<Cell_array>& arrays, Mesh_format format, const std::string& file) {
+  const Fibre_directions fibres(arrays);
+  for (const Cell_array& a : arrays) {
+    if (format == Mesh_format::abaqus && !fibres.contain(a))
+      refuse(file,
+             "its format has no place for the cell array " + quoted(a.name) +
+                 ", but for the arrays circumferential and longitudinal of fibres",
+             write_vtu_instead);
+    if (format == Mesh_format::febio && a.components != 1 && a.components != 3)
+      refuse(file,
+             "FEBio has no values of " + std::to_string(a.components) + " components, as the cell array " +
+                 quoted(a.name) + " has",
+             write_vtu_instead);
+  }
+}
+
 CGAL_TUBULAR_MESHING_INLINE void check_arrays(const std::vector<Cell_array>& arrays, const Mixed_mesh& mesh,
                                               Mesh_format format, const std::string& file) {
   const std::string why_not = arrays.empty() ? "" : why_no_cell_arrays(format);
@@ -144,6 +165,7 @@ CGAL_TUBULAR_MESHING_INLINE void check_arrays(const std::vector<Cell_array>& arr
                          std::to_string(a.values.size()) + " values, which are not " + std::to_string(a.components) +
                          " for each of the " + std::to_string(mesh.number_of_cells()) + " cells.");
   }
+  check_places(arrays, format, file);
 }
 
 CGAL_TUBULAR_MESHING_INLINE void write_mesh(Output& output, const Mixed_mesh& mesh,
@@ -194,7 +216,8 @@ CGAL_TUBULAR_MESHING_INLINE std::vector<std::string> changes_in(const Mixed_mesh
     changes.push_back("The file has other names of patches: " + patches + ".");
   if (!internal::keeps_names(format) && format != Mesh_format::abaqus) {
     const std::string regions = internal::renamed(mesh.region_names, internal::region_names_in_file(mesh, format));
-    if (!regions.empty() && format != Mesh_format::svmultiphysics && format != Mesh_format::su2)
+    if (!regions.empty() && format != Mesh_format::svmultiphysics && format != Mesh_format::su2 &&
+        !is_openfoam_regions(format))
       changes.push_back("The file has other names of regions: " + regions + ".");
   }
   for (const Point_array& a : mesh.point_arrays)
@@ -211,11 +234,14 @@ CGAL_TUBULAR_MESHING_INLINE std::string why_no_cell_arrays(Mesh_format format) {
   case Mesh_format::gmsh:
   case Mesh_format::xdmf:
   case Mesh_format::svmultiphysics:
+  case Mesh_format::febio:
+  case Mesh_format::abaqus:
+  case Mesh_format::exodus:
   case Mesh_format::by_name:
     return "";
   default:
-    return "Directions of fibres, or other values of cells, are written to .vtu, .pvtu, .msh and .xdmf files and for "
-           "svMultiPhysics alone: choose one of these formats.";
+    return "Directions of fibres, or other values of cells, are written to .vtu, .pvtu, .msh, .xdmf, .feb, .inp and "
+           ".exo files and for svMultiPhysics alone: choose one of these formats.";
   }
 }
 

@@ -8,6 +8,7 @@
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/base/config.h>
 
+#include <memory>
 #include <string>
 
 namespace CGAL::Tubular_meshing::IO {
@@ -40,7 +41,7 @@ void write_openfoam(Output_folder& folder, const Mixed_mesh& mesh, bool binary =
  * - A sign that OpenFOAM takes in no name, as a blank, becomes an underscore; a name that is there twice gets a number.
  * - Coordinates are kept to the last bit. Points that no cell has, and point arrays, are not written.
  *
- * Expected time O(n log n). It takes less memory than the mesh.
+ * Expected time O(n log n). It takes about as much memory as the mesh.
  *
  * \param folder the case, or its `constant/polyMesh`
  * \param mesh the mesh
@@ -49,6 +50,43 @@ void write_openfoam(Output_folder& folder, const Mixed_mesh& mesh, bool binary =
  * \exception Output_error if it cannot be written, or the mesh has no cells, or a facet that bounds no cell
  */
 void write_openfoam(const std::string& folder, const Mixed_mesh& mesh, bool binary = false);
+
+/*! \ingroup PkgTubularMeshingIO
+ *
+ * opens what write_openfoam_regions() writes into a case, as far as that can be done before the regions are known.
+ * \exception Output_error if folders cannot be written there */
+std::unique_ptr<Output> open_openfoam_regions(const std::string& folder);
+
+/*! \ingroup PkgTubularMeshingIO
+ *
+ * writes a mesh for OpenFOAM, a folder a region, into what open_openfoam_regions() has opened and the caller commits. See
+ * `write_openfoam_regions(const std::string&, const Mixed_mesh&, bool)`.
+ */
+void write_openfoam_regions(Output& output, const Mixed_mesh& mesh, bool binary = false);
+
+/*! \ingroup PkgTubularMeshingIO
+ *
+ * writes a mesh for solvers of OpenFOAM that couple regions, as `chtMultiRegionFoam` or those of fluid and structure: a
+ * `polyMesh` a region in `constant/fluid`, for the lumen, in `constant/solid`, for the wall around it, and in a folder
+ * of its name for each further region.
+ *
+ * - Each is a mesh as write_openfoam() writes one, with points, cells and faces of its own.
+ * - Where two regions meet, each has a patch of the type `mappedWall` towards the other, `fluid_to_solid` and
+ *   `solid_to_fluid`. Both have the same faces in the same order, of exactly the same points. The patch is in the
+ *   groups `wall` and those of the names of the mesh's patches there, by which boundary conditions can be set.
+ * - `constant/regionProperties`, the list of regions, is written where there is none; one that is there is the user's.
+ *
+ * All of it is written or nothing. A `polyMesh` of a region that is there is replaced, as by write_openfoam().
+ *
+ * Expected time O(n log n). It takes about as much memory as the mesh.
+ *
+ * \param folder the case
+ * \param mesh the mesh
+ * \param binary as of write_openfoam()
+ *
+ * \exception Output_error as of write_openfoam()
+ */
+void write_openfoam_regions(const std::string& folder, const Mixed_mesh& mesh, bool binary = false);
 
 } // namespace CGAL::Tubular_meshing::IO
 

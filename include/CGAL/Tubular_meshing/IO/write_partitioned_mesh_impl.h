@@ -79,7 +79,8 @@ inline void write_openfoam_parts(Output_set& set, const Mixed_mesh& mesh, const 
                                  bool binary) {
   const Face_mesh faces(mesh, set.name());
   Openfoam_writer(dynamic_cast<Output_folder&>(set[0]), faces, binary).write();
-  const Openfoam_processors processors(faces, partition, binary);
+  const Openfoam_processors rules;
+  const Openfoam_parts processors(faces, partition, rules, binary);
   for (std::size_t p = 0; p < partition.number_of_parts; ++p) {
     auto& folder = dynamic_cast<Output_folder&>(set[p + 1]);
     processors.write(folder, p);

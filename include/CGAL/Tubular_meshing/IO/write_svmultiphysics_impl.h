@@ -14,6 +14,7 @@
 #include <CGAL/Tubular_meshing/IO/internal/name_fields.h>
 #include <CGAL/Tubular_meshing/IO/internal/One_kind.h>
 #include <CGAL/Tubular_meshing/IO/internal/refuse.h>
+#include <CGAL/Tubular_meshing/IO/internal/region_folders.h>
 #include <CGAL/Tubular_meshing/IO/internal/write_nodes.h>
 #include <CGAL/Tubular_meshing/IO/internal/write_vtu.h>
 #include <CGAL/Tubular_meshing/IO/write_svmultiphysics.h>
@@ -49,9 +50,8 @@ public:
     if (regions.empty())
       refuse(folder_.name(), "its format is for meshes with cells, and this one has none", write_vtu_instead);
     check_cells(regions);
-    std::set<std::string> used = {"fluid", "solid"};
-    for (int r : regions)
-      write_region(r, regions.size() == 1 ? "" : region_folder(r, used) + '/');
+    for (const auto& folder : region_folders(mesh_))
+      write_region(folder.first, regions.size() == 1 ? "" : folder.second + '/');
   }
 
 private:
@@ -103,18 +103,6 @@ private:
                    "\" has triangles and quads, and svMultiPhysics takes one kind a face",
                "make the mesh with --type isotropic, anisotropic or hexahedral");
     }
-  }
-
-  std::string region_folder(int region, std::set<std::string>& used) const {
-    if (region == labels::lumen)
-      return "fluid";
-    if (region == labels::wall_region)
-      return "solid";
-    const auto name = mesh_.region_names.find(region);
-    std::string result = unused_name(
-        as_file_name(name == mesh_.region_names.end() ? "region_" + std::to_string(region) : name->second), used);
-    used.insert(result);
-    return result;
   }
 
   void write_region(int region, const std::string& path) {

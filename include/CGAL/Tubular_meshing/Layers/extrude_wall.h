@@ -27,7 +27,7 @@ struct Extrude_wall_options {
   Wall_thickness second_wall_thickness;
   int second_wall_layers = 4;
   double second_wall_growth = 1;
-  Wall_materials materials; ///< an argument of its own
+  Wall_materials materials; ///< `wall_materials`
   int number_of_threads = 0;
 
   Extrude_wall_options() = default;
@@ -36,6 +36,7 @@ struct Extrude_wall_options {
     wall_thickness = choose(np, internal_np::wall_thickness, wall_thickness);
     wall_layers = choose(np, internal_np::wall_layers, wall_layers);
     wall_growth = choose(np, internal_np::wall_growth, wall_growth);
+    materials = choose(np, internal_np::wall_materials, materials);
     tetrahedral_wall = choose(np, internal_np::tetrahedral_wall, tetrahedral_wall);
     second_wall_thickness = choose(np, internal_np::second_wall_thickness, second_wall_thickness);
     second_wall_layers = choose(np, internal_np::second_wall_layers, wall_layers);
@@ -125,6 +126,12 @@ Extruded_wall extrude_wall(const Surface& surface, Face_patch_map patch, Length_
  *     \cgalParamType{`bool`}
  *     \cgalParamDefault{`false`}
  *   \cgalParamNEnd
+ *   \cgalParamNBegin{wall_materials}
+ *     \cgalParamDescription{areas of the lumen's surface over which the wall is a region of its own: the cells over a
+ *       facet belong to that of the facet's middle. The second wall has none}
+ *     \cgalParamType{Wall_materials}
+ *     \cgalParamDefault{none}
+ *   \cgalParamNEnd
  *   \cgalParamNBegin{second_wall_thickness}
  *     \cgalParamDescription{the same for a second wall around the first, say the adventitia; 0: there is none}
  *     \cgalParamType{`double`, or Wall_thickness}
@@ -160,23 +167,6 @@ template <class LocalRadius, class NamedParameters = CGAL::parameters::Default_n
 Layer_report extrude_wall(Mixed_mesh& mesh, const LocalRadius& radius,
                           const NamedParameters& np = CGAL::parameters::default_values()) {
   return internal::extrude_wall(mesh, internal::radius_function(radius), Extrude_wall_options(np));
-}
-
-/*! \ingroup PkgTubularMeshingLayers
- *
- * the same, of a wall that parts of are of other materials.
- *
- * \param mesh as above
- * \param radius as above
- * \param np the same named parameters
- * \param materials a region of its own for each; the cells over a facet of the lumen's surface belong to that of the
- *   facet's middle. The second wall has none */
-template <class LocalRadius, class NamedParameters = CGAL::parameters::Default_named_parameters>
-Layer_report extrude_wall(Mixed_mesh& mesh, const LocalRadius& radius, const Wall_materials& materials,
-                          const NamedParameters& np = CGAL::parameters::default_values()) {
-  Extrude_wall_options options(np);
-  options.materials = materials;
-  return internal::extrude_wall(mesh, internal::radius_function(radius), options);
 }
 
 /*! \ingroup PkgTubularMeshingLayers

@@ -81,9 +81,15 @@ struct Mesher_report {
  *   \cgalParamNEnd
  *   \cgalParamNBegin{wall_thickness}
  *     \cgalParamDescription{of the wall of a mixed or hexahedral mesh, in local radii, or lengths in the unit of the
- *       model; 0: there is none. Materials of the wall are set in Mesher_options}
+ *       model; 0: there is none}
  *     \cgalParamType{double, or Wall_thickness}
  *     \cgalParamDefault{0}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{wall_materials}
+ *     \cgalParamDescription{areas of the model's surface over which this wall is a region of its own, see
+ *       extrude_wall(); by points in the frame of the model}
+ *     \cgalParamType{Wall_materials}
+ *     \cgalParamDefault{none}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{hexahedral_method}
  *     \cgalParamDescription{how a hexahedral mesh is made}

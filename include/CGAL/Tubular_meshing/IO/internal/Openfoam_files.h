@@ -34,15 +34,20 @@ inline std::string openfoam_entry(const std::string& key, const std::string& val
   return "        " + key + std::string(key.size() < 15 ? 16 - key.size() : 1, ' ') + value + ";\n";
 }
 
+// Of the mesh of a case, as its files say it.
+constexpr const char* openfoam_location = "constant/polyMesh";
+
 /* Writes the files of a polyMesh, one after the other. What they list is given by functions that call another one for
  * each thing in the list, in its order, as often as they are called. */
 class Openfoam_files {
 public:
   // The note is what the files of faces' cells say of the mesh.
-  Openfoam_files(Output_folder& folder, bool binary, const std::string& note)
+  Openfoam_files(Output_folder& folder, bool binary, const std::string& note,
+                 const std::string& location = openfoam_location)
       : folder_(folder)
       , binary_(binary)
-      , note_(note) {}
+      , note_(note)
+      , location_(location) {}
 
   template <class For_each_point> void write_points(std::size_t number, const For_each_point& for_each_point) {
     Number_writer out = begin("points", "vectorField", binary_);
@@ -147,7 +152,7 @@ private:
     out << "    class       " << kind << ";\n";
     if (with_note)
       out << "    note        \"" << note_ << "\";\n";
-    out << "    location    \"constant/polyMesh\";\n    object      " << object << ";\n}\n\n";
+    out << "    location    \"" << location_ << "\";\n    object      " << object << ";\n}\n\n";
     return out;
   }
 
@@ -168,7 +173,7 @@ private:
 
   Output_folder& folder_;
   const bool binary_;
-  const std::string note_;
+  const std::string note_, location_;
 };
 
 } // namespace CGAL::Tubular_meshing::IO::internal

@@ -4,263 +4,30 @@
 #ifndef CGAL_TUBULAR_MESHING_IO_INTERNAL_OPENFOAM_PROCESSORS_H
 #define CGAL_TUBULAR_MESHING_IO_INTERNAL_OPENFOAM_PROCESSORS_H
 
-#include <CGAL/Tubular_meshing/IO/internal/Cells_by_part.h>
-#include <CGAL/Tubular_meshing/IO/internal/Face_mesh.h>
 #include <CGAL/Tubular_meshing/IO/internal/Openfoam_files.h>
-#include <CGAL/Tubular_meshing/IO/internal/Used_points.h>
-#include <CGAL/Tubular_meshing/IO/internal/names_in_files.h>
-#include <CGAL/Tubular_meshing/IO/internal/openfoam_patches.h>
-#include <CGAL/Tubular_meshing/Partition/Cell_partition.h>
+#include <CGAL/Tubular_meshing/IO/internal/Openfoam_parts.h>
 
-#include <algorithm>
 #include <cstddef>
-#include <cstdint>
-#include <map>
+#include <set>
 #include <string>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Tubular_meshing::IO::internal {
 
-/* Writes the polyMesh of each part of a mesh, as OpenFOAM's decomposePar does of the mesh that Openfoam_writer writes.
- *
- * Cells, points and faces keep their order within a part, so that faces between cells are in upper triangular order
- * again. Behind the patches of the mesh, all of them in each part, comes one for each part beside it, of the faces
- * between: in the order of the mesh on both sides, and with the same first corner. */
-class Openfoam_processors {
+/* Parts for processors, as OpenFOAM's decomposePar makes them: all patches of the mesh are in each. */
+class Openfoam_processors : public Openfoam_part_rules {
 public:
-  Openfoam_processors(const Face_mesh& faces, const Cell_partition& partition, bool binary)
-      : faces_(faces)
-      , mesh_(faces.cells().mesh())
-      , partition_(partition)
-      , cells_(partition)
-      , points_(mesh_, &any_region)
-      , patches_(openfoam_patches(faces))
-      , outer_faces_(partition.number_of_parts)
-      , local_point_(mesh_.points.size())
-      , binary_(binary) {
-    std::uint32_t number = 0;
-    first_face_.reserve(faces_.cells().size());
-    for (std::size_t c = 0; c < faces_.cells().size(); ++c) {
-      first_face_.push_back(number);
-      faces_.for_each_face_owned_by(c, [&](const Face_mesh::Inner_face&) { ++number; });
-    }
-    list_outer_faces();
-    for_each_face_in_zone(faces_, [&](std::size_t n, int label, bool flipped) {
-      in_zones_.push_back({n, label, flipped});
-    });
+  std::string location(std::size_t) const override { return openfoam_location; }
+
+  Openfoam_patch patch_between(std::size_t part, std::size_t other, const std::set<int>&) const override {
+    const std::string mine = std::to_string(part), theirs = std::to_string(other);
+    return {"procBoundary" + mine + "to" + theirs,
+            openfoam_entry("type", "processor") + openfoam_entry("inGroups", "1(processor)") +
+                openfoam_entry("matchTolerance", "0.0001") + openfoam_entry("transform", "unknown") +
+                openfoam_entry("myProcNo", mine) + openfoam_entry("neighbProcNo", theirs),
+            0};
   }
 
-  void write(Output_folder& folder, std::size_t part) const {
-    const Part p = faces_of(part);
-    Openfoam_files files(folder, binary_,
-                         "nPoints:" + std::to_string(p.points.size()) +
-                             "  nCells:" + std::to_string(cells_.of_part(part).size()) +
-                             "  nFaces:" + std::to_string(p.faces.size()) +
-                             "  nInternalFaces:" + std::to_string(p.number_of_inner_faces));
-    for (std::size_t i = 0; i < p.points.size(); ++i)
-      local_point_[p.points[i]] = std::uint32_t(i);
-    files.write_points(p.points.size(), [&](const auto& put) {
-      for (std::uint32_t v : p.points)
-        put(mesh_.points[v]);
-    });
-    files.write_faces(p.faces.size(), [&](const auto& put) {
-      for (const Part_face& f : p.faces)
-        put(corners(f));
-    });
-    files.write_labels(
-        "owner", p.faces.size(),
-        [&](const auto& put) {
-          for (const Part_face& f : p.faces)
-            put(cells_.place(f.cell));
-        },
-        true);
-    files.write_labels(
-        "neighbour", p.number_of_inner_faces,
-        [&](const auto& put) {
-          for (std::size_t i = 0; i < p.number_of_inner_faces; ++i)
-            put(cells_.place(p.faces[i].neighbour));
-        },
-        true);
-    files.write_boundary(p.patches, p.number_of_inner_faces);
-    write_zones(files, part, p);
-    write_addressing(files, part, p);
-  }
-
-private:
-  typedef Face_mesh::Side Side;
-
-  struct Part_face {
-    std::uint32_t number; // in the whole mesh
-    Side side;            // of its owner there
-    std::uint32_t cell;   // of the part
-    std::uint32_t neighbour;
-    bool is_flipped() const { return side.cell != cell; }
-  };
-
-  struct Part {
-    std::vector<Part_face> faces; // between cells, then by patch
-    std::size_t number_of_inner_faces = 0;
-    std::vector<Openfoam_patch> patches;
-    std::vector<std::uint32_t> points;
-  };
-
-  struct Face_in_zone {
-    std::size_t number;
-    int label;
-    bool flipped;
-  };
-
-  struct Outer_face {
-    std::uint32_t number;
-    std::size_t patch;
-    Side side;
-  };
-
-  void list_outer_faces() {
-    std::uint32_t number = std::uint32_t(faces_.number_of_inner_faces());
-    std::size_t patch = 0, left = patches_.empty() ? 0 : patches_[0].number_of_faces;
-    faces_.for_each_outer_face([&](const Side& side) {
-      while (left == 0)
-        left = patches_[++patch].number_of_faces;
-      --left;
-      outer_faces_[partition_.part[side.cell]].push_back({number++, patch, side});
-    });
-  }
-
-  Part faces_of(std::size_t part) const {
-    Part result;
-    std::map<std::uint32_t, std::vector<Part_face>> between; // by the other part
-    for (std::uint32_t c : cells_.of_part(part)) {
-      for (std::uint32_t v : faces_.cells().corners(c))
-        result.points.push_back(v);
-      std::uint32_t number = first_face_[c];
-      faces_.for_each_face_owned_by(c, [&](const Face_mesh::Inner_face& f) {
-        const std::uint32_t other = partition_.part[f.neighbour];
-        (other == part ? result.faces : between[other]).push_back({number++, f.owner, c, f.neighbour});
-      });
-      add_faces_below(c, part, between);
-    }
-    std::sort(result.points.begin(), result.points.end());
-    result.points.erase(std::unique(result.points.begin(), result.points.end()), result.points.end());
-    result.number_of_inner_faces = result.faces.size();
-    add_patches(part, result);
-    add_patches_between(part, between, result);
-    return result;
-  }
-
-  // Those of a cell that a lower cell of another part owns.
-  void add_faces_below(std::uint32_t cell, std::size_t part,
-                       std::map<std::uint32_t, std::vector<Part_face>>& between) const {
-    std::vector<std::uint32_t> owners;
-    for (std::size_t k = 0; k < faces_.cells().number_of_faces(cell); ++k) {
-      const std::uint32_t other = faces_.across(cell, k);
-      if (other != no_cell && other < cell && partition_.part[other] != part &&
-          std::find(owners.begin(), owners.end(), other) == owners.end())
-        owners.push_back(other);
-    }
-    for (std::uint32_t owner : owners) {
-      std::uint32_t number = first_face_[owner];
-      faces_.for_each_face_owned_by(owner, [&](const Face_mesh::Inner_face& f) {
-        if (f.neighbour == cell)
-          between[partition_.part[owner]].push_back({number, f.owner, cell, owner});
-        ++number;
-      });
-    }
-  }
-
-  void add_patches(std::size_t part, Part& result) const {
-    result.patches = patches_;
-    for (Openfoam_patch& p : result.patches)
-      p.number_of_faces = 0;
-    for (const Outer_face& f : outer_faces_[part]) { // by patch
-      result.faces.push_back({f.number, f.side, f.side.cell, no_cell});
-      ++result.patches[f.patch].number_of_faces;
-    }
-  }
-
-  static void add_patches_between(std::size_t part, std::map<std::uint32_t, std::vector<Part_face>>& between,
-                                  Part& result) {
-    for (auto& b : between) {
-      std::sort(b.second.begin(), b.second.end(),
-                [](const Part_face& f, const Part_face& g) { return f.number < g.number; });
-      result.faces.insert(result.faces.end(), b.second.begin(), b.second.end());
-      const std::string mine = std::to_string(part), other = std::to_string(b.first);
-      result.patches.push_back({"procBoundary" + mine + "to" + other,
-                                openfoam_entry("type", "processor") + openfoam_entry("inGroups", "1(processor)") +
-                                    openfoam_entry("matchTolerance", "0.0001") +
-                                    openfoam_entry("transform", "unknown") + openfoam_entry("myProcNo", mine) +
-                                    openfoam_entry("neighbProcNo", other),
-                                b.second.size()});
-    }
-  }
-
-  // Outward from the cell of the part; a face that another part's cell owns keeps its first corner.
-  Face corners(const Part_face& f) const {
-    Face face = faces_.corners(f.side);
-    const std::size_t n = number_of_corners(face);
-    for (std::size_t k = 0; k < n; ++k)
-      face[k] = local_point_[face[k]];
-    if (f.is_flipped())
-      std::reverse(face.begin() + 1, face.begin() + std::ptrdiff_t(n));
-    return face;
-  }
-
-  // All zones of the mesh are in each part, some of them empty.
-  void write_zones(Openfoam_files& files, std::size_t part, const Part& p) const {
-    if (has_openfoam_cell_zones(mesh_)) {
-      const Cells_by_part::Range cells = cells_.of_part(part);
-      files.write_cell_zones(region_names_in_file(mesh_, Mesh_format::openfoam), cells.size(),
-                             [&](std::size_t c) { return faces_.cells().region(cells[c]); });
-    }
-    if (in_zones_.empty())
-      return;
-    std::map<int, Openfoam_face_zone> zones;
-    for (const Face_in_zone& z : in_zones_)
-      zones[z.label];
-    for (std::size_t i = 0; i < p.faces.size(); ++i) {
-      const auto found = std::lower_bound(in_zones_.begin(), in_zones_.end(), p.faces[i].number,
-                                          [](const Face_in_zone& z, std::uint32_t n) { return z.number < n; });
-      if (found == in_zones_.end() || found->number != p.faces[i].number)
-        continue;
-      zones[found->label].faces.push_back(i);
-      zones[found->label].flipped.push_back(found->flipped != p.faces[i].is_flipped());
-    }
-    files.write_face_zones(patch_names_in_file(mesh_, Mesh_format::openfoam), zones);
-  }
-
-  // Where each thing of the part is in the whole mesh. Faces are counted from 1, with a minus where they are reversed.
-  void write_addressing(Openfoam_files& files, std::size_t part, const Part& p) const {
-    const Cells_by_part::Range cells = cells_.of_part(part);
-    files.write_labels("pointProcAddressing", p.points.size(), [&](const auto& put) {
-      for (std::uint32_t v : p.points)
-        put(points_.number(v));
-    });
-    files.write_labels("faceProcAddressing", p.faces.size(), [&](const auto& put) {
-      for (const Part_face& f : p.faces)
-        put((f.is_flipped() ? -1 : 1) * (std::int64_t(f.number) + 1));
-    });
-    files.write_labels("cellProcAddressing", cells.size(), [&](const auto& put) {
-      for (std::uint32_t c : cells)
-        put(c);
-    });
-    files.write_labels("boundaryProcAddressing", p.patches.size(), [&](const auto& put) {
-      for (std::size_t i = 0; i < p.patches.size(); ++i)
-        put(i < patches_.size() ? std::int64_t(i) : -1);
-    });
-  }
-
-  const Face_mesh& faces_;
-  const Mixed_mesh& mesh_;
-  const Cell_partition& partition_;
-  const Cells_by_part cells_;
-  const Used_points points_;
-  const std::vector<Openfoam_patch> patches_;
-  std::vector<std::uint32_t> first_face_;            // between cells, of those that a cell owns
-  std::vector<std::vector<Outer_face>> outer_faces_; // of each part, in the order of the mesh
-  std::vector<Face_in_zone> in_zones_;               // by number
-  mutable std::vector<std::uint32_t> local_point_;   // of the part that is being written
-  const bool binary_;
+  bool are_of_a_whole() const override { return true; }
 };
 
 } // namespace CGAL::Tubular_meshing::IO::internal

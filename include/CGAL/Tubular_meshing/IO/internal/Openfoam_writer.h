@@ -25,11 +25,12 @@ namespace CGAL::Tubular_meshing::IO::internal {
  * order, then those of each patch. */
 class Openfoam_writer {
 public:
-  Openfoam_writer(Output_folder& folder, const Face_mesh& faces, bool binary)
+  Openfoam_writer(Output_folder& folder, const Face_mesh& faces, bool binary,
+                  const std::string& location = openfoam_location)
       : faces_(faces)
       , mesh_(faces.cells().mesh())
       , points_(mesh_, &any_region)
-      , files_(folder, binary, note()) {
+      , files_(folder, binary, note(), location) {
     if (binary && faces_.number_of_faces() > std::size_t((std::numeric_limits<std::int32_t>::max)()) / 4)
       refuse(folder.name(), "its faces have more corners than labels of 32 bits count",
              "write it as text, in the format openfoam");

@@ -49,19 +49,32 @@ public:
       append_block(bytes + i, (std::min)(block_size, size - i));
   }
 
-  // The same of values that are made one after the other, f() giving the next, and not kept.
-  template <class T, class F> void array_of(const std::string& name, std::size_t components, std::size_t number, F f) {
+  // The same of values that are made one after the other, and not kept: for_each(put) calls put(value) for each.
+  template <class T, class For_each>
+  void array_made(const std::string& name, std::size_t components, std::size_t number, const For_each& for_each) {
     declare<T>(name, components, number);
     begin_compressed(number * sizeof(T));
     std::vector<T> block;
     block.reserve(block_size / sizeof(T));
-    for (std::size_t i = 0; i < number; ++i) {
-      block.push_back(f());
-      if (block.size() * sizeof(T) == block_size || i + 1 == number) {
-        append_block(reinterpret_cast<const char*>(block.data()), block.size() * sizeof(T));
-        block.clear();
-      }
-    }
+    const auto append = [&] {
+      append_block(reinterpret_cast<const char*>(block.data()), block.size() * sizeof(T));
+      block.clear();
+    };
+    for_each([&](T value) {
+      block.push_back(value);
+      if (block.size() * sizeof(T) == block_size)
+        append();
+    });
+    if (!block.empty())
+      append();
+  }
+
+  // The same of values of which f() gives the next.
+  template <class T, class F> void array_of(const std::string& name, std::size_t components, std::size_t number, F f) {
+    array_made<T>(name, components, number, [&](const auto& put) {
+      for (std::size_t i = 0; i < number; ++i)
+        put(f());
+    });
   }
 
   void write(Output_file& out) {

@@ -37,6 +37,19 @@ struct Quadratic_kind {
 constexpr Quadratic_kind quadratic_kinds[number_of_element_kinds] = {
     {24, 24, 11, 11}, {27, 0, 19, 14}, {26, 32, 18, 13}, {25, 29, 17, 12}, {22, 22, 9, 9}, {23, 28, 16, 10}};
 
+inline bool is_quadratic_vtk_type(std::int64_t type) {
+  for (const Quadratic_kind& q : quadratic_kinds)
+    if (type == q.vtk_type || (type == q.complete_vtk_type && type != 0))
+      return true;
+  return false;
+}
+inline bool is_quadratic_gmsh_type(std::int64_t type) {
+  for (const Quadratic_kind& q : quadratic_kinds)
+    if (type == q.gmsh_type || type == q.complete_gmsh_type)
+      return true;
+  return false;
+}
+
 // The kind of which a member has a value; null if there is none.
 template <class Value, class Member> const Element_kind* find_kind(Member Element_kind::*member, const Value& value) {
   for (const Element_kind& k : element_kinds)

@@ -26,13 +26,15 @@ inline std::map<std::string, std::vector<std::int32_t>> name_fields(const Label_
 }
 
 // What the patches were called by number; 0 for those that were not.
+inline std::int32_t id_of(int patch, const Patch_ids& ids) {
+  const auto id = ids.id.find(patch);
+  return id == ids.id.end() ? 0 : id->second;
+}
 inline std::vector<std::int32_t> ids_of(const std::vector<std::int32_t>& patches, const Patch_ids& ids) {
   std::vector<std::int32_t> result;
   result.reserve(patches.size());
-  for (std::int32_t p : patches) {
-    const auto id = ids.id.find(p);
-    result.push_back(id == ids.id.end() ? 0 : id->second);
-  }
+  for (std::int32_t p : patches)
+    result.push_back(id_of(p, ids));
   return result;
 }
 

@@ -66,9 +66,9 @@ inline std::string as_abaqus_name(std::string name) {
 }
 
 inline std::string spelled(const std::string& name, Mesh_format format) {
+  if (is_openfoam(format))
+    return as_word(name);
   switch (format) {
-  case Mesh_format::openfoam:
-  case Mesh_format::openfoam_binary:
   case Mesh_format::su2:
     return as_word(name);
   case Mesh_format::svmultiphysics:
@@ -88,7 +88,7 @@ inline std::string spelled(const std::string& name, Mesh_format format) {
 
 inline Label_names patch_names_in_file(const Mixed_mesh& mesh, Mesh_format format) {
   std::set<std::string> used;
-  if (format == Mesh_format::openfoam || format == Mesh_format::openfoam_binary)
+  if (is_openfoam(format))
     used.insert("defaultFaces"); // where all goes that has no patch
   return distinct_patch_names(
       mesh, [&](const std::string& name) { return spelled(name, format); }, used);

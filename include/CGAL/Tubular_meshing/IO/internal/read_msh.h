@@ -6,6 +6,7 @@
 
 #include <CGAL/Tubular_meshing/IO/internal/Gmsh_file.h>
 #include <CGAL/Tubular_meshing/IO/internal/element_kinds.h>
+#include <CGAL/Tubular_meshing/IO/internal/fail_quadratic.h>
 
 #include <string>
 #include <vector>
@@ -52,6 +53,8 @@ inline void read_msh(const Input_file& file, Mixed_mesh& mesh) {
     if (e.type == gmsh::point || e.type == gmsh::line)
       continue;
     const Element_kind* kind = find_kind(&Element_kind::gmsh_type, e.type);
+    if (is_quadratic_gmsh_type(e.type))
+      fail_quadratic(file, "element " + std::to_string(e.tag));
     if (!kind)
       file.fail("cannot be used: element " + std::to_string(e.tag) + " is of Gmsh's type " + std::to_string(e.type) +
                 "; save the mesh with elements of first order");

@@ -7,6 +7,7 @@
 #include <CGAL/Tubular_meshing/IO/internal/Polygon_soup.h>
 #include <CGAL/Tubular_meshing/IO/internal/Vtk_xml_file.h>
 #include <CGAL/Tubular_meshing/IO/internal/element_kinds.h>
+#include <CGAL/Tubular_meshing/IO/internal/fail_quadratic.h>
 
 #include <algorithm>
 #include <string>
@@ -69,6 +70,8 @@ inline void read_vtu_cells(const Vtk_xml_file& vtu, pugi::xml_node piece, std::s
   std::size_t i = 0;
   for_each_vtk_cell(offsets, corners.size(), vtu.file(), [&](std::size_t begin, std::size_t end) {
     const Element_kind* kind = find_kind(&Element_kind::vtk_type, types[i]);
+    if (is_quadratic_vtk_type(types[i]))
+      fail_quadratic(vtu.file(), "cell " + std::to_string(i));
     if (!kind || end - begin != kind->corners)
       vtu.file().fail("cannot be used: cell " + std::to_string(i) + " is of VTK's type " + std::to_string(types[i]) +
                       " and has " + std::to_string(end - begin) +

@@ -5,6 +5,7 @@
 #define CGAL_TUBULAR_MESHING_IO_INTERNAL_WRITE_INP_H
 
 #include <CGAL/Tubular_meshing/IO/Output_file.h>
+#include <CGAL/Tubular_meshing/IO/internal/Fibre_directions.h>
 #include <CGAL/Tubular_meshing/IO/internal/Mesh_nodes.h>
 #include <CGAL/Tubular_meshing/IO/internal/Number_writer.h>
 #include <CGAL/Tubular_meshing/IO/internal/element_kinds.h>
@@ -53,15 +54,19 @@ template <> struct Inp_cell<8> {
       {{{0, 1, 2, 3}}, {{4, 7, 6, 5}}, {{0, 4, 5, 1}}, {{1, 5, 6, 2}}, {{2, 6, 7, 3}}, {{3, 7, 4, 0}}}};
 };
 
+// The name of the orientation of fibres.
+constexpr const char* inp_orientation = "fibres";
+
 /* Writes a mesh as the part of an input deck that another one includes: nodes, elements in a set a region, and for each
- * patch a set of its nodes and a surface. */
+ * patch a set of its nodes and a surface; with directions of fibres, an orientation. */
 class Inp_writer {
 public:
   Inp_writer(Output_file& file, const Mesh_nodes& nodes)
       : file_(file)
       , out_(file)
       , nodes_(nodes)
-      , mesh_(nodes.mesh()) {}
+      , mesh_(nodes.mesh())
+      , fibres_(nodes.cell_arrays()) {}
 
   void write() {
     if (mesh_.number_of_cells() == 0)
@@ -75,14 +80,21 @@ public:
         out_ << ", " << short_number(nodes_.point(i)[k]);
       out_ << '\n';
     }
-    write_cells(mesh_.tetrahedra);
-    write_cells(mesh_.pyramids);
-    write_cells(mesh_.prisms);
-    write_cells(mesh_.hexahedra);
+    std::size_t first = 0;
+    const auto write = [&](const auto& block) {
+      write_cells(block, first);
+      first += block.size();
+    };
+    write(mesh_.tetrahedra);
+    write(mesh_.pyramids);
+    write(mesh_.prisms);
+    write(mesh_.hexahedra);
     for (const Facet& f : facets_)
       if (f.element == 0)
         fail("a facet of its patch " + std::to_string(f.label) + " bounds no cell");
     write_patches();
+    if (fibres_.are_there())
+      write_orientation();
     out_.flush();
   }
 
@@ -168,7 +180,8 @@ private:
     std::sort(facets_.begin(), facets_.end());
   }
 
-  template <std::size_t N> void write_cells(const Element_block<N>& block) {
+  // first: how many cells of the mesh come before
+  template <std::size_t N> void write_cells(const Element_block<N>& block, std::size_t first) {
     constexpr std::size_t kind = N == 8 ? 3 : N - 4;
     constexpr std::size_t most_on_a_line = 15; // nodes, of what may be 16 numbers
     std::map<int, std::vector<std::size_t>> by_region;
@@ -180,6 +193,8 @@ private:
       for (std::size_t i : region.second) {
         const auto& cell = block.vertices[i];
         out_ << ++element_;
+        if (fibres_.are_there())
+          cells_.push_back(std::uint32_t(first + i));
         const Element_nodes nodes = nodes_.of(kind, cell.data(), i, abaqus_order);
         for (std::size_t k = 0; k < nodes.size; ++k)
           out_ << (k == most_on_a_line ? ",\n" : ", ") << nodes[k] + std::size_t(1);
@@ -236,11 +251,30 @@ private:
     }
   }
 
+  /* A material's axes in each element of the wall: a section that names the orientation gets them. The table is Abaqus',
+   * which wants it; CalculiX does without. */
+  void write_orientation() {
+    out_ << "*DISTRIBUTION TABLE, NAME=fibre_table\nCOORD3D, COORD3D\n"
+            "*DISTRIBUTION, NAME=fibre_axes, LOCATION=ELEMENT, TABLE=fibre_table\n, 1., 0., 0., 0., 1., 0.\n";
+    for (std::size_t i = 0; i < cells_.size(); ++i) {
+      if (!fibres_.has(cells_[i]))
+        continue;
+      out_ << i + 1;
+      for (const double* direction : {fibres_.circumferential(cells_[i]), fibres_.longitudinal(cells_[i])})
+        for (int k = 0; k < 3; ++k)
+          out_ << ", " << short_number(direction[k]);
+      out_ << '\n';
+    }
+    out_ << "*ORIENTATION, NAME=" << inp_orientation << ", DEFINITION=COORDINATES\nfibre_axes\n";
+  }
+
   Output_file& file_;
   Number_writer out_;
   const Mesh_nodes nodes_;
   const Mixed_mesh& mesh_;
-  std::vector<Facet> facets_; // sorted
+  const Fibre_directions fibres_;
+  std::vector<std::uint32_t> cells_; // of each element, in the order of the file, if there are fibres
+  std::vector<Facet> facets_;        // sorted
   std::vector<char> on_facet_;
   std::size_t element_ = 0; // the last one written; they count from 1
 };

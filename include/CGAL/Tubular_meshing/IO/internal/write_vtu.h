@@ -46,45 +46,98 @@ inline int vtk_type_of(const Mesh_nodes& nodes, std::size_t kind) {
   return nodes.is_complete() ? q.complete_vtk_type : nodes.is_quadratic() ? q.vtk_type : element_kinds[kind].vtk_type;
 }
 
-inline void write_cells(const Mesh_nodes& nodes, const Vtu_part* part, Vtk_xml_writer& out) {
-  const Mixed_mesh& mesh = nodes.mesh();
-  std::vector<std::int32_t> regions, patches;
-  std::vector<std::int64_t> connectivity, offsets;
-  std::vector<std::uint8_t> types;
-  for_each_block(mesh, [&](const auto& block, const Element_kind& kind) {
-    const std::size_t number = std::size_t(&kind - element_kinds);
-    const int type = vtk_type_of(nodes, number);
-    for (std::size_t i = 0; i < block.size(); ++i) {
-      const Element_nodes n = nodes.of(number, block.vertices[i].data(), i, vtk_order);
-      for (std::size_t k = 0; k < n.size; ++k)
-        connectivity.push_back(n[nodes.is_quadratic() ? k : vtk_corner(kind, k)]);
-      offsets.push_back(static_cast<std::int64_t>(connectivity.size()));
-      types.push_back(static_cast<std::uint8_t>(type));
-      regions.push_back(kind.dimension == 3 ? block.label[i] : 0);
-      patches.push_back(kind.dimension == 2 ? block.label[i] : 0);
+// Arrays of all cells and facets, made as they are written: together they would be larger than the mesh.
+class Vtu_cells_writer {
+public:
+  Vtu_cells_writer(const Mesh_nodes& nodes, Vtk_xml_writer& out)
+      : nodes_(nodes)
+      , mesh_(nodes.mesh())
+      , out_(out)
+      , number_(mesh_.number_of_cells() + mesh_.number_of_facets()) {}
+
+  void write(const Vtu_part* part) {
+    out_.begin("CellData" + (part ? global_ids(global_cell_ids_name) : std::string()));
+    write_labels("region", 3, [](int label) { return label; });
+    write_labels("patch", 2, [](int label) { return label; });
+    if (!mesh_.patch_ids.empty())
+      write_labels(mesh_.patch_ids.array, 2, [&](int label) { return id_of(label, mesh_.patch_ids); });
+    for (const Cell_array& a : nodes_.cell_arrays())
+      write_array(a);
+    if (part) {
+      out_.array(global_cell_ids_name, 1, part->cell_ids);
+      out_.array(vtk_ghost_array_name, 1, part->cell_ghosts);
     }
-  });
-  out.begin("CellData" + (part ? global_ids(global_cell_ids_name) : std::string()));
-  out.array("region", 1, regions);
-  out.array("patch", 1, patches);
-  if (!mesh.patch_ids.empty())
-    out.array(mesh.patch_ids.array, 1, ids_of(patches, mesh.patch_ids));
-  for (const Cell_array& a : nodes.cell_arrays()) {
-    std::vector<double> values = a.values;
-    values.resize(std::size_t(a.components) * offsets.size(), 0); // of facets
-    out.array(a.name, std::size_t(a.components), values);
+    out_.end("CellData");
+    out_.begin("Cells");
+    write_connectivity();
+    write_offsets();
+    write_types();
+    out_.end("Cells");
   }
-  if (part) {
-    out.array(global_cell_ids_name, 1, part->cell_ids);
-    out.array(vtk_ghost_array_name, 1, part->cell_ghosts);
+
+private:
+  // value(label) of elements of this dimension, value(0) of others
+  template <class Value> void write_labels(const std::string& name, int dimension, const Value& value) {
+    out_.array_made<std::int32_t>(name, 1, number_, [&](const auto& put) {
+      for_each_block(mesh_, [&](const auto& block, const Element_kind& kind) {
+        for (int label : block.label)
+          put(value(kind.dimension == dimension ? label : 0));
+      });
+    });
   }
-  out.end("CellData");
-  out.begin("Cells");
-  out.array("connectivity", 1, connectivity);
-  out.array("offsets", 1, offsets);
-  out.array("types", 1, types);
-  out.end("Cells");
-}
+
+  // 0 of facets
+  void write_array(const Cell_array& a) {
+    out_.array_made<double>(a.name, std::size_t(a.components), std::size_t(a.components) * number_,
+                            [&](const auto& put) {
+                              for (double x : a.values)
+                                put(x);
+                              for (std::size_t i = std::size_t(a.components) * mesh_.number_of_facets(); i > 0; --i)
+                                put(0);
+                            });
+  }
+
+  std::size_t nodes_of(const Element_kind& kind) const { return nodes_.number(std::size_t(&kind - element_kinds)); }
+
+  void write_connectivity() {
+    std::size_t all = 0;
+    for_each_block(mesh_, [&](const auto& block, const Element_kind& kind) { all += block.size() * nodes_of(kind); });
+    out_.array_made<std::int64_t>("connectivity", 1, all, [&](const auto& put) {
+      for_each_block(mesh_, [&](const auto& block, const Element_kind& kind) {
+        for (std::size_t i = 0; i < block.size(); ++i) {
+          const Element_nodes n = nodes_.of(std::size_t(&kind - element_kinds), block.vertices[i].data(), i, vtk_order);
+          for (std::size_t k = 0; k < n.size; ++k)
+            put(std::int64_t(n[nodes_.is_quadratic() ? k : vtk_corner(kind, k)]));
+        }
+      });
+    });
+  }
+
+  void write_offsets() {
+    out_.array_made<std::int64_t>("offsets", 1, number_, [&](const auto& put) {
+      std::int64_t end = 0;
+      for_each_block(mesh_, [&](const auto& block, const Element_kind& kind) {
+        for (std::size_t i = 0; i < block.size(); ++i)
+          put(end += std::int64_t(nodes_of(kind)));
+      });
+    });
+  }
+
+  void write_types() {
+    out_.array_made<std::uint8_t>("types", 1, number_, [&](const auto& put) {
+      for_each_block(mesh_, [&](const auto& block, const Element_kind& kind) {
+        const auto type = std::uint8_t(vtk_type_of(nodes_, std::size_t(&kind - element_kinds)));
+        for (std::size_t i = 0; i < block.size(); ++i)
+          put(type);
+      });
+    });
+  }
+
+  const Mesh_nodes& nodes_;
+  const Mixed_mesh& mesh_;
+  Vtk_xml_writer& out_;
+  const std::size_t number_;
+};
 
 inline void write_vtu(Output_file& file, const Mesh_nodes& nodes, const Vtu_part* part = nullptr) {
   const Mixed_mesh& mesh = nodes.mesh();
@@ -101,18 +154,13 @@ inline void write_vtu(Output_file& file, const Mesh_nodes& nodes, const Vtu_part
   }
   out.end("PointData");
   out.begin("Points");
-  std::size_t point = 0;
-  int k = 0;
-  out.array_of<double>("Points", 3, 3 * nodes.size(), [&] {
-    const double x = nodes.point(point)[k];
-    if (++k == 3) {
-      k = 0;
-      ++point;
-    }
-    return x;
+  out.array_made<double>("Points", 3, 3 * nodes.size(), [&](const auto& put) {
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      for (int k = 0; k < 3; ++k)
+        put(nodes.point(i)[k]);
   });
   out.end("Points");
-  write_cells(nodes, part, out);
+  Vtu_cells_writer(nodes, out).write(part);
   out.end("Piece");
   out.write(file);
 }
