@@ -65,28 +65,31 @@ struct Vessels {
   }
 };
 
-/* Two vessels of one that part at an angle; on the second, a side branch may leave at a right angle, far from there. */
-tubular::Tubular_skeleton sharp_y(double degrees, double ratio = 1, bool has_side_branch = false) {
+/* Two vessels of one that part at an angle. */
+tubular::Tubular_skeleton sharp_y(double degrees) {
   const double a = degrees * CGAL_PI / 360, length = 4 + 2 / std::tan(a);
   Vessels v;
   v.skeleton.inlet = v.add(0, Vector_3d(0, -1, 0), 1, 5);
   v.add(0, Vector_3d(std::sin(a), std::cos(a), 0), 0.8, length);
-  const std::size_t end = v.add(0, Vector_3d(-std::sin(a), std::cos(a), 0), 0.8 / ratio, length);
-  if (has_side_branch) {
-    v.add(end, Vector_3d(-std::cos(a), -std::sin(a), 0), 0.7 / ratio, 5);
-    v.add(end, Vector_3d(-std::sin(a), std::cos(a), 0), 0.8 / ratio, 5);
-  }
+  v.add(0, Vector_3d(-std::sin(a), std::cos(a), 0), 0.8, length);
   return v.skeleton;
 }
 
-/* A vessel that becomes some, evenly round its direction. */
-tubular::Tubular_skeleton fork(int vessels, double degrees, double radius) {
+/* A vessel that becomes nine, evenly round its direction, more than blocks can join; on the first of them a side branch may
+ * leave at a right angle, far from there. */
+constexpr double radius_of_nine = 0.3;
+tubular::Tubular_skeleton fork_of_nine(double degrees, bool has_side_branch = false) {
   const double a = degrees * CGAL_PI / 180;
   Vessels v;
   v.skeleton.inlet = v.add(0, Vector_3d(0, 0, -1), 1, 5);
-  for (int i = 0; i < vessels; ++i) {
-    const double b = 2 * CGAL_PI * i / vessels;
-    v.add(0, Vector_3d(std::sin(a) * std::cos(b), std::sin(a) * std::sin(b), std::cos(a)), radius, 4 + 2 / std::tan(a));
+  for (int i = 0; i < 9; ++i) {
+    const double b = 2 * CGAL_PI * i / 9;
+    const Vector_3d along(std::sin(a) * std::cos(b), std::sin(a) * std::sin(b), std::cos(a));
+    const std::size_t end = v.add(0, along, radius_of_nine, 4);
+    if (has_side_branch && i == 0) {
+      v.add(end, Vector_3d(std::cos(a), 0, -std::sin(a)), 0.25, 3);
+      v.add(end, along, radius_of_nine, 3);
+    }
   }
   return v.skeleton;
 }
@@ -102,9 +105,8 @@ std::ostream& operator<<(std::ostream& out, const Shape& s) {
 
 const std::vector<Shape>& shapes() {
   static const std::vector<Shape> all = {
-      {"Y_of_15_degrees", [] { return sharp_y(15); }, "untangle"},
-      {"Y_of_15_degrees_and_ratio_2", [] { return sharp_y(15, 2); }, "untangle"},
-      {"Fork_of_five", [] { return fork(5, 25, 0.5); }, "untangle"},
+      {"Fork_of_nine", [] { return fork_of_nine(60); }, "10 vessels"},
+      {"Fork_of_nine_with_sharp_crotches", [] { return fork_of_nine(35); }, "10 vessels"},
       {"Hub_of_ten", hub_of_ten_vessels, "10 vessels"},
   };
   return all;
@@ -228,39 +230,39 @@ TEST(Filled_junctions, Have_a_wall_outside) {
   Mesher_options options = filled();
   options.boundary_layer = four_layers();
   options.wall.emplace(parameters::wall_thickness(0.1).wall_layers(2));
-  Mesher mesher(model_of(sharp_y(15)), options);
+  Mesher mesher(model_of(fork_of_nine(60)), options);
   const Mixed_mesh mesh = mesher.hexahedral();
   EXPECT_EQ(tubular::validity_report(mesh).defects(), "");
   EXPECT_EQ(count(mesh.hexahedra.label, labels::wall_region), 2 * count(mesh.quads.label, labels::wall));
   EXPECT_GT(mesh.pyramids.size(), 0u);
 }
 
-// The vessels part at a radius over the sine of half of the angle.
+// The vessels part at a radius over the sine of half of the angle between neighbors.
 TEST(Filled_junctions, Are_no_larger_than_they_must_be) {
   NEEDS_QUADS();
-  const double crotch = 0.8 / std::sin(7.5 * CGAL_PI / 180);
-  const Mixed_mesh mesh = Mesher(model_of(sharp_y(15)), filled()).hexahedral();
+  const double crotch = radius_of_nine / (std::sin(60 * CGAL_PI / 180) * std::sin(CGAL_PI / 9));
+  const Mixed_mesh mesh = Mesher(model_of(fork_of_nine(60)), filled()).hexahedral();
   ASSERT_GT(mesh.tetrahedra.size(), 0u);
   for (const auto& t : mesh.tetrahedra.vertices)
     for (const Vector_3d& p : corners(mesh, t)) {
-      EXPECT_GT(p.y, -3);
-      EXPECT_LT(p.y, crotch + 3);
+      EXPECT_GT(p.z, -3);
+      EXPECT_LT(norm(p), crotch + 2);
     }
 }
 
 TEST(Filled_junctions, Leave_blocks_to_others) {
   NEEDS_QUADS();
-  Mesher mesher(model_of(sharp_y(15, 1, true)), filled());
+  Mesher mesher(model_of(fork_of_nine(60, true)), filled());
   const Mixed_mesh mesh = mesher.hexahedral();
   expect_mesh_of(mesh, mesher.model());
-  expect_report(mesher.report(), mesh, "untangle");
+  expect_report(mesher.report(), mesh, "10 vessels");
   EXPECT_EQ(mesher.report().hexahedral.number_of_junctions, 2u);
-  EXPECT_EQ(mesher.report().hexahedral.number_of_blocks, 12 * 5u);
+  EXPECT_EQ(mesher.report().hexahedral.number_of_blocks, 12 * 12u);
 }
 
 TEST(Filled_junctions, Do_not_depend_on_threads) {
   NEEDS_QUADS();
-  const auto model = model_of(sharp_y(15));
+  const auto model = model_of(fork_of_nine(60));
   Mesher_options options = filled();
   options.boundary_layer = four_layers();
   options.size.number_of_threads = options.boundary_layer.number_of_threads = options.pyramids.number_of_threads = 1;
@@ -274,7 +276,7 @@ TEST(Filled_junctions, Do_not_depend_on_threads) {
 TEST(Filled_junctions, Are_not_made_where_nothing_else_is_wanted) {
   Mesher_options options = filled();
   options.hexahedral_fallback = Hexahedral_fallback::none;
-  EXPECT_THROW(Mesher(model_of(sharp_y(15)), options).hexahedral(), tubular::Meshing_error);
+  EXPECT_THROW(Mesher(model_of(fork_of_nine(60)), options).hexahedral(), tubular::Meshing_error);
 }
 
 // Where all is in order there are hexahedra alone.

@@ -103,8 +103,9 @@ std::optional<Length_of_blocks> length_of_blocks(const Surface& surface, Face_pa
  *
  * Sections are found by rays from the centerline to the wall, and are planar but near junctions; they are turned along
  * a vessel by less than an eighth of a circle, from one junction's corners to the next one's. Of several ways to place
- * a junction's center and corners, the one that gives the best hexahedra is taken. Blind ends get a cap of the core's
- * squares and the ring round it. Then optimize_hexahedra() does the rest.
+ * a junction's center and corners, the one that gives the best hexahedra is taken; some begin where the wall comes between
+ * the vessels, for those that part slowly. Blind ends get a cap of the core's squares and the ring round it. Then
+ * optimize_hexahedra() does the rest. It is checked for each junction that its hexahedra fill the lumen, all of it and once.
  *
  * Junctions that are nearer to each other than about their radius are one junction. One of more than eight vessels is
  * refused, as is a surface with a part that no vessel of the network reaches, such as a sac without a centerline.

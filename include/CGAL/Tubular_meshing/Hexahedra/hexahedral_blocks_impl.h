@@ -4,9 +4,11 @@
 #ifndef CGAL_TUBULAR_MESHING_HEXAHEDRA_HEXAHEDRAL_BLOCKS_IMPL_H
 #define CGAL_TUBULAR_MESHING_HEXAHEDRA_HEXAHEDRAL_BLOCKS_IMPL_H
 
-#include <CGAL/Tubular_meshing/Centerlines/Wall_distance.h>
 #include <CGAL/Tubular_meshing/Hexahedra/hexahedral_blocks.h>
 #include <CGAL/Tubular_meshing/Hexahedra/internal/Block_builder.h>
+#include <CGAL/Tubular_meshing/Hexahedra/internal/Cover_of_lumen.h>
+#include <CGAL/Tubular_meshing/Hexahedra/internal/Sliding_surface.h>
+#include <CGAL/Tubular_meshing/Hexahedra/internal/Untangling_off_wall.h>
 #include <CGAL/Tubular_meshing/Hexahedra/optimize_hexahedra.h>
 #include <CGAL/Tubular_meshing/base/element_measures.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
@@ -41,7 +43,8 @@ public:
       , rings_(wall_, rims_, blocks_points(options.points_per_circumference))
       , network_(graph, rims_, nearness, {}) {}
 
-  /* Where hexahedra do not untangle, the junction is made one with the nearest, if there is one as near. */
+  /* Where hexahedra do not untangle, the junction is made one with the nearest, if there is one as near; else it begins
+   * once more in another way. */
   Hexahedral_blocks make() {
     std::set<std::size_t> joined;
     for (int round = 0;; ++round) {
@@ -49,15 +52,23 @@ public:
       prepare(result);
       if (!result.refused.empty())
         return result;
-      Network_blocks blocks = builder(shapes_).build();
-      check_cover(blocks.mesh, result); // before work that would be for nothing
-      if (!result.refused.empty())
-        return result;
-      result.twist = blocks.twist;
-      untangle(blocks, result);
-      if (round == most_rounds || !join(tangled(blocks, 0), joined)) {
-        improve(blocks, result);
-        return result;
+      for (int attempt = 0;; ++attempt) {
+        result.refused.clear();
+        Network_blocks blocks = builder(shapes_).build();
+        check_cover(blocks, result); // before work that would be for nothing
+        if (!result.refused.empty())
+          return result;
+        result.twist = blocks.twist;
+        untangle(blocks, result);
+        if (attempt == 0 && round < most_rounds && join(tangled(blocks, 0), joined))
+          break;
+        untangle_off_wall(blocks);
+        const bool is_last = attempt == most_attempts;
+        if (!is_last && start_again(tangled(blocks, 0)))
+          continue;
+        const std::vector<std::size_t> failed = improve(blocks, result);
+        if (is_last || !start_again(failed))
+          return result;
       }
       network_ = Vessel_network(graph_, rims_, nearness, joined);
     }
@@ -83,7 +94,8 @@ private:
   static constexpr double fair = 0.15;           // the scaled Jacobian from which on a start is as good as any
   static constexpr double least = 0.02;          // that a hexahedron has in the end
 
-  static constexpr int most_rounds = 1; // in which junctions are joined
+  static constexpr int most_rounds = 1;   // in which junctions are joined
+  static constexpr int most_attempts = 2; // after the first, with other starts
 
   // Counts the blocks, and gives each junction its shape.
   void prepare(Hexahedral_blocks& result) {
@@ -170,49 +182,74 @@ private:
     return Block_builder(network_, shapes, wall_, rings_, rims_, size_, core);
   }
 
-  /* Gives each junction the start by which its hexahedra are best before optimization. */
   void choose_starts(Hexahedral_blocks& result) {
-    const std::vector<Junction_start>& tries = Junction_start::tries();
     const std::size_t n = network_.nodes.size();
-    std::vector<double> best(n, (std::numeric_limits<double>::infinity)());
     shapes_.assign(n, std::nullopt);
-    std::vector<std::size_t> open; // junctions to try
+    used_starts_.assign(n, {});
+    std::vector<std::size_t> junctions;
     for (std::size_t i = 0; i < n; ++i)
       if (network_.nodes[i].is_junction())
-        open.push_back(i);
-    for (const Junction_start& start : tries) {
+        junctions.push_back(i);
+    choose_starts(junctions);
+    for (std::size_t i : junctions)
+      if (!shapes_[i])
+        refuse_node(result, i, "the directions of the vessels that meet cannot be divided into regions");
+  }
+
+  /* Gives each of some junctions, of the starts that it has not had yet, the one by which its hexahedra are best before
+   * optimization. False if there is none left for any. */
+  bool choose_starts(std::vector<std::size_t> open) {
+    const std::vector<Junction_start>& tries = Junction_start::tries();
+    std::vector<double> best(network_.nodes.size(), (std::numeric_limits<double>::infinity)());
+    std::vector<std::size_t> chosen(network_.nodes.size(), tries.size());
+    for (std::size_t s = 0; s < tries.size() && !open.empty(); ++s) {
       std::vector<std::optional<Junction_shape>> shapes = shapes_;
       std::vector<std::optional<Junction_shape>> tried(open.size());
       for_each_task(open.size(), options_.number_of_threads, [&](std::size_t k) {
-        tried[k].emplace(network_, open[k], rings_, wall_, start, rings_.around() / 4);
+        if (used_starts_[open[k]].count(s) == 0)
+          tried[k].emplace(network_, open[k], rings_, wall_, tries[s], rings_.around() / 4);
       });
+      std::set<std::size_t> tried_nodes;
       for (std::size_t k = 0; k < open.size(); ++k)
-        if (tried[k]->partition)
+        if (tried[k] && tried[k]->partition) {
           shapes[open[k]] = std::move(tried[k]);
-      for (std::size_t i : open)
-        if (!shapes[i]) {
-          refuse_node(result, i, "the directions of the vessels that meet cannot be divided into regions");
-          return;
+          tried_nodes.insert(open[k]);
         }
-      const std::set<std::size_t> tried_nodes(open.begin(), open.end());
       const Network_blocks blocks = builder(shapes).build([&](std::size_t v) {
         const auto& nodes = network_.vessels[v].nodes;
-        return tried_nodes.count(nodes[0]) > 0 || tried_nodes.count(nodes[1]) > 0;
+        const auto can_be_built = [&](std::size_t n) { return shapes[n] || !network_.nodes[n].is_junction(); };
+        return (tried_nodes.count(nodes[0]) > 0 || tried_nodes.count(nodes[1]) > 0) && can_be_built(nodes[0]) &&
+               can_be_built(nodes[1]);
       });
       const std::vector<double> shortfall = shortfalls(blocks, fair);
       std::vector<std::size_t> still_open;
       for (std::size_t i : open) {
-        if (shortfall[i] < best[i]) {
+        if (tried_nodes.count(i) > 0 && shortfall[i] < best[i]) {
           best[i] = shortfall[i];
+          chosen[i] = s;
           shapes_[i] = std::move(shapes[i]);
         }
         if (best[i] > 0)
           still_open.push_back(i);
       }
       open.swap(still_open);
-      if (open.empty())
-        break;
     }
+    bool is_any = false;
+    for (std::size_t i = 0; i < chosen.size(); ++i)
+      if (chosen[i] < tries.size()) {
+        used_starts_[i].insert(chosen[i]);
+        is_any = true;
+      }
+    return is_any;
+  }
+
+  // False if there are none, or no other starts for them.
+  bool start_again(const std::vector<std::size_t>& failed) {
+    std::vector<std::size_t> junctions;
+    for (std::size_t n : failed)
+      if (shapes_[n])
+        junctions.push_back(n);
+    return !junctions.empty() && choose_starts(junctions);
   }
 
   Optimize_hexahedra_options optimization(double quality_wanted) const {
@@ -227,6 +264,21 @@ private:
     result.optimization = internal::optimize_hexahedra(blocks.mesh, surface_, patch_, optimization(0.1));
   }
 
+  // What junctions have left of it, with the wall's vertices free for a while.
+  void untangle_off_wall(Network_blocks& blocks) const {
+    const std::vector<std::size_t> nodes = tangled(blocks, 0);
+    if (nodes.empty())
+      return;
+    const Sliding_surface sliding(surface_, patch_);
+    for (std::size_t n : nodes) {
+      if (!shapes_[n])
+        continue;
+      Untangling_off_wall untangling(blocks.mesh, cover().hexahedra_round(n, blocks), wall_);
+      if (untangling.run(surface_, patch_, sliding, options_.number_of_threads))
+        untangling.bring_to(blocks.mesh);
+    }
+  }
+
   // Nodes with hexahedra that are not better than a bound.
   std::vector<std::size_t> tangled(const Network_blocks& blocks, double bound) const {
     std::vector<std::size_t> result;
@@ -239,21 +291,50 @@ private:
     return result;
   }
 
-  void improve(Network_blocks& blocks, Hexahedral_blocks& result) const {
+  Cover_of_lumen cover() const {
+    return Cover_of_lumen(surface_, wall_, network_, size_, options_.points_per_circumference,
+                          options_.number_of_threads);
+  }
+
+  // Refuses a mesh that misses parts of the surface.
+  void check_cover(const Network_blocks& blocks, Hexahedral_blocks& result) const {
+    for (Vertex tip : cover().missed_parts(blocks.mesh))
+      result.refused.push_back({surface_.point(tip), "a part of the vessel has no centerline", tip});
+  }
+
+  // Returns the nodes that are refused then.
+  std::vector<std::size_t> improve(Network_blocks& blocks, Hexahedral_blocks& result) const {
     const Optimize_hexahedra_report untangled = result.optimization;
     result.optimization = internal::optimize_hexahedra(blocks.mesh, surface_, patch_, optimization(0.5));
     result.optimization.inverted_before = untangled.inverted_before;
     result.optimization.min_scaled_jacobian_before = untangled.min_scaled_jacobian_before;
     result.optimization.mean_scaled_jacobian_before = untangled.mean_scaled_jacobian_before;
-    for (std::size_t n : tangled(blocks, least))
-      refuse_node(result, n,
-                  network_.nodes[n].is_junction() ? "the hexahedra of a junction do not untangle"
-                                                  : "the hexahedra of a vessel's end do not untangle");
-    if (result.refused.empty())
-      check_cover(blocks.mesh, result);
+    const std::vector<std::size_t> failed = refuse_failed(blocks, result);
+    if (failed.empty())
+      check_cover(blocks, result);
     result.mesh = std::move(blocks.mesh);
     result.structure = std::move(blocks.structure);
     result.irregular_edges = irregular_edges();
+    return failed;
+  }
+
+  // Nodes whose hexahedra are inverted, or do not fill their place exactly once.
+  std::vector<std::size_t> refuse_failed(const Network_blocks& blocks, Hexahedral_blocks& result) const {
+    std::vector<std::size_t> failed = tangled(blocks, least);
+    for (std::size_t n : failed)
+      refuse_node(result, n,
+                  network_.nodes[n].is_junction() ? "the hexahedra of a junction do not untangle"
+                                                  : "the hexahedra of a vessel's end do not untangle");
+    const auto add = [&](const std::vector<std::size_t>& nodes, const std::string& reason) {
+      for (std::size_t n : nodes)
+        if (std::find(failed.begin(), failed.end(), n) == failed.end()) {
+          failed.push_back(n);
+          refuse_node(result, n, reason);
+        }
+    };
+    add(cover().overlapping(blocks), "the hexahedra of a junction's vessels overlap");
+    add(cover().with_pockets(blocks), "the hexahedra of a junction leave a part of the lumen out");
+    return failed;
   }
 
   /* Along the core's corners, three blocks meet, and as many round the tip of a blind end; at the corner of a junction
@@ -272,57 +353,6 @@ private:
     return result;
   }
 
-  /* Refuses a mesh that misses parts of the surface, by more than a radius of the vessel nearest to them. */
-  void check_cover(const Mixed_mesh& mesh, Hexahedral_blocks& result) const {
-    constexpr double most = 1;
-    const double size_of_radius = 2 * pi / options_.points_per_circumference;
-    std::vector<std::array<Point_3, 3>> triangles;
-    for (std::size_t i = 0; i < mesh.quads.size(); ++i) {
-      const auto& q = mesh.quads.vertices[i];
-      triangles.push_back({mesh.points[q[0]], mesh.points[q[1]], mesh.points[q[2]]});
-      triangles.push_back({mesh.points[q[0]], mesh.points[q[2]], mesh.points[q[3]]});
-    }
-    const Wall_distance distance(triangles);
-    std::vector<double> missed(surface_.number_of_vertices(), 0); // in radii
-    for_each_range(missed.size(), options_.number_of_threads, [&](std::size_t first, std::size_t last) {
-      for (std::size_t i = first; i < last; ++i) {
-        const Point_3& p = surface_.point(Vertex(Surface::size_type(i)));
-        const Wall_distance::Place q = distance.closest_place(p);
-        const auto t = distance.triangle(q.triangle);
-        const double edge = std::pow(CGAL::cross_product(t[1] - t[0], t[2] - t[0]).squared_length(), 0.25);
-        // of a quad and of the size, as that is small where the wall has a pit or a spike
-        const double radius = (std::max)(edge, size_(q.point)) / size_of_radius;
-        missed[i] = std::sqrt(CGAL::squared_distance(p, q.point)) / radius;
-      }
-    });
-    std::vector<std::pair<double, std::size_t>> worst;
-    for (std::size_t i = 0; i < missed.size(); ++i)
-      if (missed[i] > most)
-        worst.emplace_back(-missed[i], i);
-    std::sort(worst.begin(), worst.end());
-    for (const auto& [m, i] : worst)
-      if (missed[i] > most) { // no part that has been found already
-        const Vertex tip = Vertex(Surface::size_type(i));
-        result.refused.push_back({surface_.point(tip), "a part of the vessel has no centerline", tip});
-        forget_part(tip, most / 2, missed);
-      }
-  }
-
-  // Sets to 0 what is missed by more than a bound, from a vertex on.
-  void forget_part(Vertex from, double bound, std::vector<double>& missed) const {
-    std::vector<Vertex> part{from};
-    missed[from] = 0;
-    while (!part.empty()) {
-      const Vertex v = part.back();
-      part.pop_back();
-      for (Vertex w : CGAL::vertices_around_target(surface_.halfedge(v), surface_))
-        if (missed[w] > bound) {
-          missed[w] = 0;
-          part.push_back(w);
-        }
-    }
-  }
-
   const Surface& surface_;
   Face_patch_map patch_;
   Length_function size_;
@@ -333,6 +363,7 @@ private:
   Wall_rings rings_;
   Vessel_network network_;
   std::vector<std::optional<Junction_shape>> shapes_; // of each node that is a junction
+  std::vector<std::set<std::size_t>> used_starts_;    // of each node
 };
 
 CGAL_TUBULAR_MESHING_INLINE Hexahedral_blocks make_hexahedral_blocks(const Surface& surface, Face_patch_map patch,

@@ -34,6 +34,7 @@ struct Network_blocks {
   Mixed_mesh mesh;
   std::vector<std::uint32_t> node; // of each hexahedron: the one of its vessel's two that is nearer
   std::vector<double> twist;       // of each vessel, in radians, from its one end to the other
+  std::vector<std::size_t> first;  // hexahedron of each vessel, and one more
   Block_structure structure;
 };
 
@@ -65,13 +66,16 @@ public:
   // Only the vessels that are wanted.
   template <class Wanted> Network_blocks build(const Wanted& wanted) {
     junctions_.resize(network_.nodes.size());
+    blocks_.first.assign(network_.vessels.size() + 1, 0);
     for (std::size_t v = 0; v < network_.vessels.size(); ++v)
       if (wanted(v)) {
         for (std::size_t n : network_.vessels[v].nodes)
           if (shapes_[n] && junctions_[n].empty())
             add_junction(n);
         add_vessel(v);
-      }
+        blocks_.first[v + 1] = blocks_.mesh.hexahedra.size();
+      } else
+        blocks_.first[v + 1] = blocks_.first[v];
     return std::move(blocks_);
   }
 
@@ -279,7 +283,7 @@ private:
           ends[e].section = section_of(ends[e].ring, core_);
         } else {
           const double ahead = e == 1 ? dome_ahead : -dome_ahead;
-          ends[e].ring = rings_.across(path.point(abscissa[e]), frame, *ends[e].turn, ahead);
+          ends[e].ring = rings_.across(path.point(abscissa[e]), frame, *ends[e].turn, 0, ahead);
           ends[e].section = dome_section(ends[e].ring, (e == 1 ? 1. : -1.) * frame.tangent);
         }
       }
@@ -312,7 +316,7 @@ private:
     last = length - last;
     const auto planar = [&](double a) {
       const double t = last > first ? (std::min)((std::max)((a - first) / (last - first), 0.), 1.) : 0.5;
-      return rings_.across(path.point(a), frames.at(a), *ends[0].turn + t * blocks_.twist.back());
+      return rings_.across(path.point(a), frames.at(a), *ends[0].turn + t * blocks_.twist.back(), path.radius(a));
     };
     const Wall_ring ring_first = planar(first), ring_last = planar(last);
 

@@ -37,11 +37,17 @@ public:
       , patch_(patch)
       , options_(options)
       , quality_(mesh.hexahedra.size()) {
-    points_.reserve(mesh.points.size());
-    for (const Point_3& p : mesh.points)
-      points_.emplace_back(p);
+    take_points();
   }
 
+  /* The same with a surface that is ready. `slack`: how far off their patch vertices may be that lie on one alone;
+   * those that are farther off when it begins come no nearer than they do by themselves. */
+  Hexahedron_optimizer(Mixed_mesh& mesh, const Surface& surface, Face_patch_map patch,
+                       const Optimize_hexahedra_options& options, const Sliding_surface& sliding, double slack)
+      : Hexahedron_optimizer(mesh, surface, patch, options) {
+    sliding_ = &sliding;
+    slack_ = slack;
+  }
   Optimize_hexahedra_report run() {
     const Summary before = measure_all();
     Summary after = before;
@@ -73,6 +79,12 @@ private:
     double least = 0, mean = 0;
     std::size_t inverted = 0, below_wanted = 0;
   };
+
+  void take_points() {
+    points_.reserve(mesh_.points.size());
+    for (const Point_3& p : mesh_.points)
+      points_.emplace_back(p);
+  }
 
   void keep_all(const Summary& before, Summary& after) {
     after = before;
@@ -228,7 +240,10 @@ private:
       for (std::size_t h = first; h < last; ++h)
         set_lengths(h);
     });
-    sliding_.reset(new Sliding_surface(surface_, patch_));
+    if (sliding_ == nullptr) {
+      own_sliding_.reset(new Sliding_surface(surface_, patch_));
+      sliding_ = own_sliding_.get();
+    }
     locate();
     active_.clear();
     is_active_.assign(points_.size(), 0);
@@ -317,6 +332,8 @@ private:
   }
 
   void bring_to_surface(const std::vector<Index>& vertices) {
+    if (slack_ > 0)
+      return;
     std::vector<Vector_3d> target(vertices.size());
     for_each_range(vertices.size(), options_.number_of_threads, [&](std::size_t first, std::size_t last) {
       for (std::size_t k = first; k < last; ++k)
@@ -399,7 +416,8 @@ private:
     if (!(at.value < (std::numeric_limits<double>::infinity)()))
       return Vector_3d();
     Vector_3d step;
-    if (slide.dimension == 3)
+    const bool has_slack = slack_ > 0 && slide.dimension == 2;
+    if (slide.dimension == 3 || has_slack)
       step = newton_step(at.hessian, at.gradient);
     else {
       const Vector_3d direction = sliding_->nearest(slide, x, energy.squared_longest_edge()).direction;
@@ -409,10 +427,18 @@ private:
     const double longest2 = energy.squared_longest_edge(), length2 = squared_norm(step);
     if (length2 > longest2)
       step = std::sqrt(longest2 / length2) * step;
+    double most = 0; // how far off its patch
+    if (has_slack)
+      most = (std::max)(slack_, norm(sliding_->nearest(slide, x).point - x));
     Vector_3d taken;
     backtrack(step, [&](const Vector_3d& s) {
       Vector_3d d = s;
-      if (slide.dimension < 3) {
+      if (has_slack) {
+        const Vector_3d place = sliding_->nearest(slide, x + s).point, off = x + s - place;
+        const double distance = norm(off);
+        if (distance > most)
+          d = place + (most / distance) * off - x;
+      } else if (slide.dimension < 3) {
         // a place further away than the step is long is on another part of the surface
         const Sliding_surface::Place place = sliding_->nearest(slide, x + s, squared_norm(s));
         if (!(squared_norm(place.direction) > 0))
@@ -539,7 +565,9 @@ private:
   std::vector<Vector_3d> points_;
   std::vector<float> quality_; // of each hexahedron, its least scaled Jacobian
   std::vector<Axis_lengths> inverse_lengths_;
-  std::unique_ptr<Sliding_surface> sliding_;
+  std::unique_ptr<Sliding_surface> own_sliding_;
+  const Sliding_surface* sliding_ = nullptr;
+  double slack_ = 0;         // how far vertices may be off their patch
   std::vector<Slide> slide_; // of each vertex
 
   std::vector<Index> active_, active_hexahedra_;

@@ -16,19 +16,23 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Tubular_meshing::internal {
 
 /* Where a junction's blocks begin. What suits one junction does not suit another: several are tried. */
 struct Junction_start {
-  double depth = 1;   // of the center below the place where a vessel leaves the others, in its radii
-  double weight = 4;  // with which power of their radii thin vessels draw the center to them
-  double turning = 3; // how much it costs to turn away from the bisector between vessels, to their crotch
+  double depth = 1;      // of the center below the place where a vessel leaves the others, in its radii
+  double weight = 4;     // with which power of their radii thin vessels draw the center to them
+  double turning = 3;    // how much it costs to turn away from the bisector between vessels, to their crotch
+  bool by_sight = false; // a vessel leaves the others where the wall comes between them, see parting_abscissas()
 
   static const std::vector<Junction_start>& tries() {
-    static const std::vector<Junction_start> all = {{1, 4, 3}, {1, 4, 30},  {1, 2, 3},    {0.5, 4, 3},  {1.5, 4, 3},
-                                                    {1, 0, 3}, {0.5, 2, 3}, {1.5, 2, 30}, {0.5, 0, 30}, {0.2, 3, 3}};
+    static const std::vector<Junction_start> all = {
+        {1, 4, 3},   {1, 4, 3, true},   {1, 4, 30},        {1, 2, 3},         {0.5, 4, 3},
+        {1.5, 4, 3}, {1, 0, 3},         {0.5, 2, 3},       {1.5, 2, 30},      {0.5, 0, 30},
+        {0.2, 3, 3}, {0.5, 4, 3, true}, {1.5, 2, 3, true}, {0.2, 2, 30, true}};
     return all;
   }
 };
@@ -52,6 +56,35 @@ inline std::vector<double> exit_abscissas(const std::vector<Vessel_path>& paths)
   return exits;
 }
 
+/* How far from their node the wall comes between the vessels, beyond the places where they leave each other's tubes: up
+ * to there, a section of one sees the other. */
+inline std::vector<double> parting_abscissas(const std::vector<Vessel_path>& paths, std::vector<double> exits,
+                                             const Wall_of_lumen& wall) {
+  constexpr double farthest = 40; // in radii
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    const double r = paths[i].radii.front(), last = (std::min)(paths[i].length(), farthest * r);
+    const auto is_parted = [&](double a) {
+      const Vector_3d p = paths[i].point(a);
+      for (std::size_t j = 0; j < paths.size(); ++j) {
+        if (j == i)
+          continue;
+        const double b = paths[j].nearest(p, 2 * farthest * r);
+        if (b == 0) // beside the node: it leads the other way
+          continue;
+        const Vector_3d d = paths[j].point(b) - p;
+        const double distance = norm(d);
+        if (distance > 0 && !(wall.along(p, (1 / distance) * d, distance) < distance))
+          return false;
+      }
+      return true;
+    };
+    while (exits[i] < last && !is_parted(exits[i]))
+      exits[i] += r / 8;
+    exits[i] = (std::min)(exits[i], last);
+  }
+  return exits;
+}
+
 /* A junction's center, the regions of its vessels as seen from there, and the wall between each two of them. */
 class Junction_shape {
 public:
@@ -67,10 +100,14 @@ public:
       : rings_(&rings)
       , wall_(&wall)
       , start_(start) {
-    std::vector<Vessel_path> paths;
-    for (const auto& e : network.nodes[node].ends)
-      paths.push_back(network.path_from(e));
+    const std::vector<Vessel_path> paths = network.paths_from(node);
     exits = exit_abscissas(paths);
+    if (start.by_sight) {
+      std::vector<double> partings = parting_abscissas(paths, exits, wall);
+      if (partings == exits) // as without
+        return;
+      exits = std::move(partings);
+    }
     place(paths);
     partition = Junction_partitioner(directions_).partition();
     if (partition)

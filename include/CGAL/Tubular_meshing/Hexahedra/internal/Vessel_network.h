@@ -164,6 +164,13 @@ public:
   Vessel_path path_from(const Vessel_end& e) const {
     return e.last ? vessels[e.vessel].path.reversed() : vessels[e.vessel].path;
   }
+  // Of all vessels at a node.
+  std::vector<Vessel_path> paths_from(std::size_t node) const {
+    std::vector<Vessel_path> paths;
+    for (const Vessel_end& e : nodes[node].ends)
+      paths.push_back(path_from(e));
+    return paths;
+  }
 };
 
 } // namespace CGAL::Tubular_meshing::internal

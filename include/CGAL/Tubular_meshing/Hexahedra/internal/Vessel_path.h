@@ -64,6 +64,20 @@ struct Vessel_path {
     }
     return std::sqrt(nearest) / radius;
   }
+  // The place nearest to a point; only the first `most` of the path counts.
+  double nearest(const Vector_3d& p, double most) const {
+    double least = (std::numeric_limits<double>::infinity)(), place = 0;
+    for (std::size_t k = 0; k + 1 < points.size() && abscissa[k] <= most; ++k) {
+      const Vector_3d d = points[k + 1] - points[k];
+      const double t = (std::min)((std::max)(dot(p - points[k], d) / squared_norm(d), 0.), 1.);
+      const double d2 = squared_norm(points[k] + t * d - p);
+      if (d2 < least) {
+        least = d2;
+        place = (1 - t) * abscissa[k] + t * abscissa[k + 1];
+      }
+    }
+    return place;
+  }
   // What is left of it beyond a place.
   Vessel_path from(double a) const {
     Vessel_path result;

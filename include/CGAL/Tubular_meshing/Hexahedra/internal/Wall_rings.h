@@ -71,9 +71,10 @@ public:
   double reach(const Vector_3d& center) const { return 4 * wall_.distance(center); }
 
   /* Round a vessel: in the plane across its path, or on a cone that leads ahead. */
-  Wall_ring across(const Vector_3d& center, const Path_frames::Frame& frame, double turn, double ahead = 0) const {
+  Wall_ring across(const Vector_3d& center, const Path_frames::Frame& frame, double turn, double radius,
+                   double ahead = 0) const {
     Wall_ring ring{center, {}};
-    const double bound = reach(center);
+    const double bound = (std::max)(reach(center), 3 * radius);
     for (int a = 0; a < around_; ++a) {
       const double angle = turn + 2 * pi * a / around_;
       const Vector_3d d = std::cos(angle) * frame.u + std::sin(angle) * frame.v() + ahead * frame.tangent;
