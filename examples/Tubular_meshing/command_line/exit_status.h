@@ -9,10 +9,11 @@
 #include <exception>
 #include <new>
 #include <string>
+#include <system_error>
 
 namespace command_line {
 
-enum Exit_status { done = 0, wrong_usage = 2, unusable_input = 3, failed = 4 };
+enum Exit_status { done = 0, wrong_usage = 2, unusable_input = 3, failed = 4, some_failed = 5 };
 
 inline const char* exit_statuses() {
   return "Exit status: 0 done, 2 wrong usage (a file that cannot be written included), 3 input that cannot be read or "
@@ -31,6 +32,10 @@ inline Exit_status status_of(const std::exception& e) {
 inline std::string explanation_of(const std::exception& e) {
   if (dynamic_cast<const std::bad_alloc*>(&e))
     return "There is not enough memory; make the result coarser.";
+  if (const auto* system = dynamic_cast<const std::system_error*>(&e)) // a thread, which takes memory too
+    if (system->code() == std::errc::resource_unavailable_try_again)
+      return "There is not enough memory, or there are too many processes, for another thread; make the result coarser, "
+             "or use fewer --threads.";
   if (dynamic_cast<const CGAL::Tubular_meshing::Error*>(&e))
     return e.what();
   return std::string("It failed: ") + e.what();
