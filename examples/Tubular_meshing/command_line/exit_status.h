@@ -28,14 +28,21 @@ inline Exit_status status_of(const std::exception& e) {
   return dynamic_cast<const tubular::Input_error*>(&e) ? unusable_input : failed;
 }
 
+/* A thread takes memory, too. The standard library and oneTBB have each a way to say that there can be none. */
+inline bool lacks_threads(const std::exception& e) {
+  const auto* system = dynamic_cast<const std::system_error*>(&e);
+  return (system && system->code() == std::errc::resource_unavailable_try_again) ||
+         std::string(e.what()).find("pthread_create has failed") != std::string::npos;
+}
+
 /* ... and what it says. */
 inline std::string explanation_of(const std::exception& e) {
   if (dynamic_cast<const std::bad_alloc*>(&e))
     return "There is not enough memory; make the result coarser.";
-  if (const auto* system = dynamic_cast<const std::system_error*>(&e)) // a thread, which takes memory too
-    if (system->code() == std::errc::resource_unavailable_try_again)
-      return "There is not enough memory, or there are too many processes, for another thread; make the result coarser, "
-             "or use fewer --threads.";
+  if (lacks_threads(e))
+    return "There is not enough memory, or there are too many processes, for another thread; make the result coarser, "
+           "or "
+           "use fewer --threads.";
   if (dynamic_cast<const CGAL::Tubular_meshing::Error*>(&e))
     return e.what();
   return std::string("It failed: ") + e.what();

@@ -189,7 +189,7 @@ class Cohort(Test):
         self.assertEqual({r["name"]: r["age"] for r in index_of(self.OUT)}["coarse"], "43")
 
         write("study {1}.csv", "file\nin/y.stl\n")
-        self.assertIn("has no column "surface"; its first line is "file"",
+        self.assertIn('has no column "surface"; its first line is "file"',
                       self.run_workflow("surfaces=study {1}.csv", "output=other", status=1))
         os.mkdir("empty")
         self.assertIn("has no surfaces", self.run_workflow("surfaces=empty", "output=other", status=1))

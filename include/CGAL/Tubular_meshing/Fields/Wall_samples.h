@@ -18,15 +18,17 @@ namespace CGAL::Tubular_meshing {
 struct Wall_sample {
   Point_3 point;
   double area;   ///< of the wall that it stands for
-  double radius; ///< of the ball in the lumen that touches the wall there; 0 if nothing of the wall lies opposite
+  double radius; ///< that a mesh size on the wall goes with; 0 if nothing of the wall lies opposite
 };
 
 /*! \ingroup PkgTubularMeshingFields
  *
  * Places spread evenly over a lumen's wall, with the radius that the lumen has there: enough to know how large all of it
  * is in units of a local mesh size, at a fraction of the cost of centerlines and of Shape_radius, which has balls at all
- * vertices. Each ball is that of Shape_radius but for what it takes from its neighbours: the wall's normals are averaged
- * over some rings of neighbours, and of a sample's ball and those at the neighbours of its vertex the median is taken.
+ * vertices. At each place there is a ball as that of Shape_radius, but for what that takes from its neighbours: the wall's
+ * normals are averaged over some rings of neighbours, and of the balls at a vertex and at its neighbours the median is
+ * taken. Centers of balls that none nearby rises above are the middles of vessels, and stand for centerlines: the radius
+ * at a place is that of the nearest one, or the distance to it if that is larger.
  *
  * O(n log n) in the wall's vertices, with a small factor: 0.2 s for 400,000 triangles; and O(log n) each sample.
  *

@@ -18,11 +18,9 @@ namespace CGAL::Tubular_meshing {
 /*! \ingroup PkgTubularMeshingPipelines
  *
  * About how many cells a mesh will have, as Mesher::estimate() tells it, of a model that needs no centerlines: the local
- * radius is that of balls at some places of the wall, see wall_samples(). It takes a tenth of the time of centerlines and
- * mesh sizes, on a surface of 400,000 triangles 0.3 s, and is for a first look at surfaces so large.
- *
- * Where a cross section is far from round the balls have its smallest radius, while the mesh has sizes by the distance to
- * the centerline, too: there are fewer cells then than it tells.
+ * radius is that at some places of the wall, see wall_samples(). It takes a tenth of the time of centerlines and mesh
+ * sizes, on a surface of 400,000 triangles 0.3 s, and is for a first look at surfaces so large; its numbers differ from
+ * those of Mesher::estimate() by some hundredths, see `benchmark/results.md`.
  */
 class Sampled_estimator {
 public:

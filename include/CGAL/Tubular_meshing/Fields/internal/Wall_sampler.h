@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL::Tubular_meshing::internal {
@@ -59,15 +60,31 @@ public:
         result.push_back({surface_.point(v), area_ / double(n), 0});
       }
     }
+    std::vector<double> radii(result.size());
     for_each_range(result.size(), threads_, [&](std::size_t first, std::size_t last) {
       for (std::size_t i = first; i < last; ++i)
-        result[i].radius = radius(vertices[i]);
+        radii[i] = radius(vertices[i]);
+    });
+    std::vector<Ball> balls;
+    for (std::size_t i = 0; i < result.size(); ++i)
+      if (radii[i] > 0)
+        balls.push_back({Vector_3d(result[i].point) + radii[i] * normals_[vertices[i]], radii[i]});
+    const Point_boxes axis = middles_of_vessels(balls);
+    for_each_range(result.size(), threads_, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i)
+        if (radii[i] > 0)
+          result[i].radius = radius_about(axis, Vector_3d(result[i].point));
     });
     return result;
   }
 
 private:
   static constexpr int rings = 3;
+
+  struct Ball {
+    Vector_3d center;
+    double radius;
+  };
 
   struct Box {
     Vector_3d low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
@@ -111,6 +128,60 @@ private:
       }
     });
     normals_ = std::move(averaged);
+  }
+
+  /* In a cross section that is not round, balls are the smaller the nearer they are to where it is narrow: the slope of
+   * their radius is a / (a + b) in an ellipse with half axes a and b, and next to nothing along a vessel, whatever it
+   * tapers. Those are left that no other nearby rises above by more than between these. */
+  Point_boxes middles_of_vessels(const std::vector<Ball>& balls) const {
+    const double reach = 0.8, least = 0.05, slope = 0.2; // the first two in radii
+    const Point_boxes all = boxes_of(balls);
+    std::vector<char> is_middle(balls.size(), 1);
+    for_each_range(balls.size(), threads_, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i) {
+        const Ball& ball = balls[i];
+        all.search(
+            ball.center,
+            [&](const Point_boxes::Box& box) {
+              return is_middle[i] && box.squared_distance(ball.center) < reach * reach * ball.radius * ball.radius;
+            },
+            [&](const Vector_3d& other, double radius) {
+              const double d = norm(other - ball.center);
+              if (d < reach * ball.radius && d > least * ball.radius && radius > ball.radius + slope * d)
+                is_middle[i] = 0;
+            });
+      }
+    });
+    std::vector<Ball> middles;
+    for (std::size_t i = 0; i < balls.size(); ++i)
+      if (is_middle[i])
+        middles.push_back(balls[i]);
+    return boxes_of(middles);
+  }
+
+  static Point_boxes boxes_of(const std::vector<Ball>& balls) {
+    std::vector<Vector_3d> centers;
+    std::vector<double> radii;
+    for (const Ball& ball : balls) {
+      centers.push_back(ball.center);
+      radii.push_back(ball.radius);
+    }
+    return Point_boxes(centers, radii);
+  }
+
+  // As for the mesh size on the wall: that of the middle which is nearest, or the distance to it.
+  static double radius_about(const Point_boxes& axis, const Vector_3d& x) {
+    double nearest = (std::numeric_limits<double>::infinity)(), radius = 0;
+    axis.search(
+        x, [&](const Point_boxes::Box& box) { return box.squared_distance(x) < nearest; },
+        [&](const Vector_3d& middle, double of_middle) {
+          const double squared = squared_norm(middle - x);
+          if (squared < nearest) {
+            nearest = squared;
+            radius = of_middle;
+          }
+        });
+    return (std::max)(radius, std::sqrt(nearest));
   }
 
   // The median of that at the vertex and at its neighbours.
