@@ -5,4 +5,5 @@
 #include <CGAL/Tubular_meshing/Fields/Centerline_sizing_field_impl.h>
 #include <CGAL/Tubular_meshing/Fields/Local_radius_impl.h>
 #include <CGAL/Tubular_meshing/Fields/Shape_radius_impl.h>
+#include <CGAL/Tubular_meshing/Fields/Wall_samples_impl.h>
 #include <CGAL/Tubular_meshing/Fields/curvature_impl.h>

@@ -2,5 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Tubular_meshing/Pipelines/Mesher_impl.h>
+#include <CGAL/Tubular_meshing/Pipelines/Sampled_estimator_impl.h>
 #include <CGAL/Tubular_meshing/Pipelines/Tubular_model_impl.h>
 #include <CGAL/Tubular_meshing/Pipelines/join_parts_impl.h>

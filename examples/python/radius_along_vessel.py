@@ -31,7 +31,10 @@ def way_to(branches, last):
 
 
 def along(way, branches, sections):
-    """Distance from the inlet, section and inscribed radius of the sections of a way."""
+    """Distance from the inlet, section and inscribed radius of the sections of a way.
+
+    Beside a bifurcation a section may run along the other vessel: its area is no vessel's, and left out (not a number).
+    """
     distance, rows, before = [], [], 0.0
     for b in way:
         of_branch = np.flatnonzero((sections.branch == b) & (sections.area > 0))
@@ -39,7 +42,8 @@ def along(way, branches, sections):
         rows.append(of_branch)
         before += branches[b].length
     index = np.concatenate(rows)
-    return np.concatenate(distance), sections.radius[index], sections.inscribed_radius[index]
+    radius, inscribed = sections.radius[index], sections.inscribed_radius[index]
+    return np.concatenate(distance), np.where(radius < 2 * inscribed, radius, np.nan), inscribed
 
 
 def main():
@@ -66,9 +70,10 @@ def main():
         distance, radius, inscribed = along(way, branches, sections)
         ax.plot(distance, radius, label="of the cross-section's area")
         ax.plot(distance, inscribed, "--", label="of the largest ball")
-        narrowest = np.argmin(radius)
+        narrowest = np.nanargmin(radius)
         ax.plot(distance[narrowest], radius[narrowest], "v", color="black")
-        ax.annotate(f"{radius[narrowest]:.3g}", (distance[narrowest], radius[narrowest]), (0, 8), textcoords="offset points")
+        ax.annotate(f"{radius[narrowest]:.3g}", (distance[narrowest], radius[narrowest]), (0, 10), textcoords="offset points",
+                    ha="center", bbox={"facecolor": "white", "edgecolor": "none", "pad": 1})
         for end in np.cumsum([branches[b].length for b in way])[:-1]:
             ax.axvline(end, color="0.8", zorder=0)
         ax.set_ylim(0)

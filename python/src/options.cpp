@@ -17,7 +17,6 @@ namespace {
 // The options of the tool, with which a program can do without files.
 void declare(CLI::App& app, Options& options) {
   declare_options(app, options, TUBULAR_MESHING_VERSION);
-  app.get_option("surface")->required(false);
 }
 
 // Points and the like, which come as text with commas; repeatable ones take one value at a time.
@@ -40,7 +39,7 @@ py::dict description_of(const CLI::Option& option) {
 bool is_of_files_alone(const CLI::Option& option) {
   const std::string name = option.get_lnames().front();
   return name == "order" || name == "order-2-complete" || name == "partitions" || name == "dry-run" ||
-         name == "log-json" || option.get_group() == case_group ||
+         name == "log-json" || option.get_group() == batch_group || option.get_group() == case_group ||
          option.get_group() == reduced_model_group || option.get_group() == physics_group;
 }
 

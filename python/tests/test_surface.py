@@ -106,15 +106,86 @@ def test_size_array_of_points():
         tm.Surface(points, triangles, point_arrays={"size": [1.0]})
 
 
+class Tracked(np.ndarray):
+    """As trimesh's TrackedArray: an array of a class of its own."""
+
+
 class Trimesh:
     """What trimesh.Trimesh has."""
 
-    def __init__(self, vertices, faces):
-        self.vertices, self.faces = vertices, faces
+    def __init__(self, vertices, faces, face_attributes=(), vertex_attributes=()):
+        self.vertices, self.faces = vertices.view(Tracked), faces.view(Tracked)
+        self.face_attributes, self.vertex_attributes = dict(face_attributes), dict(vertex_attributes)
 
 
 def test_from_trimesh():
     assert ends_of(Trimesh(*tube())) == [0, 8]
+
+
+def test_from_trimesh_with_attributes():
+    points, triangles = tube(ends="capped")
+    sizes, colors = np.full(len(points), 0.3), np.zeros((len(triangles), 4))
+    attributes = {"ModelFaceID": cap_labels(), "colors": colors}
+    surface = tm.Surface(Trimesh(points, triangles, attributes, {"size": sizes}))
+    assert np.array_equal(surface.labels, cap_labels())
+    assert ends_of(surface) == [0, 8]
+    assert len(tm.mesh(surface, size_array="size", points_per_circumference=8).points) > 0
+
+
+class PolyData:
+    """What pyvista.PolyData has of its own; the real one is a vtkPolyData, too."""
+
+    def __init__(self, points, faces, cell_data=(), point_data=(), n_lines=0):
+        self.points, self.faces = points, faces
+        self.cell_data, self.point_data = dict(cell_data), dict(point_data)
+        self.n_verts, self.n_lines = 0, n_lines
+
+    @property
+    def regular_faces(self):
+        return self.faces.reshape(-1, 4)[:, 1:]
+
+
+def padded(*blocks):
+    return np.concatenate([np.insert(b, 0, b.shape[1], axis=1).ravel() for b in blocks])
+
+
+def test_from_pyvista():
+    points, triangles = tube(ends="capped")
+    mesh = PolyData(points, padded(triangles), {"CapID": cap_labels()}, {"size": np.ones(len(points))})
+    surface = tm.Surface(mesh)
+    assert np.array_equal(surface.triangles, mesh.regular_faces)
+    assert np.array_equal(surface.labels, cap_labels())
+    assert ends_of(surface) == [0, 8]
+
+
+def test_from_pyvista_with_lines_before_the_faces():
+    points, triangles = tube(ends="capped")
+    labels = np.concatenate([[7, 7], cap_labels()])
+    surface = tm.Surface(PolyData(points, padded(triangles), {"ModelFaceID": labels}, n_lines=2))
+    assert np.array_equal(surface.labels, cap_labels())
+
+
+def test_from_pyvista_of_triangles_and_quads():
+    points, triangles = tube()
+    half = len(triangles) // 2
+    quads = np.stack([triangles[:half, 0], triangles[:half, 1], triangles[:half, 2], triangles[half:, 2]], axis=1)
+    mixed = padded(quads[:10], triangles[10:half], triangles[half + 10 :])
+    data = {"ModelFaceID": np.repeat([1, 2], [10, len(triangles) - 20])}
+    surface = tm.Surface(PolyData(points, mixed, data))
+    assert len(surface.triangles) == len(triangles)
+    assert (surface.labels == 1).sum() == 20
+    assert ends_of(PolyData(points, padded(quads))) == [0, 8]
+
+
+@pytest.mark.parametrize("faces", [[3, 0, 1], [3, 0, 1, 2, 3, 0], [-1, 0, 1, 2]])
+def test_faces_that_are_not_padded_are_refused(faces):
+    with pytest.raises(tm.InputError, match="followed by so many corners"):
+        tm.Surface(PolyData(np.zeros((3, 3)), np.array(faces)))
+
+
+def test_from_pyvista_without_faces():
+    with pytest.raises(tm.InputError, match="no polygons"):
+        tm.Surface(PolyData(np.zeros((3, 3)), np.array([], dtype=int)))
 
 
 def test_from_a_pair_of_arrays():

@@ -19,7 +19,7 @@ VTK_WEDGE = [0, 2, 1, 3, 5, 4]  # VTK counts the triangles of a wedge the other 
 
 
 def arrays_of(surface: Any, faces: Optional[str] = None) -> dict[str, Any]:
-    """Points, triangles, labels and point arrays of an object of VTK or PyVista, meshio or trimesh, by what it has."""
+    """Points, triangles, labels and arrays of an object of VTK or PyVista, meshio or trimesh, by the attributes it has."""
     arrays: dict[str, Any]
     cell_arrays: dict[str, Any]
     if hasattr(surface, "GetPolys") and hasattr(surface, "GetPoints"):
@@ -27,8 +27,9 @@ def arrays_of(surface: Any, faces: Optional[str] = None) -> dict[str, Any]:
     elif hasattr(surface, "points") and hasattr(surface, "cells_dict"):
         arrays, cell_arrays = _of_meshio(surface)
     elif hasattr(surface, "vertices") and hasattr(surface, "faces"):
-        arrays = {"points": np.asarray(surface.vertices), "triangles": np.asarray(surface.faces)}
-        cell_arrays = {}
+        arrays, cell_arrays = _of_trimesh(surface)
+    elif hasattr(surface, "points") and hasattr(surface, "faces"):
+        arrays, cell_arrays = _of_pyvista(surface)
     elif hasattr(surface, "points") and hasattr(surface, "triangles"):
         arrays, cell_arrays = {"points": surface.points, "triangles": surface.triangles}, {}
     else:
@@ -112,6 +113,56 @@ def _of_meshio(mesh: Any) -> tuple[dict[str, Any], dict[str, Any]]:
     }
     point_arrays = {name: v for name, v in mesh.point_data.items() if np.asarray(v).ndim == 1}
     return {"points": points, "triangles": np.concatenate(triangles), "point_arrays": point_arrays}, cell_arrays
+
+
+def _of_trimesh(mesh: Any) -> tuple[dict[str, Any], dict[str, Any]]:
+    arrays = {
+        "points": np.asarray(mesh.vertices),
+        "triangles": np.asarray(mesh.faces),
+        "point_arrays": _plain(getattr(mesh, "vertex_attributes", {})),
+    }
+    return arrays, _plain(getattr(mesh, "face_attributes", {}))
+
+
+def _of_pyvista(mesh: Any) -> tuple[dict[str, Any], dict[str, Any]]:
+    """What has the attributes of pyvista.PolyData, and is none of VTK: each face as its number of corners and these."""
+    faces = np.asarray(mesh.faces)
+    if faces.ndim == 2 and faces.shape[1] == 3:
+        triangles, polygon = faces, np.arange(len(faces))
+    else:
+        starts = _starts(faces.ravel())
+        corners = np.delete(faces.ravel(), starts)
+        triangles, polygon = _fans(np.append(starts - np.arange(len(starts)), len(corners)), corners)
+    if not len(triangles):
+        raise InputError("The surface has no polygons.")
+    before = int(getattr(mesh, "n_verts", 0)) + int(getattr(mesh, "n_lines", 0))  # cells that are no polygons
+    cell_arrays = {name: v[before:][polygon] for name, v in _plain(getattr(mesh, "cell_data", {})).items()}
+    arrays = {
+        "points": np.asarray(mesh.points),
+        "triangles": triangles,
+        "point_arrays": _plain(getattr(mesh, "point_data", {})),
+    }
+    return arrays, cell_arrays
+
+
+def _starts(padded: Any) -> Any:
+    """Where the faces of an array begin that has the number of corners before those of each."""
+    if len(padded) and padded[0] > 0 and len(padded) % (padded[0] + 1) == 0 and np.all(padded[:: padded[0] + 1] == padded[0]):
+        return np.arange(0, len(padded), padded[0] + 1)  # all alike, as triangles are
+    starts, at = [], 0
+    while at < len(padded):
+        if padded[at] < 0:
+            break
+        starts.append(at)
+        at += int(padded[at]) + 1
+    if at != len(padded):
+        raise InputError("The faces of the surface are not numbers of corners, each followed by so many corners.")
+    return np.array(starts, dtype=np.int64)
+
+
+def _plain(data: Any) -> dict[str, Any]:
+    """Arrays of one number an element."""
+    return {str(name): np.asarray(v) for name, v in dict(data).items() if np.asarray(v).ndim == 1}
 
 
 def _need(module: str, what: str, package: str) -> Any:

@@ -9,10 +9,11 @@
 #include <exception>
 #include <new>
 #include <string>
+#include <system_error>
 
 namespace command_line {
 
-enum Exit_status { done = 0, wrong_usage = 2, unusable_input = 3, failed = 4 };
+enum Exit_status { done = 0, wrong_usage = 2, unusable_input = 3, failed = 4, some_failed = 5 };
 
 inline const char* exit_statuses() {
   return "Exit status: 0 done, 2 wrong usage (a file that cannot be written included), 3 input that cannot be read or "
@@ -27,10 +28,21 @@ inline Exit_status status_of(const std::exception& e) {
   return dynamic_cast<const tubular::Input_error*>(&e) ? unusable_input : failed;
 }
 
+/* A thread takes memory, too. The standard library and oneTBB have each a way to say that there can be none. */
+inline bool lacks_threads(const std::exception& e) {
+  const auto* system = dynamic_cast<const std::system_error*>(&e);
+  return (system && system->code() == std::errc::resource_unavailable_try_again) ||
+         std::string(e.what()).find("pthread_create has failed") != std::string::npos;
+}
+
 /* ... and what it says. */
 inline std::string explanation_of(const std::exception& e) {
   if (dynamic_cast<const std::bad_alloc*>(&e))
     return "There is not enough memory; make the result coarser.";
+  if (lacks_threads(e))
+    return "There is not enough memory, or there are too many processes, for another thread; make the result coarser, "
+           "or "
+           "use fewer --threads.";
   if (dynamic_cast<const CGAL::Tubular_meshing::Error*>(&e))
     return e.what();
   return std::string("It failed: ") + e.what();

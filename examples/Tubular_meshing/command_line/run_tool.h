@@ -16,6 +16,7 @@
 #include <cstdio>
 #include <exception>
 #include <string>
+#include <type_traits>
 
 /* What all the command-line tools have in common. */
 namespace command_line {
@@ -52,23 +53,8 @@ inline std::string sentence_of(const CLI::ParseError& e) {
   return text + "; see --help.";
 }
 
-// A command as one can type it again, in a shell.
-inline std::string text_of(const std::string& program, int argc, char* argv[]) {
-  std::string text = program;
-  for (int i = 1; i < argc; ++i) {
-    const std::string word = argv[i];
-    const bool is_plain =
-        !word.empty() && word.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789"
-                                                "_@%+=:,./-") == std::string::npos;
-    std::string quoted = is_plain ? word : "'";
-    for (char c : is_plain ? std::string() : word)
-      quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    text += " " + quoted + (is_plain ? "" : "'");
-  }
-  return text;
-}
-
-/* Parses the command line and runs; whatever is thrown becomes one sentence and the right exit status. */
+/* Parses the command line and runs, which may return a status that is not 0; whatever is thrown becomes one sentence and
+ * the right exit status. */
 template <class Run> int run_tool(CLI::App& app, int argc, char* argv[], const Run& run) {
   // a file too large, a reader gone: errors to report, not reasons to be killed
   std::signal(SIGXFSZ, SIG_IGN);
@@ -81,7 +67,10 @@ template <class Run> int run_tool(CLI::App& app, int argc, char* argv[], const R
     return fail(app, sentence_of(e), wrong_usage);
   }
   try {
-    run();
+    if constexpr (std::is_void_v<decltype(run())>)
+      run();
+    else
+      return run();
     return done;
   } catch (const Interrupted& e) {
     fail(app, "Interrupted; nothing was written.", failed);

@@ -34,6 +34,20 @@ struct Case_options {
   bool is_of_wall() const { return solver == "calculix"; }
 };
 
+/* Many surfaces, each of which is meshed by the other options. */
+struct Batch_options {
+  std::string surfaces; // a folder or a table; empty: there is one surface
+  std::string pattern = "*";
+  int jobs = 0;                     // at a time; 0: not said
+  double timeout = 0, memory = 0;   // seconds and MB of one; 0: no limit
+  bool retries = false;             // those that have failed
+  bool has_pages = true;            // one a mesh
+  std::string step;                 // of those that a program for clusters takes one by one; empty: all
+  std::vector<std::string> options; // of every surface, as words
+
+  bool is_wanted() const { return !surfaces.empty(); }
+};
+
 /* What the user of tubular_mesh asks for. */
 struct Options {
   // of cells outside the lumen, none where the thickness is 0
@@ -90,6 +104,7 @@ struct Options {
   std::string command;  // as it was typed, if it was
   std::string log_json; // a file, or - for standard error; empty: none
   Case_options solver_case;
+  Batch_options batch;
 
   bool makes_surface_only() const { return type == "surface"; }
   bool is_anisotropic() const { return type == "anisotropic"; }

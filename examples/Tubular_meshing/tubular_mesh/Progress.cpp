@@ -7,10 +7,10 @@
 #include "Schedule.h"
 #include "report/counts.h"
 #include "report/json.h"
+#include "terminal.h"
 
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 
-#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -38,40 +38,10 @@ double rounded(double seconds) {
   return std::round(1000 * seconds) / 1000;
 }
 
-// Short, as it changes all the time.
-std::string duration(double seconds) {
-  const long s = std::lround(seconds);
-  const auto two_digits = [](long n) { return (n < 10 ? "0" : "") + std::to_string(n); };
-  return s < 60     ? std::to_string(s) + " s"
-         : s < 3600 ? std::to_string(s / 60) + ":" + two_digits(s % 60) + " min"
-                    : std::to_string(s / 3600) + ":" + two_digits(s / 60 % 60) + " h";
-}
-
 // What is left, as exactly as it is known.
 std::string about(double seconds) {
   const double unit = seconds < 10 ? 1 : seconds < 60 ? 5 : seconds < 600 ? 30 : 300;
   return duration((std::max)(unit * std::round(seconds / unit), 1.));
-}
-
-// Its own buffer is none: what another thread writes to the stream is not in the way, nor is a child process.
-void write_to_terminal(const std::string& text) {
-  const ssize_t written = ::write(STDERR_FILENO, text.data(), text.size());
-  static_cast<void>(written); // nowhere to complain
-}
-
-std::size_t width_of_terminal() {
-  winsize size = {};
-  return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
-}
-
-// A character takes up to four bytes; they are all one column wide here.
-std::string cut_to(std::string text, std::size_t columns) {
-  std::size_t column = 0, i = 0;
-  for (; i < text.size(); ++i)
-    if ((text[i] & 0xC0) != 0x80 && ++column > columns)
-      break;
-  text.resize(i);
-  return text;
 }
 
 } // namespace
@@ -197,13 +167,13 @@ private:
     line += stage_ + ", " + duration(seconds_since(start_));
     if (state)
       line += ", about " + about(state->remaining) + " left";
-    write_to_terminal("\r\033[K" + cut_to(line, width_of_terminal() - 1));
+    show_in_line(line);
     is_line_shown_ = true;
   }
 
   void clear_line() {
     if (is_line_shown_)
-      write_to_terminal("\r\033[K");
+      show_in_line("");
     is_line_shown_ = false;
   }
 

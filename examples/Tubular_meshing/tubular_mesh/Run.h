@@ -72,6 +72,7 @@ struct Run {
   CGAL::Tubular_meshing::Size_requests sizes;
   Wall_requests walls;
   Flow_extensions extensions;
+  bool is_sampled = false; ///< of a dry run: counted by samples of the wall, without centerlines
   CGAL::Tubular_meshing::Tubular_model model;
   CGAL::Tubular_meshing::Remeshed_surface surface; ///< as it was meshed by patches; else empty
   CGAL::Tubular_meshing::Mixed_mesh mesh;          ///< empty once there are quadratic elements

@@ -13,6 +13,7 @@
 
 #include <limits>
 #include <string>
+#include <vector>
 
 using command_line::in_range;
 
@@ -377,12 +378,64 @@ inline void declare_case_options(CLI::App& app, Options& o) {
       ->group(group);
 }
 
+// Of surfaces in a batch as well, whose names are not given.
+inline std::vector<std::string> formats() {
+  std::vector<std::string> names = CGAL::Tubular_meshing::IO::mesh_format_names();
+  names.insert(names.end(), {"stl", "vtp", "ply", "off", "obj", "vtk"});
+  return names;
+}
+
+constexpr const char* batch_group = "Many surfaces";
+
+inline void declare_batch_options(CLI::App& app, Options& o) {
+  Batch_options& b = o.batch;
+  const double least = (std::numeric_limits<double>::min)(), most = (std::numeric_limits<double>::max)();
+  auto* batch =
+      app.add_option(
+             "--batch", b.surfaces,
+             "folder of surfaces, or table of them, .csv or .tsv: each is meshed into the folder --output, with "
+             "its report, page and picture, and index.html shows all; those that are there, made of the same "
+             "by the same options, are kept. Columns: surface, its file; name; options, any of these; or the "
+             "name of an option; #..., shown on the page alone")
+          ->excludes("surface")
+          ->group(batch_group);
+  const std::vector<CLI::Option*> all = {
+      app.add_option("--jobs", b.jobs, "surfaces that are meshed at a time (default: as many as there are cores)")
+          ->check(CLI::Range(1, 4096)),
+      app.add_option("--pattern", b.pattern,
+                     "of a folder: which of its surfaces, in the shell's way, by their path in it")
+          ->capture_default_str(),
+      app.add_option("--job-timeout", b.timeout, "seconds after which a surface counts as failed (default: no limit)")
+          ->check(in_range(least, most)),
+      app.add_option("--job-memory", b.memory, "MB of memory that a surface may take (default: no limit)")
+          ->check(in_range(least, most)),
+      app.add_flag("--retry-failed", b.retries, "mesh those again that have failed, though nothing has changed"),
+      app.add_flag("--pages,!--no-pages", b.has_pages,
+                   "a page for each mesh, of --report-budget MB, 5 by default, "
+                   "beside index.html (default: yes)"),
+      app.add_option("--batch-step", b.step,
+                     "for workflow programs, as workflow/Snakefile: plan, print the rows as JSON; the status file of a "
+                     "row, make that row; or index, write index.html of what is there")};
+  for (CLI::Option* option : all)
+    option->needs(batch)->group(batch_group);
+}
+
+// Reports, pictures and outputs are named by the batch: what is said of them holds all the same.
+inline void allow_in_batch(CLI::App& app) {
+  app.get_option("--report-budget")->remove_needs(app.get_option("--report"));
+  for (const char* option : {"--clip", "--picture-view", "--picture-color", "--picture-size"})
+    app.get_option(option)->remove_needs(app.get_option("--picture"));
+}
+
 inline void declare_options(CLI::App& app, Options& o, const std::string& version) {
   app.description("Makes a mesh of a vessel or airway tree from its triangulated surface, along its "
                   "centerlines.\nLengths are in the unit of the surface.");
-  app.footer(std::string(command_line::exit_statuses()) + "\nNothing is written unless all of it is whole.");
+  app.footer(std::string(command_line::exit_statuses()) +
+             " With --batch 5: some of "
+             "the surfaces have failed.\nNothing is written unless all of it is whole.");
   app.set_version_flag("--version", version);
-  app.add_option("surface", o.surface, "surface: .stl .off .obj .ply .vtp .vtu .vtk .msh .mesh")->required();
+  app.add_option("surface", o.surface,
+                 "surface: .stl .off .obj .ply .vtp .vtu .vtk .msh .mesh; required, but for --batch");
   app.add_option("-o,--output", o.output,
                  "mesh to write: .vtu .pvtu .msh .mesh .inp .su2 .feb .cas .xdmf .cgns .exo, or a folder polyMesh or "
                  "mesh-complete; a surface: .stl .vtp .msh .ply .off .obj .vtk; required, but for --dry-run");
@@ -391,7 +444,7 @@ inline void declare_options(CLI::App& app, Options& o, const std::string& versio
          "format of the mesh, where its name does not tell it: vtu, pvtu, gmsh, medit, abaqus, openfoam (of a case: "
          "its constant/polyMesh), openfoam-binary, openfoam-regions (of a case: a polyMesh a region), "
          "openfoam-regions-binary, svmultiphysics, su2, febio, fluent, xdmf (FEniCSx), cgns or exodus")
-      ->check(CLI::IsMember(CGAL::Tubular_meshing::IO::mesh_format_names()).description(""));
+      ->check(CLI::IsMember(formats()).description(""));
   app.add_option("-t,--type", o.type,
                  "kind of mesh: isotropic or anisotropic (tetrahedra), mixed (hexahedra, pyramids, tetrahedra), "
                  "hexahedral (hexahedra alone) or surface (no cells)")
@@ -437,6 +490,7 @@ inline void declare_options(CLI::App& app, Options& o, const std::string& versio
       ->check(CLI::Range(1, 1000000));
   declare_case_options(app, o);
   declare_physical_options(app, o);
+  declare_batch_options(app, o);
   app.add_option("--threads", o.threads, "number of threads, on which results do not depend (default: all cores)")
       ->check(CLI::Range(0, 1024));
   app.add_flag("--dry-run", o.dry_run,

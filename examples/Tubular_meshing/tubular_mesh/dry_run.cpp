@@ -91,6 +91,10 @@ Json report_of(Prepared& prepared, const tubular::Mesh_estimate& all) {
   }
   for (const auto& r : run.repairs.repairs)
     notes.push_back(r.sentence);
+  const bool is_sampled = prepared.parts.front().run.is_sampled;
+  if (is_sampled)
+    notes.push_back("The surface is large: mesh sizes are those of balls at some places of its wall; -v follows the "
+                    "centerlines, and lists the branches.");
   const tubular::Tubular_model model = tubular::join_parts(std::move(models));
   return {{"program", "tubular_mesh " + run.version},
           {"dry_run", true},
@@ -102,7 +106,9 @@ Json report_of(Prepared& prepared, const tubular::Mesh_estimate& all) {
           {"notes", notes},
           {"fallbacks", all.fallbacks},
           {"openings", openings(model)},
-          {"branches", branches(model)},
+          {"branches", is_sampled ? Json() : branches(model)},
+          {"vessels_length", all.vessel_length},
+          {"radius", {{"smallest", all.smallest_radius}, {"largest", all.largest_radius}}},
           {"mesh_size", {{"smallest", all.smallest_size}, {"largest", all.largest_size}}},
           {"estimate", estimate(all, o)}};
 }
@@ -124,9 +130,10 @@ std::string about_seconds(double seconds) {
 
 void print(const Json& r, bool verbose) {
   const auto number = [](const Json& j) { return j.get<double>(); };
-  std::printf("%s: %ld vessel%s, %zu openings, %zu branches\n", r["input"].get<std::string>().c_str(),
-              r["vessels"].get<long>(), r["vessels"].get<long>() == 1 ? "" : "s", r["openings"].size(),
-              r["branches"].size());
+  const bool has_branches = !r["branches"].is_null();
+  std::printf("%s: %ld vessel%s, %zu openings%s\n", r["input"].get<std::string>().c_str(), r["vessels"].get<long>(),
+              r["vessels"].get<long>() == 1 ? "" : "s", r["openings"].size(),
+              has_branches ? (", " + std::to_string(r["branches"].size()) + " branches").c_str() : "");
   for (const char* list : {"notes", "fallbacks"})
     for (const Json& sentence : r[list])
       std::printf("note: %s\n", sentence.get<std::string>().c_str());
@@ -134,13 +141,9 @@ void print(const Json& r, bool verbose) {
   for (const Json& o : r["openings"])
     std::printf("%-12s %6d %12.5g %12.5g %8s\n", o["name"].get<std::string>().c_str(), o["patch"].get<int>(),
                 number(o["radius"]), number(o["area"]),
-                o["branch"].is_null() ? "none" : std::to_string(o["branch"].get<long>()).c_str());
-  double length = 0, least = 1e300, most = 0;
-  for (const Json& b : r["branches"]) {
-    length += number(b["length"]);
-    least = (std::min)(least, number(b["min_radius"]));
-    most = (std::max)(most, number(b["max_radius"]));
-  }
+                !has_branches           ? ""
+                : o["branch"].is_null() ? "none"
+                                        : std::to_string(o["branch"].get<long>()).c_str());
   if (verbose) {
     std::printf("\n%-8s %12s %12s %12s\n", "branch", "length", "least radius", "largest");
     long i = 0;
@@ -148,7 +151,9 @@ void print(const Json& r, bool verbose) {
       std::printf("%-8ld %12.5g %12.5g %12.5g\n", i++, number(b["length"]), number(b["min_radius"]),
                   number(b["max_radius"]));
   }
-  std::printf("\nbranches: %.5g long in all, of radius %.4g to %.4g\n", length, least, most);
+  std::printf("\nbranches: %s%.*g long in all, of radius %.4g to %.4g\n", has_branches ? "" : "about ",
+              has_branches ? 5 : 3, number(r["vessels_length"]), number(r["radius"]["smallest"]),
+              number(r["radius"]["largest"]));
   std::printf("mesh size on the wall: %.4g to %.4g, with %.4g points per circumference\n",
               number(r["mesh_size"]["smallest"]), number(r["mesh_size"]["largest"]),
               number(r["points_per_circumference"]));

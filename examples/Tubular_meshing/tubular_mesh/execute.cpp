@@ -124,7 +124,9 @@ void write(const Run& run, Run_report& report, Stage_clock& clock) {
 
 Prepared prepare(Run& run, const tubular::Surface& surface, Stage_clock& clock) {
   std::vector<Part> parts = split(run, surface);
+  const bool is_sampled = is_to_be_sampled(run, surface.number_of_faces(), clock);
   for (Part& part : parts) {
+    part.run.is_sampled = is_sampled;
     cut_ends(part.run, part.surface, clock);
     extend_openings(part.run, part.surface, clock);
     prepare_model(part.run, part.surface, clock);

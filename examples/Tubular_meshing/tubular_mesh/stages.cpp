@@ -19,6 +19,7 @@
 #include <CGAL/Tubular_meshing/Openings/openings.h>
 #include <CGAL/Tubular_meshing/Patches/surface_to_mixed_mesh.h>
 #include <CGAL/Tubular_meshing/Pipelines/Element_target.h>
+#include <CGAL/Tubular_meshing/Pipelines/Sampled_estimator.h>
 #include <CGAL/Tubular_meshing/Quadratic/make_quadratic_mesh.h>
 #include <CGAL/Tubular_meshing/Repair/carry_labels.h>
 #include <CGAL/Tubular_meshing/Repair/repair_surface.h>
@@ -32,6 +33,7 @@
 #include <sstream>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 using command_line::point_of;
@@ -118,11 +120,13 @@ tubular::Tubular_model with_computed_centerlines(const Run& run, const tubular::
                       .single_opening(run.options.single_opening)
                       .number_of_threads(run.options.threads)
                       .labelled_ends(run.labels);
+  const auto make = [&](const auto& parameters) {
+    return run.is_sampled ? tubular::make_model_without_centerlines(surface, parameters)
+                          : tubular::make_tubular_model(surface, parameters);
+  };
   if (!run.extensions.openings.empty()) // the inlet has moved
-    return tubular::make_tubular_model(surface, np.inlet(run.extensions.openings.front().center));
-  if (run.points.inlet)
-    return tubular::make_tubular_model(surface, np.inlet(*run.points.inlet));
-  return tubular::make_tubular_model(surface, np);
+    return make(np.inlet(run.extensions.openings.front().center));
+  return run.points.inlet ? make(np.inlet(*run.points.inlet)) : make(np);
 }
 
 tubular::Tubular_model with_given_centerlines(const Run& run, const tubular::Surface& surface) {
@@ -262,6 +266,23 @@ std::deque<tubular::Mesher> meshers_of(std::vector<Part>& parts, Stage_clock& cl
   return meshers;
 }
 
+// What tells how many cells there will be: along the centerlines, or by samples of the wall.
+typedef std::variant<tubular::Mesher, tubular::Sampled_estimator> Estimator;
+
+std::deque<Estimator> estimators_of(std::vector<Part>& parts, Stage_clock& clock) {
+  std::deque<Estimator> estimators;
+  for (Part& part : parts) {
+    const auto parameters = mesher_parameters(part.run, clock);
+    if (!part.run.is_sampled) {
+      estimators.emplace_back(std::in_place_type<tubular::Mesher>, part.run.model, parameters);
+      continue;
+    }
+    clock.begin("estimate");
+    estimators.emplace_back(std::in_place_type<tubular::Sampled_estimator>, part.run.model, parameters);
+  }
+  return estimators;
+}
+
 // Tells who follows the run how much there is to do, by the mesh size, which is needed in any case.
 void expect_meshing(const std::vector<Part>& parts, std::deque<tubular::Mesher>& meshers, Stage_clock& clock) {
   const Options& o = parts.front().run.options;
@@ -369,9 +390,18 @@ void extend_openings(Run& run, tubular::Surface& surface, Stage_clock& clock) {
       run.labels.ends[end_of[i]].center = run.extensions.openings[i].center;
 }
 
+bool is_to_be_sampled(const Run& run, std::size_t triangles, Stage_clock& clock) {
+  const Options& o = run.options;
+  const std::size_t many = 100000; // fewer take no more than some seconds
+  const bool asks_for_branches = o.verbose || !o.refined_branches.empty() || !run.walls.of_branches.empty();
+  return o.dry_run && triangles >= many && !asks_for_branches && run.lines.lines.empty() && run.sizes.empty() &&
+         tubular::Sampled_estimator::can_estimate(mesh_type(o), surface_elements(o),
+                                                  tubular::Mesher_options(mesher_parameters(run, clock)));
+}
+
 void prepare_model(Run& run, const tubular::Surface& surface, Stage_clock& clock) {
   const bool are_given = !run.lines.lines.empty();
-  clock.begin(are_given ? "branches, openings" : "centerlines");
+  clock.begin(are_given ? "branches, openings" : run.is_sampled ? "openings" : "centerlines");
   run.model = are_given ? with_given_centerlines(run, surface) : with_computed_centerlines(run, surface);
   for (const auto& end : run.model.round_ends)
     if (std::none_of(run.round_ends.begin(), run.round_ends.end(), [&](const auto& known) { // kept before, too
@@ -383,14 +413,15 @@ void prepare_model(Run& run, const tubular::Surface& surface, Stage_clock& clock
 
 std::vector<tubular::Mesh_estimate> estimate_meshes(std::vector<Part>& parts, Stage_clock& clock) {
   const Options& o = parts.front().run.options;
-  std::deque<tubular::Mesher> meshers = meshers_of(parts, clock);
+  std::deque<Estimator> estimators = estimators_of(parts, clock);
   const double power = o.makes_surface_only() ? 2 : o.is_anisotropic() ? tubular::Element_target::power_of_layers : 3;
   std::vector<tubular::Mesh_estimate> estimates;
   for (int round = 0;; ++round) {
     estimates.clear();
     double elements = 0;
     for (std::size_t k = 0; k < parts.size(); ++k) {
-      estimates.push_back(meshers[k].estimate(mesh_type(o), surface_elements(o)));
+      estimates.push_back(
+          std::visit([&](auto& e) { return e.estimate(mesh_type(o), surface_elements(o)); }, estimators[k]));
       add_wall(estimates.back(), o);
       elements += o.makes_surface_only() ? estimates.back().facets() : estimates.back().cells();
     }
@@ -398,11 +429,11 @@ std::vector<tubular::Mesh_estimate> estimate_meshes(std::vector<Part>& parts, St
     const double tolerance = 0.02;
     if (o.elements == 0 || round == most_rounds || std::abs(elements / o.elements - 1) < tolerance)
       return estimates;
-    const double points = (std::min)(
-        (std::max)(meshers.front().points_per_circumference() * std::pow(o.elements / elements, 1 / power), 3.), 1e4);
+    const double before = std::visit([](auto& e) { return e.points_per_circumference(); }, estimators.front());
+    const double points = (std::min)((std::max)(before * std::pow(o.elements / elements, 1 / power), 3.), 1e4);
     for (std::size_t k = 0; k < parts.size(); ++k) {
       parts[k].run.options.points_per_circumference = points;
-      meshers[k].set_points_per_circumference(points);
+      std::visit([&](auto& e) { e.set_points_per_circumference(points); }, estimators[k]);
     }
   }
 }

@@ -12,6 +12,7 @@
 #include <CGAL/Tubular_meshing/IO/read_surface.h>
 #include <CGAL/Tubular_meshing/Pipelines/Mesh_estimate.h>
 
+#include <cstddef>
 #include <vector>
 
 /* The stages of a run, in their order; each reads what the ones before it left in the run. */
@@ -36,6 +37,9 @@ void cut_ends(Run& run, CGAL::Tubular_meshing::Surface& surface, Stage_clock& cl
 void extend_openings(Run& run, CGAL::Tubular_meshing::Surface& surface, Stage_clock& clock);
 
 // The surface with its openings, and its centerlines, given or computed.
+// Whether a dry run does without centerlines: of a surface of so many triangles, if nothing asks for the branches.
+bool is_to_be_sampled(const Run& run, std::size_t triangles, Stage_clock& clock);
+
 void prepare_model(Run& run, const CGAL::Tubular_meshing::Surface& surface, Stage_clock& clock);
 
 // About what make_meshes() would make, of each vessel.

@@ -75,6 +75,31 @@ class DryRun(ProgramTest):
         self.assertGreater(dry["mesh_size"]["smallest"], 0)
         self.assertGreater(dry["mesh_size"]["largest"], 2 * dry["mesh_size"]["smallest"])
 
+    def test_large_surfaces_are_sampled(self):
+        large, report = self.surface("y", "--resolution", "130"), self.out / "dry.json"
+        told = {}
+        for name, options in (("isotropic", []), ("layers", LAYERS), ("mixed", ["-t", "mixed"]),
+                              ("subdivision", TYPES["subdivision"]), ("surface", ["-t", "surface"])):
+            what = "facets" if name == "surface" else "cells"
+            for way in (["-q"], ["-v"]):
+                self.succeed(large, *options, "-n", 14, "--dry-run", *way, "--report", report)
+                dry = read_json(report)
+                self.assertGreater(dry["triangles"], 100000)
+                self.assertEqual(dry["branches"] is None, way == ["-q"])
+                self.assertEqual(len(dry["openings"]), 3)
+                told[way[0]] = sum(dry["estimate"][what].values())
+            self.assertAlmostEqual(told["-q"] / told["-v"], 1, delta=TOLERANCE, msg=name)
+            self.assertNotEqual(told["-q"], told["-v"])
+        self.succeed(large, "-t", "anisotropic", "--dry-run", "-q", "--report", report)
+        self.assertIsNotNone(read_json(report)["branches"])  # which need the centerlines
+        self.succeed(large, "--elements", 20000, "--dry-run", "-q", "--report", report)
+        self.assertAlmostEqual(sum(read_json(report)["estimate"]["cells"].values()), 20000, delta=2000)
+        told = []
+        for threads in (1, 2):
+            self.succeed(large, "--dry-run", "-q", "--report", report, "--threads", threads)
+            told.append(read_json(report)["estimate"]["cells"])
+        self.assertEqual(*told)
+
     def test_needs_no_output_and_little_time(self):
         begin = time.monotonic()
         run = self.succeed(self.surface("curved"), "--dry-run")

@@ -55,6 +55,8 @@ struct Mesh_estimate {
   double cap_triangles = 0, cap_quads = 0;                          ///< and on the openings
   double smallest_size = (std::numeric_limits<double>::infinity)(); ///< of h on the wall, a length
   double largest_size = 0;
+  double vessel_length = 0;                                                               ///< of all branches
+  double smallest_radius = (std::numeric_limits<double>::infinity)(), largest_radius = 0; ///< of the vessels
   double seconds = 0;                                   ///< from the mesh size on, which is there already
   double bytes = 0;                                     ///< of memory at the most
   Hexahedral_method method = Hexahedral_method::blocks; ///< of a hexahedral mesh
@@ -86,10 +88,12 @@ inline void Mesh_estimate::add(const Mesh_estimate& other) {
   for (double Mesh_estimate::*number :
        {&Mesh_estimate::tetrahedra, &Mesh_estimate::pyramids, &Mesh_estimate::prisms, &Mesh_estimate::hexahedra,
         &Mesh_estimate::wall_triangles, &Mesh_estimate::wall_quads, &Mesh_estimate::cap_triangles,
-        &Mesh_estimate::cap_quads, &Mesh_estimate::seconds, &Mesh_estimate::bytes})
+        &Mesh_estimate::cap_quads, &Mesh_estimate::vessel_length, &Mesh_estimate::seconds, &Mesh_estimate::bytes})
     this->*number += other.*number;
   smallest_size = (std::min)(smallest_size, other.smallest_size);
   largest_size = (std::max)(largest_size, other.largest_size);
+  smallest_radius = (std::min)(smallest_radius, other.smallest_radius);
+  largest_radius = (std::max)(largest_radius, other.largest_radius);
   if (other.method == Hexahedral_method::subdivision)
     method = other.method;
   fallbacks.insert(fallbacks.end(), other.fallbacks.begin(), other.fallbacks.end());

@@ -72,6 +72,11 @@ public:
     result.integrals = integrator.integrals();
     result.smallest_size = frame_.length_from_frame(integrator.smallest_size());
     result.largest_size = frame_.length_from_frame(integrator.largest_size());
+    for (const Centerline_graph::Branch& b : model_->centerlines.branches()) {
+      result.vessel_length += b.length;
+      result.smallest_radius = (std::min)(result.smallest_radius, b.min_radius);
+      result.largest_radius = (std::max)(result.largest_radius, b.max_radius);
+    }
     const bool in_blocks = (type == Mesh_type::hexahedral && options_.hexahedral_method == Hexahedral_method::blocks) ||
                            (type == Mesh_type::surface && elements == Surface_elements::structured_quads);
     if (in_blocks && !hexahedra_.has_blocks(result))

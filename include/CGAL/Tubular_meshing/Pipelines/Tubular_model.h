@@ -75,6 +75,8 @@ namespace internal {
 /* Of a model that has its surface, and nothing else yet. */
 void prepare(Tubular_model& model, const Centerline_polylines& lines, const Tubular_model_options& options);
 void prepare(Tubular_model& model, const Tubular_model_options& options);
+/* Without centerlines, for a Sampled_estimator; that the surface crosses itself is not looked for. */
+void prepare_without_centerlines(Tubular_model& model, const Tubular_model_options& options);
 
 /* Opens a copy of a caller's surface at the ends that the caller's labels mark, if there are labels. */
 template <class FaceGraph, class NamedParameters>
@@ -227,6 +229,24 @@ Tubular_model make_tubular_model(const FaceGraph& surface,
   copy_face_graph(*internal::Core_surface<FaceGraph, NamedParameters>(surface, np), model.surface);
   internal::open_labelled_ends(surface, model, options, np);
   internal::prepare(model, options);
+  return model;
+}
+
+/*! \ingroup PkgTubularMeshingPipelines
+ *
+ * the same without centerlines, with which it can be meshed no more: for a Sampled_estimator. It takes a tenth of the
+ * time. That the surface crosses itself is not looked for.
+ *
+ * \throws Input_error if the surface is in pieces, or has fewer than two ends
+ */
+template <class FaceGraph, class NamedParameters = CGAL::parameters::Default_named_parameters>
+Tubular_model make_model_without_centerlines(const FaceGraph& surface,
+                                             const NamedParameters& np = CGAL::parameters::default_values()) {
+  Tubular_model model;
+  Tubular_model_options options(np);
+  copy_face_graph(*internal::Core_surface<FaceGraph, NamedParameters>(surface, np), model.surface);
+  internal::open_labelled_ends(surface, model, options, np);
+  internal::prepare_without_centerlines(model, options);
   return model;
 }
 

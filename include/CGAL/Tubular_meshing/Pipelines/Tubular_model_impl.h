@@ -106,15 +106,25 @@ CGAL_TUBULAR_MESHING_INLINE void prepare(Tubular_model& model, const Centerline_
   connect(model, nodes);
 }
 
-CGAL_TUBULAR_MESHING_INLINE void prepare(Tubular_model& model, const Tubular_model_options& options) {
+// A surface that is closed, with its openings, and where lines are to lead to.
+inline std::vector<std::pair<Point_3, int>> close(Tubular_model& model, const Tubular_model_options& options) {
   check_surface(model);
   model.round_ends = open_round_ends(model.surface, options.seeds, options.blind_ends);
   model.openings = find_openings_or_seeds(model.surface, options.seeds, opening_options(options, nullptr));
   name_patches(model, options.labelled_ends);
   close_openings(model.surface, model.openings, model.patch);
+  return ends_of_lines(model.openings, {}, options.single_opening);
+}
+
+CGAL_TUBULAR_MESHING_INLINE void prepare_without_centerlines(Tubular_model& model,
+                                                             const Tubular_model_options& options) {
+  close(model, options);
+}
+
+CGAL_TUBULAR_MESHING_INLINE void prepare(Tubular_model& model, const Tubular_model_options& options) {
+  std::vector<std::pair<Point_3, int>> ends = close(model, options);
   check_no_crossings(model.surface);
   const Build_centerline_graph_options merging = graph_options(options);
-  std::vector<std::pair<Point_3, int>> ends = ends_of_lines(model.openings, {}, options.single_opening);
   if (ends.size() == 1)
     ends.emplace_back(farthest_point(model.surface, model.patch, ends.front().second), int(labels::wall));
   Centerline_computation computation(model.surface, model.patch, ends, options.loops, options.blind_vessels,

@@ -7,6 +7,7 @@
 #include <CGAL/Tubular_meshing/Fields/curvature.h>
 #include <CGAL/Tubular_meshing/Fields/internal/Indexed_wall.h>
 #include <CGAL/Tubular_meshing/Fields/internal/Point_boxes.h>
+#include <CGAL/Tubular_meshing/Fields/internal/opposite_ball.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
 #include <CGAL/Tubular_meshing/base/parallel.h>
 
@@ -56,9 +57,8 @@ public:
   const std::vector<Vector_3d>& directions() const { return directions_; }
 
 private:
-  static constexpr double facing = 0.80901699437494742; // the cosine of 36 degrees
-  static constexpr double window = 0.5;                 // of the radius
-  static constexpr double spacing = 0.2;                // of obstacles, of the radius
+  static constexpr double window = 0.5;  // of the radius
+  static constexpr double spacing = 0.2; // of obstacles, of the radius
   // how far from its surface a ball touches a vertex, of its radius or that of the fourth largest ball beside the vertex
   static constexpr double touch = 0.12;
   // the cosine of the angle between a ball's radius and the normal there; less, as long as normals are not averaged
@@ -192,38 +192,10 @@ private:
     for_each_range(size(), threads_, [&](std::size_t first, std::size_t last) {
       for (std::size_t i = first; i < last; ++i) {
         const Index v = Index(i);
-        // small balls first: most need not be shrunk from the size of all
-        for (double bound = (std::min)((std::max)(8 * longest_edge(v), largest / 4096), largest);
-             wanted[v] && radii_[v] == 0 && bound < 5 * largest; bound *= 4)
-          radii_[v] = ball(wall_.point(v), directions_[v], bound, slack);
+        if (wanted[v])
+          radii_[v] = opposite_ball(obstacles_, wall_.point(v), directions_[v], 8 * longest_edge(v), largest, slack);
       }
     });
-  }
-
-  /* The largest radius, below the bound, of a ball that touches x in direction n with no obstacle inside; 0 if there is
-   * no obstacle in that of the bound. */
-  double ball(const Vector_3d& x, const Vector_3d& n, double bound, double slack) const {
-    double radius = bound;
-    Vector_3d center = x + radius * n;
-    obstacles_.search(
-        center,
-        [&](const Point_boxes::Box& box) {
-          if (box.squared_distance(center) >= slack * radius * radius)
-            return false;
-          // the box's own ball against the cone of what lies opposite
-          const Vector_3d middle = 0.5 * (box.low + box.high), d = middle - x;
-          const double along = dot(d, n), across = std::sqrt((std::max)(0., squared_norm(d) - along * along));
-          return facing * (across - along) <= 0.5 * norm(box.high - box.low);
-        },
-        [&](const Vector_3d& q, double) {
-          const Vector_3d d = q - x;
-          const double along = dot(d, n), length2 = squared_norm(d);
-          if (along > 0 && along * along >= facing * facing * length2 && length2 < 2 * along * radius * slack) {
-            radius = length2 / (2 * along);
-            center = x + radius * n;
-          }
-        });
-    return radius < bound ? radius : 0;
   }
 
   /* Each ball counts at all vertices nearby that it touches, about: of those at a vertex the fourth largest remains.

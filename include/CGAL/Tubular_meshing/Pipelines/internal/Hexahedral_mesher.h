@@ -8,6 +8,7 @@
 #include <CGAL/Tubular_meshing/Hexahedra/subdivide_into_hexahedra.h>
 #include <CGAL/Tubular_meshing/Pipelines/Hexahedral_report.h>
 #include <CGAL/Tubular_meshing/Pipelines/Mesh_estimate.h>
+#include <CGAL/Tubular_meshing/Pipelines/internal/Element_counts.h>
 #include <CGAL/Tubular_meshing/Pipelines/internal/Mesher_core.h>
 #include <CGAL/Tubular_meshing/Pipelines/internal/hexahedral_sentences.h>
 #include <CGAL/Tubular_meshing/Pipelines/internal/mesh_by_blocks.h>
@@ -101,10 +102,7 @@ public:
   }
 
   // How much larger the cells are that are subdivided; no larger than their topology can bear.
-  double coarsening() const {
-    const double cube_root_of_four = 1.5874, fewest_points = 6;
-    return (std::min)((std::max)(core_.points() / fewest_points, 1.), cube_root_of_four);
-  }
+  double coarsening() const { return coarsening_for_subdivision(core_.points()); }
 
 private:
   static std::string why_there_are_none(const Hexahedral_report& report) {

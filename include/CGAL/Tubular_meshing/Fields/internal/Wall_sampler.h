@@ -1,0 +1,222 @@
+// Copyright (c) 2026 The Tubular_meshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TUBULAR_MESHING_FIELDS_INTERNAL_WALL_SAMPLER_H
+#define CGAL_TUBULAR_MESHING_FIELDS_INTERNAL_WALL_SAMPLER_H
+
+#include <CGAL/Tubular_meshing/Fields/Wall_samples.h>
+#include <CGAL/Tubular_meshing/Fields/internal/Point_boxes.h>
+#include <CGAL/Tubular_meshing/Fields/internal/opposite_ball.h>
+#include <CGAL/Tubular_meshing/base/Vector_3d.h>
+#include <CGAL/Tubular_meshing/base/parallel.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL::Tubular_meshing::internal {
+
+/* Chooses wall_samples(), and measures the balls at them. */
+class Wall_sampler {
+public:
+  typedef Surface::Vertex_index Vertex;
+  typedef Surface::Face_index Face;
+
+  Wall_sampler(const Surface& surface, const Face_patch_map& patch, int threads)
+      : surface_(surface)
+      , patch_(patch)
+      , threads_(threads)
+      , normals_(surface.number_of_vertices())
+      , is_wall_(surface.number_of_vertices(), 0) {
+    add_normals();
+    for (int ring = 0; ring < rings; ++ring)
+      average_normals();
+    std::vector<Vector_3d> points;
+    for (Vertex v : surface.vertices())
+      if (is_wall_[v]) {
+        points.emplace_back(surface.point(v));
+        box_.low = {(std::min)(box_.low.x, points.back().x), (std::min)(box_.low.y, points.back().y),
+                    (std::min)(box_.low.z, points.back().z)};
+        box_.high = {(std::max)(box_.high.x, points.back().x), (std::max)(box_.high.y, points.back().y),
+                     (std::max)(box_.high.z, points.back().z)};
+      }
+    obstacles_ = Point_boxes(points, std::vector<double>(points.size(), 0.));
+  }
+
+  std::vector<Wall_sample> samples(std::size_t most) const {
+    std::vector<Wall_sample> result;
+    std::vector<Vertex> vertices;
+    const std::size_t n = (std::min)(most, std::size_t(surface_.number_of_faces()));
+    double walked = 0;
+    for (Face f : surface_.faces()) {
+      if (get(patch_, f) != labels::wall)
+        continue;
+      walked += norm(doubled_area(f)) / 2;
+      for (; (double(result.size()) + 0.5) / double(n) * area_ < walked && result.size() < n;) {
+        const Vertex v = surface_.target(surface_.halfedge(f));
+        vertices.push_back(v);
+        result.push_back({surface_.point(v), area_ / double(n), 0});
+      }
+    }
+    std::vector<double> radii(result.size());
+    for_each_range(result.size(), threads_, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i)
+        radii[i] = radius(vertices[i]);
+    });
+    std::vector<Ball> balls;
+    for (std::size_t i = 0; i < result.size(); ++i)
+      if (radii[i] > 0)
+        balls.push_back({Vector_3d(result[i].point) + radii[i] * normals_[vertices[i]], radii[i]});
+    const Point_boxes axis = middles_of_vessels(balls);
+    for_each_range(result.size(), threads_, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i)
+        if (radii[i] > 0)
+          result[i].radius = radius_about(axis, Vector_3d(result[i].point));
+    });
+    return result;
+  }
+
+private:
+  static constexpr int rings = 3;
+
+  struct Ball {
+    Vector_3d center;
+    double radius;
+  };
+
+  struct Box {
+    Vector_3d low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
+  };
+
+  Vector_3d doubled_area(Face f) const {
+    const auto h = surface_.halfedge(f);
+    const Vector_3d a(surface_.point(surface_.source(h))), b(surface_.point(surface_.target(h))),
+        c(surface_.point(surface_.target(surface_.next(h))));
+    return cross(b - a, c - a);
+  }
+
+  // Inward, of unit length.
+  void add_normals() {
+    for (Face f : surface_.faces()) {
+      if (get(patch_, f) != labels::wall)
+        continue;
+      const Vector_3d n = doubled_area(f);
+      area_ += norm(n) / 2;
+      for (Vertex v : surface_.vertices_around_face(surface_.halfedge(f))) {
+        normals_[v] += (-1.) * n;
+        is_wall_[v] = 1;
+      }
+    }
+    for (Vector_3d& n : normals_)
+      n = normalized(n);
+  }
+
+  void average_normals() {
+    std::vector<Vector_3d> averaged(normals_.size());
+    for_each_range(normals_.size(), threads_, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i) {
+        const Vertex v{Surface::size_type(i)};
+        if (!is_wall_[i])
+          continue;
+        Vector_3d sum = normals_[i];
+        for (Vertex w : surface_.vertices_around_target(surface_.halfedge(v)))
+          if (is_wall_[w])
+            sum += normals_[w];
+        averaged[i] = squared_norm(sum) > 0 ? normalized(sum) : normals_[i];
+      }
+    });
+    normals_ = std::move(averaged);
+  }
+
+  /* In a cross section that is not round, balls are the smaller the nearer they are to where it is narrow: the slope of
+   * their radius is a / (a + b) in an ellipse with half axes a and b, and next to nothing along a vessel, whatever it
+   * tapers. Those are left that no other nearby rises above by more than between these. */
+  Point_boxes middles_of_vessels(const std::vector<Ball>& balls) const {
+    const double reach = 0.8, least = 0.05, slope = 0.2; // the first two in radii
+    const Point_boxes all = boxes_of(balls);
+    std::vector<char> is_middle(balls.size(), 1);
+    for_each_range(balls.size(), threads_, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i) {
+        const Ball& ball = balls[i];
+        all.search(
+            ball.center,
+            [&](const Point_boxes::Box& box) {
+              return is_middle[i] && box.squared_distance(ball.center) < reach * reach * ball.radius * ball.radius;
+            },
+            [&](const Vector_3d& other, double radius) {
+              const double d = norm(other - ball.center);
+              if (d < reach * ball.radius && d > least * ball.radius && radius > ball.radius + slope * d)
+                is_middle[i] = 0;
+            });
+      }
+    });
+    std::vector<Ball> middles;
+    for (std::size_t i = 0; i < balls.size(); ++i)
+      if (is_middle[i])
+        middles.push_back(balls[i]);
+    return boxes_of(middles);
+  }
+
+  static Point_boxes boxes_of(const std::vector<Ball>& balls) {
+    std::vector<Vector_3d> centers;
+    std::vector<double> radii;
+    for (const Ball& ball : balls) {
+      centers.push_back(ball.center);
+      radii.push_back(ball.radius);
+    }
+    return Point_boxes(centers, radii);
+  }
+
+  // As for the mesh size on the wall: that of the middle which is nearest, or the distance to it.
+  static double radius_about(const Point_boxes& axis, const Vector_3d& x) {
+    double nearest = (std::numeric_limits<double>::infinity)(), radius = 0;
+    axis.search(
+        x, [&](const Point_boxes::Box& box) { return box.squared_distance(x) < nearest; },
+        [&](const Vector_3d& middle, double of_middle) {
+          const double squared = squared_norm(middle - x);
+          if (squared < nearest) {
+            nearest = squared;
+            radius = of_middle;
+          }
+        });
+    return (std::max)(radius, std::sqrt(nearest));
+  }
+
+  // The median of that at the vertex and at its neighbours.
+  double radius(Vertex v) const {
+    std::vector<double> radii{ball(v)};
+    for (Vertex w : surface_.vertices_around_target(surface_.halfedge(v)))
+      if (is_wall_[w])
+        radii.push_back(ball(w));
+    radii.erase(std::remove(radii.begin(), radii.end(), 0.), radii.end());
+    if (radii.empty())
+      return 0;
+    const auto middle = radii.begin() + std::ptrdiff_t(radii.size() / 2);
+    std::nth_element(radii.begin(), middle, radii.end());
+    return *middle;
+  }
+
+  double ball(Vertex v) const {
+    const double slack = 0.98;
+    const Vector_3d p(surface_.point(v));
+    double edge = 0;
+    for (Vertex w : surface_.vertices_around_target(surface_.halfedge(v)))
+      edge = (std::max)(edge, norm(Vector_3d(surface_.point(w)) - p));
+    return opposite_ball(obstacles_, p, normals_[v], 8 * edge, norm(box_.high - box_.low) / 2, slack);
+  }
+
+  const Surface& surface_;
+  const Face_patch_map& patch_;
+  int threads_;
+  std::vector<Vector_3d> normals_;
+  std::vector<char> is_wall_;
+  Box box_;
+  double area_ = 0; // of the wall
+  Point_boxes obstacles_;
+};
+
+} // namespace CGAL::Tubular_meshing::internal
+
+#endif // CGAL_TUBULAR_MESHING_FIELDS_INTERNAL_WALL_SAMPLER_H
