@@ -42,6 +42,13 @@ private:
   static double positive(double x) { return (std::max)(x, 1.); }
 };
 
+/* How much larger the mesh size of what is to be subdivided is: as many hexahedra come as tetrahedra otherwise, but a vessel
+ * has points enough round it. */
+inline double coarsening_for_subdivision(double points) {
+  const double cube_root_of_four = 1.5874, fewest_points = 6;
+  return (std::min)((std::max)(points / fewest_points, 1.), cube_root_of_four);
+}
+
 /* A lumen's integrals with a mesh size that is larger by a factor. */
 inline Lumen_integrals coarser(Lumen_integrals n, double factor) {
   n.cubes /= std::pow(factor, 3);

@@ -16,7 +16,6 @@
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 
-#include <algorithm>
 #include <optional>
 #include <string>
 #include <utility>
@@ -98,12 +97,6 @@ public:
     core_.set_moves_wall(core_.options().preserve_volume);
     core_.move_wall_of(mesh);
     return mesh;
-  }
-
-  // How much larger the cells are that are subdivided; no larger than their topology can bear.
-  double coarsening() const {
-    const double cube_root_of_four = 1.5874, fewest_points = 6;
-    return (std::min)((std::max)(core_.points() / fewest_points, 1.), cube_root_of_four);
   }
 
 private:
