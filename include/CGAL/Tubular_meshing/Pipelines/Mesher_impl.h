@@ -87,7 +87,7 @@ public:
     if (type == Mesh_type::surface)
       internal::count_facets(result, elements, points(), openings);
     else
-      internal::count_cells(result, type, layers, points(), hexahedra_.coarsening(), openings);
+      internal::count_cells(result, type, layers, points(), internal::coarsening_for_subdivision(points()), openings);
     internal::estimate_cost(result, type, double(model_->surface.number_of_faces()));
     return result;
   }
@@ -189,7 +189,7 @@ public:
         mesh = hexahedra_.by_blocks(options_.hexahedral_fallback, structure_);
       if (!mesh)
         mesh = hexahedra_.by_subdivision([&] {
-          coarsening_ = hexahedra_.coarsening();
+          coarsening_ = internal::coarsening_for_subdivision(points());
           Mixed_mesh coarse = isotropic_in_frame(options_.surface_mesher);
           kept_ = Remeshed_surface(); // its triangles are subdivided
           return coarse;

@@ -8,7 +8,6 @@
 #include <CGAL/Tubular_meshing/Hexahedra/subdivide_into_hexahedra.h>
 #include <CGAL/Tubular_meshing/Pipelines/Hexahedral_report.h>
 #include <CGAL/Tubular_meshing/Pipelines/Mesh_estimate.h>
-#include <CGAL/Tubular_meshing/Pipelines/internal/Element_counts.h>
 #include <CGAL/Tubular_meshing/Pipelines/internal/Mesher_core.h>
 #include <CGAL/Tubular_meshing/Pipelines/internal/hexahedral_sentences.h>
 #include <CGAL/Tubular_meshing/Pipelines/internal/mesh_by_blocks.h>
@@ -17,7 +16,6 @@
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 
-#include <algorithm>
 #include <optional>
 #include <string>
 #include <utility>
@@ -100,9 +98,6 @@ public:
     core_.move_wall_of(mesh);
     return mesh;
   }
-
-  // How much larger the cells are that are subdivided; no larger than their topology can bear.
-  double coarsening() const { return coarsening_for_subdivision(core_.points()); }
 
 private:
   static std::string why_there_are_none(const Hexahedral_report& report) {
