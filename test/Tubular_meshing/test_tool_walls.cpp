@@ -421,7 +421,8 @@ TEST_F(Tool, Fibres_are_written_where_a_format_has_a_place_for_them) {
   succeed(common + Arguments{"-o", out("m.msh")});
   EXPECT_NE(bytes_of(out("m.msh")).find("$ElementData\n1\n\"longitudinal\""), std::string::npos);
   EXPECT_EQ(cells_by_region(mesh_in(out("m.msh"))), cells_by_region(mesh_in(out("m.vtu"))));
-  succeed(common + Arguments{"-o", out("t-mesh-complete")});
+  for (int times = 0; times < 2; ++times) // the second time in place of the first
+    succeed(common + Arguments{"-o", out("t-mesh-complete")});
   for (const char* name : {"solid/fibers-circumferential.vtu", "solid/fibers-longitudinal.vtu"})
     EXPECT_NE(bytes_of(out("t-mesh-complete") + "/" + name).find("FIB_DIR"), std::string::npos) << name;
   EXPECT_FALSE(fs::exists(out("t-mesh-complete/fluid/fibers-longitudinal.vtu")));

@@ -309,6 +309,7 @@ private:
 inline bool belongs_to_svmultiphysics(const std::filesystem::path& file) {
   const std::string name = file.filename().string();
   return name == "mesh-complete.mesh.vtu" || name == "mesh-complete.exterior.vtp" || name == "walls_combined.vtp" ||
+         (name.rfind("fibers-", 0) == 0 && file.extension() == ".vtu") ||
          (file.parent_path().filename() == "mesh-surfaces" && file.extension() == ".vtp");
 }
 
