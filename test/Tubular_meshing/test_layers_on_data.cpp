@@ -102,6 +102,5 @@ INSTANTIATE_TEST_SUITE_P(Vessels, Layers_on_data,
                                            Vessel{"cerebral", "/paper/cerebral.stl", "/paper/centerlinesCEREBRAL.vtk",
                                                   14},
                                            Vessel{"bypass", "/paper/bypass.stl", "/paper/centerlinesBYPASS.msh", 16},
-                                           Vessel{"carotids", "/trees/sofa_carotids.stl", nullptr, 16},
-                                           Vessel{"LCA", "/trees/sofa_LCA.stl", nullptr, 12}),
+                                           Vessel{"carotids", "/trees/sofa_carotids.stl", nullptr, 16}),
                          [](const ::testing::TestParamInfo<Vessel>& info) { return std::string(info.param.name); });

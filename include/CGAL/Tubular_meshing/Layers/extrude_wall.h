@@ -73,9 +73,10 @@ Extruded_wall extrude_wall(const Surface& surface, Face_patch_map patch, Length_
  *
  * The wall is as thick as wanted where there is room. Two vessels, or the two sides of a crotch, share the gap between
  * them, and keep a quarter of it free; from there on the thickness grows by at most 0.4 of the distance, which bounds
- * jumps of the radius, and of thicknesses that are given, too. What comes out is checked: no corner of a cell is inverted, and the outer surface, with
- * its rings and the openings, does not cross itself, so that no cell overlaps another. Where one or the other happens
- * the wall is made thinner around, until all is well. What it came to is reported.
+ * jumps of the radius, and of thicknesses that are given, too. What comes out is checked: no corner of a cell is
+ * inverted, and the outer surface, with its rings and the openings, does not cross itself, so that no cell overlaps
+ * another. Where one or the other happens the wall is made thinner around, until all is well. What it came to is
+ * reported.
  *
  * New points come after the mesh's own, layer after layer; cells and facets of the mesh stay, but for facets of the
  * wall that lie in the plane of an opening, which become the opening's. Point arrays continue with the values of the
@@ -88,8 +89,7 @@ Extruded_wall extrude_wall(const Surface& surface, Face_patch_map patch, Length_
  * | patch 1 `wall` | the facets that the wall grew on: now the interface |
  * | patch 100 `outer_wall` | |
  * | patch 101 `middle_wall` | the interface between the wall and the second one |
- * | patch 102 `inlet_ring`, 103, … `outlet_ring_1`, … | the wall's ends, those of both walls: 100 + that of the opening
- * |
+ * | patch 102 `inlet_ring`, 103, … `outlet_ring_1`, … | the ends of one or both walls: 100 + that of the opening |
  * | patch 200 `material_interface` | the facets between the wall and its materials |
  *
  * Where the mesh has more than 98 openings, 100 is 1000 in all of that, and 200 is 2000: see

@@ -26,7 +26,8 @@ struct Patch_report {
   double largest_aspect_ratio = 0;                        ///< of a patch: length over mean diameter
   std::size_t moved_cuts = 0;        ///< disks that were moved or tilted, as they did not close where they were wanted
   std::size_t handle_cuts = 0;       ///< cuts round handles of the wall through which no disk goes
-  std::size_t refined_patches = 0;   ///< patches and caps meshed finer than asked for, as they met themselves or others
+  std::size_t refined_patches = 0;   ///< patches and caps meshed finer than asked for: they met themselves or
+                                     ///< others, or had triangles that were turned over
   std::size_t smoothed_places = 0;   ///< where faces met each other at any size, and were smoothed
   std::vector<std::string> problems; ///< what the cut could not do, a sentence each
 

@@ -65,7 +65,8 @@ using Is_metric_field =
  * thin layer in a cap, whose rim is round, see there too. The metric at the vertices goes with the result.
  *
  * Where new triangles meet others than their neighbours, as they do if they are too large for the gap between two
- * vessels, the patches concerned are meshed again with smaller sizes. What is returned is closed, manifold and free of
+ * vessels, the patches concerned are meshed again with smaller sizes; twice also where a triangle is turned over, as one
+ * is that passes from one side of a vessel to the other through its lumen. What is returned is closed, manifold and free of
  * self-intersections, as CGAL's `Polygon_mesh_processing::does_self_intersect()` sees them.
  *
  * \param surface the surface that was cut
