@@ -4,9 +4,9 @@
 #include "Table.h"
 
 #include "../../command_line/words.h"
-#include "utf8.h"
 
 #include <CGAL/Tubular_meshing/base/exceptions.h>
+#include <CGAL/Tubular_meshing/base/utf_8.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -29,7 +29,7 @@ std::string whole_file(const std::string& file) {
   const std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
   if (!in.good() && !in.eof())
     throw tubular::Input_error("The table \"" + file + "\" cannot be read: " + std::strerror(errno) + ".");
-  if (!is_utf8(text))
+  if (tubular::internal::as_utf_8(text) != text)
     throw tubular::Input_error("The table \"" + file + "\" is not in UTF-8: save it so.");
   const bool has_mark = text.compare(0, 3, "\xEF\xBB\xBF") == 0;
   return text.substr(has_mark ? 3 : 0);

@@ -6,7 +6,6 @@
 #include "../../command_line/words.h"
 #include "../page/html.h"
 #include "index_style.h"
-#include "utf8.h"
 
 #include <CGAL/Tubular_meshing/IO/Output_file.h>
 
@@ -182,10 +181,6 @@ std::string link(const std::string& path, const std::string& content) {
   return path.empty() ? "" : "<a href=\"" + address + "\">" + content + "</a>";
 }
 
-std::string text_in_page(const std::string& text) {
-  return html::escaped(as_utf8(text));
-}
-
 class Page {
 public:
   Page(const std::string& results, const std::string& source, const Rows& rows)
@@ -209,12 +204,12 @@ public:
     const std::time_t now = std::time(nullptr);
     std::tm local = {};
     std::strftime(time, sizeof time, "%Y-%m-%d %H:%M", localtime_r(&now, &local));
-    const std::string title = text_in_page(fs::path(source_).filename().string());
+    const std::string title = html::escaped_for_xml(fs::path(source_).filename().string());
     std::string page = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
                        "content=\"width=device-width, initial-scale=1\">\n<title>" +
                        title + "</title>\n<style>" + index_style + "</style>\n</head>\n<body>\n<h1>" + title +
                        "</h1>\n<p>" + summary(rows_) + ". " +
-                       html::escaped(made_by.empty() ? "Nothing done" : made_by) + ", " + time +
+                       html::escaped_for_xml(made_by.empty() ? "Nothing done" : made_by) + ", " + time +
                        ". Of each measure of quality the worst value is given; \"volume\" is the mesh's difference "
                        "from the surface.\n<a href=\"index.csv\">index.csv</a> has the same.</p>\n<table>\n<thead><tr>";
     std::vector<std::string> headings = {"picture", "surface", "status", "files", "sentence"};
@@ -222,7 +217,7 @@ public:
     headings.insert(headings.end(), columns_.shown.begin(), columns_.shown.end());
     headings.push_back("options");
     for (const std::string& heading : headings)
-      page += "<th scope=\"col\">" + text_in_page(heading) + "</th>";
+      page += "<th scope=\"col\">" + html::escaped_for_xml(heading) + "</th>";
     page += "</tr></thead>\n<tbody>\n";
     for (const Indexed_row& row : rows_)
       page += text_of(row) + "\n";
@@ -231,8 +226,8 @@ public:
 
 private:
   static std::string cell(const std::string& label, const std::string& content, const std::string& kind = "") {
-    return "<td" + (kind.empty() ? "" : " class=\"" + kind + "\"") + " data-label=\"" + text_in_page(label) + "\">" +
-           content + "</td>";
+    return "<td" + (kind.empty() ? "" : " class=\"" + kind + "\"") + " data-label=\"" + html::escaped_for_xml(label) +
+           "\">" + content + "</td>";
   }
 
   // A picture that leads to the mesh's page, or to itself.
@@ -240,7 +235,7 @@ private:
     const std::string picture = path_of(results_, row, "picture"), page = path_of(results_, row, "page");
     if (picture.empty())
       return "";
-    const std::string image = "<img src=\"" + picture + "\" alt=\"" + text_in_page(row.row.name) +
+    const std::string image = "<img src=\"" + picture + "\" alt=\"" + html::escaped_for_xml(row.row.name) +
                               "\" width=\"160\" height=\"120\" loading=\"lazy\">"; // the path of an id is plain
     return link(page.empty() ? picture : page, image);
   }
@@ -254,13 +249,14 @@ private:
     const std::string status =
         row.outcome == Indexed_row::failed ? "failed, " + std::to_string(row.result->status()) : name_of(row);
     std::string cells = cell("picture", thumbnail(row), "picture") +
-                        cell("surface", text_in_page(row.row.name), "name") + cell("status", status, "status") +
-                        cell("files", files, "files") + cell("sentence", text_in_page(row.sentence()), "sentence");
+                        cell("surface", html::escaped_for_xml(row.row.name), "name") +
+                        cell("status", status, "status") + cell("files", files, "files") +
+                        cell("sentence", html::escaped_for_xml(row.sentence()), "sentence");
     for (const std::string& column : columns_.numbers)
       cells += cell(column, row.values.contains(column) ? shown_value(column, row.values[column]) : "", "number");
     for (const auto& column : row.row.shown)
-      cells += cell(column.first, text_in_page(column.second));
-    cells += cell("options", text_in_page(command_line::text_of(row.row.options)));
+      cells += cell(column.first, html::escaped_for_xml(column.second));
+    cells += cell("options", html::escaped_for_xml(command_line::text_of(row.row.options)));
     return "<tr class=\"" + std::string(name_of(row)) + "\">" + cells + "</tr>";
   }
 
