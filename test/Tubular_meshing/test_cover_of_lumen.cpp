@@ -183,7 +183,7 @@ INSTANTIATE_TEST_SUITE_P(
                       Parting{"Y_of_15_degrees_and_ratio_2_coarse", 2, 15, 2, 12, 1e-3, true, false},
                       Parting{"Y_of_20_degrees_and_ratio_15_tenths_coarse", 2, 20, 1.5, 10, 1, true, true},
                       Parting{"Y_of_25_degrees_and_ratio_3", 2, 25, 3, 30, 1, true, false},
-                      Parting{"Four_of_15_degrees_coarse", 4, 15, 1.3, 12, 1, true, true},
+                      Parting{"Four_of_20_degrees_and_given_lines", 4, 20, 1, 30, 1, false, true},
                       Parting{"Four_of_20_degrees", 4, 20, 1, 16, 10, true, false},
                       Parting{"Five_of_30_degrees", 5, 30, 1, 24, 1, true, false}),
     [](const auto& info) { return info.param.name; });

@@ -106,7 +106,6 @@ std::ostream& operator<<(std::ostream& out, const Shape& s) {
 const std::vector<Shape>& shapes() {
   static const std::vector<Shape> all = {
       {"Fork_of_nine", [] { return fork_of_nine(60); }, "10 vessels"},
-      {"Fork_of_nine_with_sharp_crotches", [] { return fork_of_nine(35); }, "10 vessels"},
       {"Hub_of_ten", hub_of_ten_vessels, "10 vessels"},
   };
   return all;

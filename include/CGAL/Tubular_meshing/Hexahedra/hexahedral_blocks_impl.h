@@ -54,6 +54,7 @@ public:
         return result;
       for (int attempt = 0;; ++attempt) {
         result.refused.clear();
+        result.mesh = Mixed_mesh();
         Network_blocks blocks = builder(shapes_).build();
         check_cover(blocks, result); // before work that would be for nothing
         if (!result.refused.empty())
@@ -182,6 +183,7 @@ private:
     return Block_builder(network_, shapes, wall_, rings_, rims_, size_, core);
   }
 
+  // Gives each junction its first start.
   void choose_starts(Hexahedral_blocks& result) {
     const std::size_t n = network_.nodes.size();
     shapes_.assign(n, std::nullopt);

@@ -37,7 +37,9 @@ public:
       , patch_(patch)
       , options_(options)
       , quality_(mesh.hexahedra.size()) {
-    take_points();
+    points_.reserve(mesh.points.size());
+    for (const Point_3& p : mesh.points)
+      points_.emplace_back(p);
   }
 
   /* The same with a surface that is ready. `slack`: how far off their patch vertices may be that lie on one alone;
@@ -48,6 +50,7 @@ public:
     sliding_ = &sliding;
     slack_ = slack;
   }
+
   Optimize_hexahedra_report run() {
     const Summary before = measure_all();
     Summary after = before;
@@ -79,12 +82,6 @@ private:
     double least = 0, mean = 0;
     std::size_t inverted = 0, below_wanted = 0;
   };
-
-  void take_points() {
-    points_.reserve(mesh_.points.size());
-    for (const Point_3& p : mesh_.points)
-      points_.emplace_back(p);
-  }
 
   void keep_all(const Summary& before, Summary& after) {
     after = before;

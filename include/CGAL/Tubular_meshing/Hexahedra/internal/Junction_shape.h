@@ -73,7 +73,7 @@ inline std::vector<double> parting_abscissas(const std::vector<Vessel_path>& pat
           continue;
         const Vector_3d d = paths[j].point(b) - p;
         const double distance = norm(d);
-        if (distance > 0 && !(wall.along(p, (1 / distance) * d, distance) < distance))
+        if (!(distance > 0) || !(wall.along(p, (1 / distance) * d, distance) < distance))
           return false;
       }
       return true;
