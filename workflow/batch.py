@@ -45,9 +45,9 @@ class Batch:
         """What a scheduler is asked for: more than the run's own limit, so that it is the run that says so."""
         return self.timeout // 60 + 5 if self.timeout else 7 * 24 * 60
 
-    def shell(self, step):
-        """The command of a step, for a shell."""
-        return " ".join(map(shlex.quote, self.command + ["--batch-step", step]))
+    def shell(self):
+        """The command, for a shell."""
+        return " ".join(map(shlex.quote, self.command))
 
     def plan(self):
         run = subprocess.run(self.command + ["--batch-step", "plan"], stdout=subprocess.PIPE, stderr=subprocess.PIPE,

@@ -52,6 +52,8 @@ int main(int argc, char* argv[]) {
   app.final_callback([&] {
     if (options.surface.empty() && !options.batch.is_wanted())
       throw CLI::RequiredError("surface");
+    if (!options.surface.empty() && options.batch.is_wanted())
+      throw CLI::ExcludesError("surface", "--batch");
   });
   return command_line::run_tool(app, argc, argv, [&] {
     if (!options.batch.is_wanted()) {

@@ -397,7 +397,6 @@ inline void declare_batch_options(CLI::App& app, Options& o) {
              "its report, page and picture, and index.html shows all; those that are there, made of the same "
              "by the same options, are kept. Columns: surface, its file; name; options, any of these; or the "
              "name of an option; #..., shown on the page alone")
-          ->excludes("surface")
           ->group(batch_group);
   const std::vector<CLI::Option*> all = {
       app.add_option("--jobs", b.jobs, "surfaces that are meshed at a time (default: as many as there are cores)")
