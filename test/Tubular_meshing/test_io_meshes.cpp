@@ -324,8 +324,8 @@ TEST_F(IO, Input_decks_get_fibres_as_an_orientation_by_elements) {
     TM::IO::write_mesh(path("m.inp"), m.mesh, arrays);
     std::vector<std::size_t> cells; // by kind, then by region, as the deck has them
     std::size_t first = 0;
-    for (const auto* labels : {&m.mesh.tetrahedra.label, &m.mesh.pyramids.label, &m.mesh.prisms.label,
-                               &m.mesh.hexahedra.label}) {
+    for (const auto* labels :
+         {&m.mesh.tetrahedra.label, &m.mesh.pyramids.label, &m.mesh.prisms.label, &m.mesh.hexahedra.label}) {
       std::map<int, std::vector<std::size_t>> by_region;
       for (int region : *labels)
         by_region[region].push_back(first++);

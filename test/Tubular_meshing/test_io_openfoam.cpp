@@ -226,7 +226,8 @@ void expect_regions(const Mesh& m, const fs::path& openfoam_case) {
   std::map<int, Poly_mesh> regions;
   for (int region : cells.region)
     if (regions.count(region) == 0)
-      regions.emplace(region, Poly_mesh(openfoam_case / "constant" / region_folders_of_samples.at(region) / "polyMesh"));
+      regions.emplace(region,
+                      Poly_mesh(openfoam_case / "constant" / region_folders_of_samples.at(region) / "polyMesh"));
   std::map<Corners, std::vector<std::size_t>> sides;
   for (std::size_t c = 0; c < cells.faces.size(); ++c)
     for (const Corners& f : cells.corners(c))
@@ -266,7 +267,8 @@ void expect_regions(const Mesh& m, const fs::path& openfoam_case) {
                 .insert(s.first);
     EXPECT_EQ(patches, facets);
     for (const auto& other : regions) {
-      const std::string mine = region_folders_of_samples.at(r.first), theirs = region_folders_of_samples.at(other.first);
+      const std::string mine = region_folders_of_samples.at(r.first),
+                        theirs = region_folders_of_samples.at(other.first);
       const auto side = p.patches.find(mine + "_to_" + theirs);
       if (side == p.patches.end())
         continue;

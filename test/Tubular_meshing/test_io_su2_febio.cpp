@@ -342,7 +342,8 @@ TEST_F(IO, FEBio_gets_fibres_as_axes_of_the_material_and_other_values_as_maps) {
     EXPECT_EQ(with_age.size(), cells.size());
   }
   const Mesh m = Layered_box::make(1, "HH", "12");
-  EXPECT_THROW(TM::IO::write_mesh(path("n.feb"), m, std::vector<TM::Cell_array>{{"strain", 6, std::vector<double>(12)}}),
-               TM::Output_error);
+  EXPECT_THROW(
+      TM::IO::write_mesh(path("n.feb"), m, std::vector<TM::Cell_array>{{"strain", 6, std::vector<double>(12)}}),
+      TM::Output_error);
   EXPECT_EQ(number_of_files(), 1u);
 }
