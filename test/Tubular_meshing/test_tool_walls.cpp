@@ -431,7 +431,7 @@ TEST_F(Tool, Fibres_are_written_where_a_format_has_a_place_for_them) {
   for (const auto& [file, words] : {std::pair<const char*, const char*>{"m.feb", "type=\"mat_axis\" elem_set=\"wall\""},
                                     {"m.inp", "*ORIENTATION, NAME=fibres"},
                                     {"m.exo", "longitudinal_z"}}) {
-    if (file == std::string("m.exo") && !TM::IO::has_exodus())
+    if (file == std::string("m.exo") && !tubular::IO::has_exodus())
       continue;
     for (const char* order : {"1", "2"}) {
       succeed(common + Arguments{"-o", out(file), "--order", order});
