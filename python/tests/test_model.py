@@ -83,7 +83,9 @@ def test_sections_of_a_helix_and_of_a_slit():
     sections = tm.Model(tm.Surface(rings.reshape(-1, 3), triangles)).sections()
     inside = slice(len(sections.area) // 4, -(len(sections.area) // 4))
     assert np.allclose(sections.curvature[inside], 3 / (3**2 + slope**2), rtol=0.05)
-    assert np.allclose(sections.torsion[inside], slope / (3**2 + slope**2), rtol=0.15)
+    torsion = sections.torsion[inside] * (3**2 + slope**2) / slope
+    assert np.allclose(torsion, 1, atol=0.25) # third derivatives of a computed line: it goes up and down
+    assert torsion.mean() == pytest.approx(1, abs=0.03)
     assert np.allclose(sections.eccentricity[inside], 0.8, atol=0.03)
     assert np.allclose(sections.area[inside], np.pi * 0.5 * 0.3, rtol=0.03)
 

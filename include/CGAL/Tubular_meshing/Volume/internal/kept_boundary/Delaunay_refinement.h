@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <unordered_set>
 #include <vector>
 
 namespace CGAL::Tubular_meshing::internal {
@@ -64,6 +65,7 @@ private:
   // of a new point from vertices and labelled facets, over the size
   static constexpr double least_spacing = 0.7;
   static constexpr double least_height = 0.5;
+  static constexpr std::size_t few = 64; // tetrahedra, up to which looking through a list is the quickest
 
   static Point_3 to_point(const Vector_3d& p) { return Point_3(p.x, p.y, p.z); }
   Point_3 point(Index v) const { return to_point(store_.point(v)); }
@@ -78,6 +80,7 @@ private:
 
   void collect_cavity(const Point_3& p, Index t) {
     cavity_.assign(1, t);
+    known_.clear();
     seen_.push_back(t);
     for (std::size_t k = 0; k < cavity_.size(); ++k)
       for (int i = 0; i < 4; ++i) {
@@ -85,8 +88,13 @@ private:
         if (n == Store::none || is_in_cavity(n))
           continue;
         seen_.push_back(n);
-        if (conflicts(p, n))
-          cavity_.push_back(n);
+        if (!conflicts(p, n))
+          continue;
+        cavity_.push_back(n);
+        if (cavity_.size() == few + 1)
+          known_.insert(cavity_.begin(), cavity_.end());
+        else if (cavity_.size() > few)
+          known_.insert(n);
       }
   }
 
@@ -95,7 +103,9 @@ private:
     const Index other = store_.other_side(facet);
     return other == Store::none || store_.label(facet) != 0 ? Store::none : Store::tetrahedron_of(other);
   }
-  bool is_in_cavity(Index t) const { return std::find(cavity_.begin(), cavity_.end(), t) != cavity_.end(); }
+  bool is_in_cavity(Index t) const {
+    return cavity_.size() <= few ? std::find(cavity_.begin(), cavity_.end(), t) != cavity_.end() : known_.count(t) > 0;
+  }
 
   bool conflicts(const Point_3& p, Index t) const {
     const auto& v = store_[t].v;
@@ -104,11 +114,12 @@ private:
   }
 
   /* Takes tetrahedra out of the cavity until p sees the inside of all of its facets: without the Delaunay property,
-   * next to the boundary, it need not. False if the first one would have to go. */
+   * next to the boundary, it need not. A facet that p does not see from inside stays one whatever else goes, so that the
+   * order makes no difference. False if the first one would have to go. */
   bool make_visible(const Point_3& p, Index t) {
     for (;;) {
       facets_.clear();
-      Index hidden = Store::none;
+      hidden_.clear();
       for (Index c : cavity_)
         for (int i = 0; i < 4; ++i) {
           const Index f = Store::facet(c, i), n = beyond(f);
@@ -116,15 +127,31 @@ private:
             continue;
           facets_.push_back(f);
           const auto w = store_.vertices(f);
-          if (orientation(p, point(w[0]), point(w[1]), point(w[2])) != POSITIVE)
-            hidden = c;
+          if (orientation(p, point(w[0]), point(w[1]), point(w[2])) != POSITIVE) {
+            hidden_.push_back(c);
+            break;
+          }
         }
-      if (hidden == Store::none)
+      if (hidden_.empty())
         return true;
-      if (hidden == t)
+      if (std::find(hidden_.begin(), hidden_.end(), t) != hidden_.end())
         return false;
-      cavity_.erase(std::find(cavity_.begin(), cavity_.end(), hidden));
+      leave_out_hidden();
     }
+  }
+
+  // They are in the cavity's order.
+  void leave_out_hidden() {
+    auto hidden = hidden_.begin();
+    const auto end = std::remove_if(cavity_.begin(), cavity_.end(), [&](Index c) {
+      const bool is_hidden = hidden != hidden_.end() && *hidden == c;
+      hidden += is_hidden;
+      return is_hidden;
+    });
+    cavity_.erase(end, cavity_.end());
+    if (cavity_.size() > few)
+      for (Index c : hidden_)
+        known_.erase(c);
   }
 
   bool is_crowded(const Vector_3d& x, double spacing) const {
@@ -160,8 +187,10 @@ private:
   bool is_possible_ = false;
   Vector_3d point_;
   std::vector<Index> cavity_;
-  std::vector<Index> facets_; // each with its tetrahedron inside
-  std::vector<Index> seen_;   // tetrahedra, some more than once
+  std::vector<Index> facets_;       // each with its tetrahedron inside
+  std::vector<Index> seen_;         // tetrahedra, some more than once
+  std::vector<Index> hidden_;       // tetrahedra that are to go
+  std::unordered_set<Index> known_; // those of a cavity of more than a few
 };
 
 /* Adds points inside a mesh until no tetrahedron is larger than `size`, a length, allows, but for those that
