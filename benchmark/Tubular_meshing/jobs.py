@@ -55,7 +55,7 @@ JOBS = [
     Job("tetrahedra, airways", AIRWAYS, [], 14),
     Job("tetrahedra, cerebral", arguments=[], n=25, **CEREBRAL),
     Job("mixed with wall, cerebral", arguments=["-t", "mixed", "--wall", "0.2"], n=22.5, **CEREBRAL),
-    Job("anisotropic, aorta", arguments=["-t", "anisotropic"], n=20, stage="remeshing", **AORTA),
+    Job("anisotropic, aorta", arguments=["-t", "anisotropic"], n=20, stage="anisotropic remeshing", **AORTA),
     Job("anisotropic, cerebral", arguments=["-t", "anisotropic"], n=20, **CEREBRAL),
     Job("quads, cerebral", arguments=["-t", "surface", "--surface-elements", "quads"], n=22.5, stage="quads",
         **CEREBRAL),
