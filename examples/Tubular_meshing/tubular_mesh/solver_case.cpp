@@ -322,7 +322,6 @@ Json vector_of(const Vector& v) {
 }
 
 std::string case_json(const std::vector<Case_patch>& patches, const Case_mesh& mesh, const Run& run) {
-  const Case_options& c = run.options.solver_case;
   const Physical_options& physics = run.options.physics;
   Json json = {{"surface", run.options.surface}, {"density", physics.density},
                {"viscosity", physics.viscosity}, {"flow_rate", physics.flow_rate * 1e-6},
