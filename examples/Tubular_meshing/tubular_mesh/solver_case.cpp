@@ -285,7 +285,6 @@ std::string xml_element(const std::string& name, const std::string& value, int i
 }
 
 void add_svmultiphysics(const std::vector<Case_patch>& patches, const Run& run, Words& words) {
-  const Case_options& c = run.options.solver_case;
   const Physical_options& physics = run.options.physics;
   std::string& faces = words["FACES"];
   std::string& conditions = words["CONDITIONS"];
