@@ -365,7 +365,7 @@ private:
       stage("optimization");
       internal::optimize_tetrahedra(mesh, s.surface, s.patch, options_.optimization);
       stage("check");
-      differences = internal::differences(mesh, *model_, frame_.surface().surface);
+      differences = internal::differences(mesh, *model_, frame_.surface().surface, options_.size.number_of_threads);
       if (differences.empty()) {
         give_volume_to(mesh);
         return mesh;

@@ -9,6 +9,8 @@
 #include <CGAL/Tubular_meshing/Quality/shape_measures.h>
 #include <CGAL/Tubular_meshing/base/parallel.h>
 
+#include <boost/sort/spreadsort/float_sort.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -21,7 +23,7 @@ namespace CGAL::Tubular_meshing {
 
 CGAL_TUBULAR_MESHING_INLINE Measure_statistics::Measure_statistics(std::vector<double> values)
     : values_(std::move(values)) {
-  std::sort(values_.begin(), values_.end());
+  boost::sort::spreadsort::float_sort(values_.begin(), values_.end()); // by digits: a half of the time of std::sort
   for (double v : values_)
     mean_ += v;
   if (!values_.empty())

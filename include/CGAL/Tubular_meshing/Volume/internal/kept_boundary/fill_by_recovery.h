@@ -108,7 +108,7 @@ inline std::optional<Sentence> recover_boundary(const Surface& surface, const Bo
   mesh.tetrahedra.vertices = std::move(recovered.tetrahedra);
   orient_tetrahedra(mesh);
 
-  const Validity_report report = validity_report(mesh);
+  const Validity_report report = validity_report(mesh, parameters::number_of_threads(limits.threads));
   if (report.unlabelled_faces + report.misplaced_facets + report.overfull_faces > 0)
     return Sentence(recovery.name + " could not keep this surface (" + report.defects() + "): " + limits.instead + ".");
   return std::nullopt;
@@ -121,7 +121,7 @@ constexpr double kept_boundary_radius_bound = 0.78;
 
 // Returns whether there was room for all points that the size asks for.
 inline bool add_points_inside(Length_function size, std::size_t most_points, int threads, Mixed_mesh& mesh) {
-  Tetrahedron_store store(mesh);
+  Tetrahedron_store store(mesh, threads);
   if (Delaunay_refinement(store, size, kept_boundary_radius_bound, threads)(most_points) == most_points)
     return false;
   store.write_inside_to(mesh);
