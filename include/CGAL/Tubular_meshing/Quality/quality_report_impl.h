@@ -8,6 +8,7 @@
 #include <CGAL/Tubular_meshing/Quality/quality_report.h>
 #include <CGAL/Tubular_meshing/Quality/shape_measures.h>
 #include <CGAL/Tubular_meshing/base/parallel.h>
+#include <CGAL/Tubular_meshing/base/edges_of.h>
 
 #include <boost/sort/spreadsort/float_sort.hpp>
 
