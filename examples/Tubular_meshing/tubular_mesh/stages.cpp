@@ -212,18 +212,12 @@ void make_mesh(Run& run, tubular::Mesher& mesher) {
   run.meshing = mesher.report();
 }
 
-tubular::Local_radius local_radius(const Run& run) {
-  return tubular::Local_radius(tubular::Centerline_field(run.model.centerlines),
-                               tubular::Wall_distance(run.model.surface, run.model.patch, tubular::labels::wall),
-                               tubular::parameters::number_of_threads(run.options.threads));
-}
-
-void add_wall(Run& run, Stage_clock& clock) {
+void add_wall(Run& run, tubular::Mesher& mesher, Stage_clock& clock) {
   const Options& o = run.options;
   if (!o.has_wall())
     return;
   clock.begin("wall");
-  const tubular::Local_radius radius = local_radius(run);
+  const auto radius = [&](const tubular::Point_3& p) { return mesher.local_radius(p); };
   const auto or_as_the_wall = [](auto given, auto of_the_wall) { return given > 0 ? given : of_the_wall; };
   run.wall = tubular::extrude_wall(run.mesh, radius,
                                    tubular::parameters::wall_thickness(run.walls.thickness)
@@ -445,7 +439,7 @@ void make_meshes(std::vector<Part>& parts, Stage_clock& clock) {
     std::size_t elements = 0;
     for (std::size_t k = 0; k < parts.size(); ++k) {
       make_mesh(parts[k].run, meshers[k]);
-      add_wall(parts[k].run, clock);
+      add_wall(parts[k].run, meshers[k], clock);
       elements += number_of_elements(parts[k].run);
     }
     return elements;
@@ -470,6 +464,13 @@ void make_meshes(std::vector<Part>& parts, Stage_clock& clock) {
     if (target.add(make_all()))
       return;
   }
+}
+
+// Measured anew, as the meshers are gone.
+tubular::Local_radius local_radius(const Run& run) {
+  return tubular::Local_radius(tubular::Centerline_field(run.model.centerlines),
+                               tubular::Wall_distance(run.model.surface, run.model.patch, tubular::labels::wall),
+                               tubular::parameters::number_of_threads(run.options.threads));
 }
 
 void curve(Run& run, Stage_clock& clock) {

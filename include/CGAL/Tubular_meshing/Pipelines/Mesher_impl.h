@@ -48,6 +48,8 @@ public:
   Remeshed_surface take_kept_surface() { return std::exchange(kept_, Remeshed_surface()); }
   Block_structure take_block_structure() { return std::exchange(structure_, Block_structure()); }
 
+  double local_radius(const Point_3& p) { return frame_.length_from_frame(radius()(frame_.to_frame(p))); }
+
   double estimated_number_of_tetrahedra() { return size().estimated_number_of_tetrahedra(); }
 
   Mesh_estimate estimate(Mesh_type type, Surface_elements elements) {
@@ -365,7 +367,7 @@ private:
       stage("optimization");
       internal::optimize_tetrahedra(mesh, s.surface, s.patch, options_.optimization);
       stage("check");
-      differences = internal::differences(mesh, *model_, frame_.surface().surface);
+      differences = internal::differences(mesh, *model_, frame_.surface().surface, options_.size.number_of_threads);
       if (differences.empty()) {
         give_volume_to(mesh);
         return mesh;
@@ -484,6 +486,9 @@ CGAL_TUBULAR_MESHING_INLINE Block_structure Mesher::block_structure() {
   return impl_->take_block_structure();
 }
 
+CGAL_TUBULAR_MESHING_INLINE double Mesher::local_radius(const Point_3& p) {
+  return impl_->local_radius(p);
+}
 CGAL_TUBULAR_MESHING_INLINE Remeshed_surface Mesher::kept_surface() {
   return impl_->take_kept_surface();
 }
