@@ -21,7 +21,8 @@ namespace CGAL::Tubular_meshing {
  *
  * The number of elements goes with a power of N: at first that which is given (3 for cells, 2 for faces), then that of
  * the meshes made so far. As soon as there is one mesh with fewer and one with more, the next ones are between them. The
- * number may grow with any power of N, by steps, and need not grow everywhere. With the N of first_points() one mesh is the rule.
+ * number may grow with any power of N, by steps, and need not grow everywhere. With the N of first_points() one mesh is
+ * the rule.
  */
 class Element_target {
 public:
