@@ -25,6 +25,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <set>
 #include <string>
 #include <vector>
@@ -77,9 +78,9 @@ private:
 
   // A file of facets before it is written: what begins with the same patches begins with the same values.
   struct Facets_file {
-    explicit Facets_file(const Patches& facets)
+    Facets_file(const Patches& facets, const std::shared_ptr<Block_packer>& packer)
         : patches(facets)
-        , out("PolyData") {}
+        , out("PolyData", packer) {}
     const Patches& patches;
     std::vector<std::size_t> points; // of the first patch, of the first two, and so on
     Vtk_xml_writer out;
@@ -143,10 +144,10 @@ private:
     for (const Patch& p : facets.patches)
       if (walls_.contain(p.label))
         walls.push_back(p);
-    Facets_file boundary(facets.patches);
+    Facets_file boundary(facets.patches, packer_);
     make_facets(boundary, facets, points, nullptr);
     const auto write_part = [&](const Patches& part, const std::vector<std::string>& names) {
-      Facets_file file(part);
+      Facets_file file(part, packer_);
       make_facets(file, facets, points, &boundary);
       for (const std::string& name : names)
         file.out.write(folder_.file(path + name));
@@ -175,8 +176,9 @@ private:
           if (!s.is_there() || cells_.region(s.cell) != region)
             continue;
           result.cells.push_back(std::uint32_t(number_[s.cell] - first_place + 1));
-          for (std::uint32_t v : nodes_.of_face(facets_.face(s), vtk_order))
-            result.nodes.push_back(v);
+          const Face face = facets_.face(s);
+          nodes_.for_each_of(facets_.corners_of_facet(f) == 3 ? 4 : 5, face.data(), 0, vtk_order,
+                             [&](std::uint32_t v) { result.nodes.push_back(v); });
         }
       patch.end = result.cells.size();
       patch.end_node = result.nodes.size();
@@ -224,7 +226,7 @@ private:
     const std::size_t size = block.size, nodes = nodes_.number(block.kind);
     const auto vtk_type = static_cast<std::uint8_t>(vtk_type_of(nodes_, block.kind));
 
-    Vtk_xml_writer out("UnstructuredGrid");
+    Vtk_xml_writer out("UnstructuredGrid", packer_);
     write_names(out, {}, mesh_.region_names, {region});
     out.begin("Piece NumberOfPoints=\"" + std::to_string(points.size()) + "\" NumberOfCells=\"" + std::to_string(size) +
               "\"");
@@ -251,8 +253,8 @@ private:
         if (&kind == &element_kinds[block.kind])
           for (std::size_t i = 0; i < cells.size(); ++i)
             if (cells.label[i] == region)
-              for (std::uint32_t v : nodes_.of(block.kind, cells.vertices[i].data(), i, vtk_order))
-                put(std::int32_t(points.number(v)));
+              nodes_.for_each_of(block.kind, cells.vertices[i].data(), i, vtk_order,
+                                 [&](std::uint32_t v) { put(std::int32_t(points.number(v))); });
       });
     });
     std::int64_t end = 0;
@@ -430,6 +432,7 @@ private:
   const Wall_patches walls_;
   const Label_names file_names_;
   const std::map<int, std::int32_t> model_face_;
+  const std::shared_ptr<Block_packer> packer_ = std::make_shared<Block_packer>();
   std::vector<std::uint32_t> local_; // of points on the file that is written, where they are there
 };
 

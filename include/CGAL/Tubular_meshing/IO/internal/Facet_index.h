@@ -85,9 +85,10 @@ public:
   // Two with the same corners, of all such pairs the one of the lowest corners; both are the number of facets where there
   // is none.
   std::pair<std::size_t, std::size_t> equal_facets() const {
-    for (std::size_t i = 1; i < facets_.size(); ++i)
-      if (sorted(corners_of(facets_[i - 1])) == sorted(corners_of(facets_[i])))
-        return {facets_[i - 1], facets_[i]};
+    for (std::size_t v = 0; v < end_.size(); ++v)
+      for (std::size_t i = begin_of(v) + std::size_t(1); i < end_[v]; ++i)
+        if (sorted(corners_of(facets_[i - 1])) == sorted(corners_of(facets_[i])))
+          return {facets_[i - 1], facets_[i]};
     return {facets_.size(), facets_.size()};
   }
 

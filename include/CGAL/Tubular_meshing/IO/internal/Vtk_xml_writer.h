@@ -21,6 +21,7 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Tubular_meshing::IO::internal {
@@ -79,8 +80,11 @@ public:
     std::size_t values = 0;
   };
 
-  explicit Vtk_xml_writer(const std::string& dataset)
-      : dataset_(dataset) {
+  // Files that are written one after the other may share a packer, whose tables are larger than a small file.
+  explicit Vtk_xml_writer(const std::string& dataset,
+                          std::shared_ptr<Block_packer> packer = std::make_shared<Block_packer>())
+      : dataset_(dataset)
+      , packer_(std::move(packer)) {
     xml_ = "<VTKFile type=\"" + dataset + "\" version=\"1.0\" byte_order=\"" +
            (host_is_little_endian() ? "LittleEndian" : "BigEndian") +
            "\" header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\">\n<" + dataset + ">\n";
@@ -177,7 +181,7 @@ private:
     arrays_.back().sizes = next_size_;
   }
 
-  void append_block(const char* bytes, std::size_t size) { append_packed(packer_.pack(bytes, size)); }
+  void append_block(const char* bytes, std::size_t size) { append_packed(packer_->pack(bytes, size)); }
 
   void append_packed(std::string_view packed) {
     const std::uint64_t size = packed.size();
@@ -225,7 +229,7 @@ private:
   std::size_t data_size_ = 0;
   Place next_size_ = {0, 0}; // where the size of the next block goes
   std::vector<Array> arrays_;
-  Block_packer packer_;
+  std::shared_ptr<Block_packer> packer_;
 };
 
 template <class Point> std::vector<double> coordinates_of(const std::vector<Point>& points) {
