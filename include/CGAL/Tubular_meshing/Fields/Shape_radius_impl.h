@@ -8,7 +8,8 @@
 #include <CGAL/Tubular_meshing/Fields/curvature.h>
 #include <CGAL/Tubular_meshing/Fields/internal/Indexed_wall.h>
 #include <CGAL/Tubular_meshing/Fields/internal/Wall_balls.h>
-#include <CGAL/Tubular_meshing/base/Corner_tree.h>
+#include <CGAL/Tubular_meshing/base/Growing_numbering.h>
+#include <CGAL/Tubular_meshing/base/Triangle_soup.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
 #include <CGAL/Tubular_meshing/base/place_on_curve.h>
 
@@ -62,16 +63,17 @@ public:
 
 private:
   typedef std::array<std::uint32_t, 3> Triangle;
+  typedef internal::Growing_numbering<internal::Coordinates, internal::Hash_of_coordinates> Places;
 
   // The triangles with their corners numbered by places, so that they know their neighbours.
   static internal::Indexed_triangles welded(const Wall_distance& wall) {
     internal::Indexed_triangles result;
-    internal::Place_numbers places;
+    Places places;
     result.triangles.resize(wall.number_of_triangles());
     for (std::size_t i = 0; i < wall.number_of_triangles(); ++i) {
       const std::array<Point_3, 3> corners = wall.triangle(i);
       for (std::size_t k = 0; k < 3; ++k)
-        result.triangles[i][k] = places.number({corners[k].x(), corners[k].y(), corners[k].z()});
+        result.triangles[i][k] = places.number_of({corners[k].x(), corners[k].y(), corners[k].z()});
     }
     std::vector<std::uint32_t> renumbered(places.size());
     for (std::uint32_t c : along_curve(places, wall.bbox())) {
@@ -85,7 +87,7 @@ private:
   }
 
   // Places that are near each other are near each other in this order, which depends on nothing but the places.
-  static std::vector<std::uint32_t> along_curve(const internal::Place_numbers& places, const CGAL::Bbox_3& box) {
+  static std::vector<std::uint32_t> along_curve(const Places& places, const CGAL::Bbox_3& box) {
     const double extent = (std::max)({box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin()});
     std::vector<std::pair<std::uint64_t, std::uint32_t>> order;
     order.reserve(places.size());

@@ -4,7 +4,9 @@
 #ifndef CGAL_TUBULAR_MESHING_BASE_CORNER_TREE_H
 #define CGAL_TUBULAR_MESHING_BASE_CORNER_TREE_H
 
+#include <CGAL/Tubular_meshing/base/Growing_numbering.h>
 #include <CGAL/Tubular_meshing/base/Nearest_tree.h>
+#include <CGAL/Tubular_meshing/base/Triangle_soup.h>
 
 #include <CGAL/Bbox_3.h>
 
@@ -12,67 +14,12 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <limits>
 #include <numeric>
 #include <type_traits>
 #include <vector>
 
 namespace CGAL::Tubular_meshing::internal {
-
-/* Numbers for places, the same for the same coordinates: 0, 1, … as they come. */
-class Place_numbers {
-public:
-  typedef std::uint32_t Index;
-  typedef std::array<double, 3> Place;
-
-  Place_numbers()
-      : slots_(1024, none) {}
-
-  std::size_t size() const { return places_.size(); }
-  const Place& operator[](Index i) const { return places_[i]; }
-
-  Index number(const Place& p) {
-    std::size_t slot = slot_of(p);
-    while (slots_[slot] != none && places_[slots_[slot]] != p)
-      slot = (slot + 1) & (slots_.size() - 1);
-    if (slots_[slot] != none)
-      return slots_[slot];
-    slots_[slot] = Index(places_.size());
-    places_.push_back(p);
-    if (2 * places_.size() > slots_.size())
-      grow();
-    return Index(places_.size() - 1);
-  }
-
-private:
-  static constexpr Index none = Index(-1);
-
-  std::size_t slot_of(const Place& p) const {
-    std::uint64_t h = 0;
-    for (double x : p) {
-      x += 0.; // -0 and 0 are equal
-      std::uint64_t bits;
-      std::memcpy(&bits, &x, sizeof bits);
-      h = (h ^ bits) * 0x9e3779b97f4a7c15u;
-      h ^= h >> 32;
-    }
-    return std::size_t(h) & (slots_.size() - 1);
-  }
-
-  void grow() {
-    slots_.assign(2 * slots_.size(), none);
-    for (Index i = 0; i < places_.size(); ++i) {
-      std::size_t slot = slot_of(places_[i]);
-      while (slots_[slot] != none)
-        slot = (slot + 1) & (slots_.size() - 1);
-      slots_[slot] = i;
-    }
-  }
-
-  std::vector<Index> slots_; // a power of two
-  std::vector<Place> places_;
-};
 
 /* The nearest of many segments or triangles (`Shape`, of Double_kernel), by a tree of their corners.
  *
@@ -89,7 +36,7 @@ template <class Shape> class Corner_tree {
 public:
   typedef Double_kernel::Point_3 Point;
   typedef typename Nearest_tree<Shape>::Result Result;
-  typedef Place_numbers::Index Index;
+  typedef std::uint32_t Index;
   static constexpr std::size_t N = std::is_same<Shape, Double_kernel::Segment_3>::value ? 2 : 3; // corners of a shape
   typedef std::array<Index, N> Numbers;
 
@@ -143,7 +90,7 @@ public:
   }
 
 private:
-  typedef Place_numbers::Place Place;
+  typedef Coordinates Place;
   static constexpr Index leaf_size = 12;
 
   struct Corner {
@@ -183,12 +130,12 @@ private:
 
   // Fills shapes_, by these numbers for the time being.
   std::vector<Numbered_corner> number_corners(const std::vector<Shape>& shapes) {
-    Place_numbers places;
+    Growing_numbering<Coordinates, Hash_of_coordinates> places;
     std::vector<double> reach;
     for (std::size_t s = 0; s < shapes.size(); ++s) {
       const double of_shape = reach_of(shapes[s]);
       for (std::size_t k = 0; k < N; ++k) {
-        const Index c = shapes_[s][k] = places.number(place(shapes[s].vertex(int(k))));
+        const Index c = shapes_[s][k] = places.number_of(place(shapes[s].vertex(int(k))));
         if (c == reach.size())
           reach.push_back(0);
         reach[c] = (std::max)(reach[c], of_shape);

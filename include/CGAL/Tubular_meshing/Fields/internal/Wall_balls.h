@@ -16,6 +16,8 @@
 #include <atomic>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -33,6 +35,7 @@ public:
       , threads_(threads) {
     find_spikes();
     make_normals();
+    sort_for_sweep();
     // once at some vertices, for an idea of the radius; then at all, against as many obstacles as the radius needs
     chosen_.assign(size(), 1);
     collect_obstacles(false);
@@ -122,12 +125,22 @@ private:
     });
   }
 
+  // In a direction, as a front that passes over the wall meets them.
+  void sort_for_sweep() {
+    sweep_.resize(size());
+    std::iota(sweep_.begin(), sweep_.end(), Index(0));
+    std::sort(sweep_.begin(), sweep_.end(), [&](Index v, Index w) {
+      const Vector_3d &p = wall_.point(v), &q = wall_.point(w);
+      return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z);
+    });
+  }
+
   /* Chooses vertices so that each other one is within this distance of one of them, along edges. */
   template <class Distance> void choose_apart(const Distance& distance) {
     chosen_.assign(size(), 0);
     std::vector<char> covered(size(), 0);
     Wall_neighborhood near(wall_, most_near);
-    for (Index v = 0; v < size(); ++v)
+    for (Index v : sweep_)
       if (!covered[v]) {
         chosen_[v] = 1;
         near.for_each(v, distance(v), [&](Index w, double) { covered[w] = 1; });
@@ -186,7 +199,7 @@ private:
   }
 
   /* A ball that is small enough but for a part of its squared radius is left: on a sphere, all of it is near the ball.
-   * `about`: what radius to expect; 0 if unknown. */
+   * `about`: what radius to expect; 0 if unknown; a copy, as it may be that of radii_. */
   void shrink(const std::vector<char>& wanted, const std::vector<double> about, double slack) {
     radii_.assign(size(), 0);
     const Bbox_3 box = wall_bbox();
@@ -359,6 +372,7 @@ private:
   const Indexed_wall& wall_;
   double orientation_;
   int threads_;
+  std::vector<Index> sweep_; // an order of the vertices in which those chosen are close to each other
   std::vector<char> is_spike_, chosen_;
   std::vector<Vector_3d> directions_;
   std::vector<double> radii_;
