@@ -35,6 +35,7 @@ RADIUS, VISCOSITY, DENSITY = 1e-3, 0.004, 1060.0
 AROUND = 96  # points of the surface, whose facets are finer than those of the meshes
 LAYERS = ["--boundary-layer-prisms", "4", "--first-height", "0.04"]
 HEXAHEDRA = ["-t", "hexahedral"]
+MIXED = ["-t", "mixed"] + LAYERS  # quads on the wall, hexahedra on these, pyramids and tetrahedra inside
 
 
 class Pipe:
@@ -53,11 +54,13 @@ class Pipe:
         return np.broadcast_to([0.0, 0, 1], x.shape)
 
     runs = [("openfoam", "tetrahedra", 24, []), ("openfoam", "prisms and tetrahedra", 20, LAYERS),
+            ("openfoam", "hexahedral layers and tetrahedra", 20, MIXED),
             ("openfoam", "hexahedra", 24, HEXAHEDRA), ("openfoam", "hexahedra with layers", 24, HEXAHEDRA + LAYERS),
             ("fenicsx", "tetrahedra", 12, []), ("fenicsx", "tetrahedra", 16, []), ("fenicsx", "hexahedra", 16, HEXAHEDRA),
             ("fenicsx", "tetrahedra of order 2", 12, ["--order", "2"]),
             ("fenicsx", "tetrahedra of order 2", 16, ["--order", "2"])]
     fine = [("openfoam", "tetrahedra", 40, []), ("openfoam", "prisms and tetrahedra", 32, LAYERS),
+            ("openfoam", "prisms and tetrahedra", 48, LAYERS), ("openfoam", "hexahedral layers and tetrahedra", 24, MIXED),
             ("fenicsx", "tetrahedra", 24, []), ("fenicsx", "hexahedra", 24, HEXAHEDRA),
             ("fenicsx", "tetrahedra of order 2", 24, ["--order", "2"])]
 
@@ -86,6 +89,7 @@ class Bend:
         return s
 
     runs = [("openfoam", "tetrahedra", 24, []), ("openfoam", "prisms and tetrahedra", 20, LAYERS),
+            ("openfoam", "hexahedral layers and tetrahedra", 20, MIXED),
             ("openfoam", "hexahedra with layers", 16, HEXAHEDRA + LAYERS),
             ("openfoam", "hexahedra with layers", 24, HEXAHEDRA + LAYERS),
             ("fenicsx", "tetrahedra", 12, []), ("fenicsx", "hexahedra", 8, HEXAHEDRA),

@@ -13,6 +13,7 @@
 #include <CGAL/Tubular_meshing/Volume/optimize_tetrahedra.h>
 #include <CGAL/Tubular_meshing/base/parallel.h>
 
+#include "schoenhardt.h"
 #include "test_surfaces.h"
 
 #include <gtest/gtest.h>
@@ -476,14 +477,20 @@ using tubular::internal::Boundary_arrays;
 using tubular::internal::Recovered_boundary;
 
 template <class Recovery> std::string sentence_of(const Recovery& recover, bool in_child_process = true) {
-  const Labelled_tube tube(12, 2);
+  Surface surface; // one whose triangles are not facets of the Delaunay triangulation of its points
+  const Boundary_arrays boundary = test_surfaces::schoenhardt();
+  for (const Vector_3d& p : boundary.points)
+    surface.add_vertex(Point(p.x, p.y, p.z));
+  for (const auto& t : boundary.triangles)
+    surface.add_face(Surface::Vertex_index(t[0]), Surface::Vertex_index(t[1]), Surface::Vertex_index(t[2]));
+  const Patch_map patch = surface.add_property_map<Surface::Face_index, int>("f:patch", 1).first;
   Mesh mesh;
   tubular::Fill_keeping_boundary_options options;
   options.in_child_process = in_child_process;
   options.time_limit = 60;
-  const tubular::internal::Filling_limits limits(options, tube.surface, "use fill_with_mesh_3()");
+  const tubular::internal::Filling_limits limits(options, surface, "use fill_with_mesh_3()");
   const auto failure = tubular::internal::fill_by_recovery(
-      tube.surface, tube.patch, [](const Point&) { return 0.5; }, {recover, "Some mesher"}, limits, mesh);
+      surface, patch, [](const Point&) { return 0.5; }, {recover, "Some mesher"}, limits, mesh);
   return failure ? failure->str() : std::string();
 }
 
@@ -532,7 +539,7 @@ TEST_F(Fill_with_tetgen, Refuses_more_points_than_memory_holds) {
 
 TEST(Fill_keeping_boundary, Refuses_a_filling_that_does_not_keep_the_surface) {
   const std::string sentence = sentence_of([](const Boundary_arrays&, Recovered_boundary& recovered) {
-    recovered.tetrahedra.push_back({0, 1, 12, 13});
+    recovered.tetrahedra.push_back({0, 1, 2, 3});
     return 0;
   });
   EXPECT_NE(sentence.find("Some mesher could not keep this surface"), std::string::npos) << sentence;

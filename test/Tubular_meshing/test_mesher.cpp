@@ -5,6 +5,9 @@
 
 #include "test_surfaces.h"
 
+#include <CGAL/Tubular_meshing/Centerlines/Centerline_field.h>
+#include <CGAL/Tubular_meshing/Centerlines/Wall_distance.h>
+#include <CGAL/Tubular_meshing/Fields/Local_radius.h>
 #include <CGAL/Tubular_meshing/Generators/tubular_shapes.h>
 #include <CGAL/Tubular_meshing/Generators/tubular_surface.h>
 #include <CGAL/Tubular_meshing/IO/read_centerlines.h>
@@ -89,6 +92,18 @@ TEST(Mesher, Makes_cut_and_maps_once) {
   stages.clear();
   mesher.isotropic();
   EXPECT_EQ(stages, (std::vector<std::string>{"surface mesh", "volume", "tetrahedra", "optimization", "check"}));
+}
+
+// Which is measured in a frame of the mesher's own.
+TEST(Mesher, Tells_the_local_radius) {
+  for (const tubular::Vector_3& shift : {tubular::Vector_3(0, 0, 0), tubular::Vector_3(500, -20, 7)}) {
+    const auto model = bifurcation(shift);
+    const tubular::Local_radius radius(tubular::Centerline_field(model.centerlines),
+                                       tubular::Wall_distance(model.surface, model.patch, tubular::labels::wall));
+    Mesher mesher(model, tubular::parameters::points_per_circumference(12));
+    for (const Point_3& p : model.surface.points())
+      EXPECT_NEAR(mesher.local_radius(p), radius(p), 1e-4 * radius(p)) << p;
+  }
 }
 
 TEST(Mesher, Keeps_the_surface_that_it_meshed_by_patches) {

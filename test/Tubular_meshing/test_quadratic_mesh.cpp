@@ -6,6 +6,9 @@
 
 #include "quadratic_meshes.h"
 
+#include <CGAL/Tubular_meshing/Quadratic/internal/Cell_straightener.h>
+#include <CGAL/Tubular_meshing/Quadratic/internal/Curved_nodes.h>
+#include <CGAL/Tubular_meshing/Quadratic/internal/Quadratic_cell.h>
 #include <CGAL/Tubular_meshing/Quadratic/quadratic_quality.h>
 #include <CGAL/Tubular_meshing/Quads/blossom_recombination.h>
 #include <CGAL/Tubular_meshing/Quality/lumen_measures.h>
@@ -15,6 +18,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <map>
 #include <string>
 #include <vector>
@@ -63,12 +67,22 @@ void expect_round(const Vessel& vessel, const Quadratic_mesh& mesh, double toler
   }
 }
 
+// With straight edges.
+std::size_t turned_tetrahedra(const Quadratic_mesh& mesh) {
+  const auto& p = mesh.linear.points;
+  std::size_t n = 0;
+  for (const auto& t : mesh.linear.tetrahedra.vertices)
+    n += CGAL::volume(p[t[0]], p[t[1]], p[t[2]], p[t[3]]) > 0 ? 0 : 1;
+  return n;
+}
+
 void expect_valid(const Quadratic_mesh& mesh, const tubular::Quadratic_report& report) {
   EXPECT_EQ(report.invalid, 0u) << report.text();
   EXPECT_EQ(report.not_found, 0u) << report.text();
   EXPECT_TRUE(tubular::quality_report(mesh).is_valid());
+  EXPECT_EQ(turned_tetrahedra(mesh), 0u);
   tubular::Validity_report corners = tubular::validity_report(mesh.linear);
-  corners.inverted_cells = 0; // a thin curved cell may be right where the straight one between its corners is not
+  corners.inverted_cells = 0; // a thin curved prism may be right where the straight one between its corners is not
   EXPECT_TRUE(corners.is_valid()) << corners.defects();
 }
 
@@ -198,6 +212,37 @@ TEST(Quadratic_mesh, Thin_layers_that_do_not_follow_are_straightened_and_stay_va
   // with a radius they follow, and nothing gives way
   const auto following = curve(vessel, linear, false, mesh);
   EXPECT_LT(following.relaxed, report.relaxed / 10);
+}
+
+TEST(Quadratic_mesh, A_thin_tetrahedron_does_not_turn_over_between_its_corners) {
+  // Its base is on the wall, and hangs through; its apex goes below the corners of the base, but not below the wall.
+  Mixed_mesh linear;
+  linear.points = {Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0.5, 0.9, 0), Point_3(0.5, 0.3, 0.05)};
+  linear.tetrahedra.push_back({0, 1, 2, 3}, tubular::labels::lumen);
+  const Quadratic_mesh mesh = tubular::straight_quadratic_mesh(linear);
+  std::vector<tubular::internal::Vector_3d> shifts(4), bends(6);
+  shifts[3] = tubular::internal::Vector_3d(0, 0, -0.1);
+  for (std::uint32_t k = 0; k < 3; ++k) {
+    bends[mesh.edge(k, (k + 1) % 3)] = tubular::internal::Vector_3d(0, 0, -0.3);
+    bends[mesh.edge(k, 3)] = tubular::internal::Vector_3d(0, 0, -0.1);
+  }
+  tubular::internal::Curved_nodes nodes(mesh, shifts, bends, {});
+  const auto is_valid = [&] {
+    return tubular::internal::Quadratic_cell(
+               nodes.cell(Element_type::tetrahedron, mesh.linear.tetrahedra.vertices[0].data()))
+               .validity() == tubular::internal::Cell_validity::valid;
+  };
+  ASSERT_TRUE(is_valid()); // as a curved cell
+  ASSERT_LT(nodes.corner(3).z, 0);
+
+  tubular::internal::Cell_straightener straightener(mesh, nodes, 1);
+  straightener.run();
+  EXPECT_TRUE(is_valid());
+  EXPECT_GT(nodes.corner(3).z, 0);
+  EXPECT_TRUE(nodes.shifts.is_held_back(3));
+  EXPECT_EQ(nodes.bends[mesh.edge(0, 1)].z, -0.3); // its edges stay as they are
+  EXPECT_EQ(straightener.number_relaxed(), 0u);
+  EXPECT_TRUE(straightener.invalid_ones().empty());
 }
 
 // --- all the same ---

@@ -31,14 +31,14 @@ namespace {
 
 Json description_of(const Run& run) {
   const tubular::Mixed_mesh& mesh = run.cells();
-  tubular::Validity_report validity = tubular::validity_report(mesh);
+  const auto threads = tubular::parameters::number_of_threads(run.options.threads);
+  tubular::Validity_report validity = tubular::validity_report(mesh, threads);
   if (run.options.is_quadratic()) // whose cells are judged as they are curved
     validity.inverted_cells = 0;
   if (!run.options.material_array.empty()) // which may be in several places, and part the wall
     validity.region_components.erase(validity.region_components.lower_bound(tubular::labels::wall_region),
                                      validity.region_components.end());
-  const tubular::Quality_report quality =
-      tubular::quality_report(mesh, tubular::parameters::number_of_threads(run.options.threads));
+  const tubular::Quality_report quality = tubular::quality_report(mesh, threads);
   const std::size_t openings_of_all = run.model.openings.size();
   const tubular::Lumen_measures measures = run.options.is_quadratic()
                                                ? tubular::lumen_measures(run.quadratic, openings_of_all)

@@ -212,18 +212,12 @@ void make_mesh(Run& run, tubular::Mesher& mesher) {
   run.meshing = mesher.report();
 }
 
-tubular::Local_radius local_radius(const Run& run) {
-  return tubular::Local_radius(tubular::Centerline_field(run.model.centerlines),
-                               tubular::Wall_distance(run.model.surface, run.model.patch, tubular::labels::wall),
-                               tubular::parameters::number_of_threads(run.options.threads));
-}
-
-void add_wall(Run& run, Stage_clock& clock) {
+void add_wall(Run& run, tubular::Mesher& mesher, Stage_clock& clock) {
   const Options& o = run.options;
   if (!o.has_wall())
     return;
   clock.begin("wall");
-  const tubular::Local_radius radius = local_radius(run);
+  const auto radius = [&](const tubular::Point_3& p) { return mesher.local_radius(p); };
   const auto or_as_the_wall = [](auto given, auto of_the_wall) { return given > 0 ? given : of_the_wall; };
   run.wall = tubular::extrude_wall(run.mesh, radius,
                                    tubular::parameters::wall_thickness(run.walls.thickness)
@@ -410,31 +404,49 @@ void prepare_model(Run& run, const tubular::Surface& surface, Stage_clock& clock
       run.round_ends.push_back(end);
 }
 
-std::vector<tubular::Mesh_estimate> estimate_meshes(std::vector<Part>& parts, Stage_clock& clock) {
+// The power of N that the number of elements goes with.
+double power_of_points(const Options& o) {
+  return o.makes_surface_only() ? 2 : o.is_anisotropic() ? tubular::Element_target::power_of_layers : 3;
+}
+
+/* What is expected of the meshes of all parts, once N is set for the number of elements that is wanted. estimate(k),
+ * points() and set_points(k, N) are those of what estimates. */
+template <class Estimate, class Points, class SetPoints>
+std::vector<tubular::Mesh_estimate> fitted_estimates(std::vector<Part>& parts, const Estimate& estimate,
+                                                     const Points& points, const SetPoints& set_points) {
   const Options& o = parts.front().run.options;
-  std::deque<Estimator> estimators = estimators_of(parts, clock);
-  const double power = o.makes_surface_only() ? 2 : o.is_anisotropic() ? tubular::Element_target::power_of_layers : 3;
   std::vector<tubular::Mesh_estimate> estimates;
-  for (int round = 0;; ++round) {
+  const auto expected = [&](double points) {
     estimates.clear();
     double elements = 0;
     for (std::size_t k = 0; k < parts.size(); ++k) {
-      estimates.push_back(
-          std::visit([&](auto& e) { return e.estimate(mesh_type(o), surface_elements(o)); }, estimators[k]));
+      parts[k].run.options.points_per_circumference = points;
+      set_points(k, points);
+      estimates.push_back(estimate(k));
       add_wall(estimates.back(), o);
       elements += o.makes_surface_only() ? estimates.back().facets() : estimates.back().cells();
     }
-    const int most_rounds = 6;
-    const double tolerance = 0.02;
-    if (o.elements == 0 || round == most_rounds || std::abs(elements / o.elements - 1) < tolerance)
-      return estimates;
-    const double before = std::visit([](auto& e) { return e.points_per_circumference(); }, estimators.front());
-    const double points = (std::min)((std::max)(before * std::pow(o.elements / elements, 1 / power), 3.), 1e4);
-    for (std::size_t k = 0; k < parts.size(); ++k) {
-      parts[k].run.options.points_per_circumference = points;
-      std::visit([&](auto& e) { e.set_points_per_circumference(points); }, estimators[k]);
-    }
-  }
+    return elements;
+  };
+  if (o.elements == 0)
+    expected(points());
+  else
+    tubular::Element_target::first_points(o.elements, points(), power_of_points(o), expected);
+  return estimates;
+}
+
+std::vector<tubular::Mesh_estimate> estimate_meshes(std::vector<Part>& parts, Stage_clock& clock) {
+  const Options& o = parts.front().run.options;
+  std::deque<Estimator> estimators = estimators_of(parts, clock);
+  return fitted_estimates(
+      parts,
+      [&](std::size_t k) {
+        return std::visit([&](auto& e) { return e.estimate(mesh_type(o), surface_elements(o)); }, estimators[k]);
+      },
+      [&] { return std::visit([](auto& e) { return e.points_per_circumference(); }, estimators.front()); },
+      [&](std::size_t k, double points) {
+        std::visit([&](auto& e) { e.set_points_per_circumference(points); }, estimators[k]);
+      });
 }
 
 void make_meshes(std::vector<Part>& parts, Stage_clock& clock) {
@@ -444,7 +456,7 @@ void make_meshes(std::vector<Part>& parts, Stage_clock& clock) {
     std::size_t elements = 0;
     for (std::size_t k = 0; k < parts.size(); ++k) {
       make_mesh(parts[k].run, meshers[k]);
-      add_wall(parts[k].run, clock);
+      add_wall(parts[k].run, meshers[k], clock);
       elements += number_of_elements(parts[k].run);
     }
     return elements;
@@ -454,13 +466,11 @@ void make_meshes(std::vector<Part>& parts, Stage_clock& clock) {
     make_all();
     return;
   }
-  double estimate = 0;
-  for (tubular::Mesher& mesher : meshers)
-    estimate += mesher.estimated_number_of_tetrahedra();
-  const auto first =
-      o.is_anisotropic() ? tubular::Element_target::first_points_of_layers : tubular::Element_target::first_points;
-  const double power = o.makes_surface_only() ? 2 : o.is_anisotropic() ? tubular::Element_target::power_of_layers : 3;
-  tubular::Element_target target(o.elements, first(o.elements, o.points_per_circumference, estimate), power);
+  fitted_estimates(
+      parts, [&](std::size_t k) { return meshers[k].estimate(mesh_type(o), surface_elements(o)); },
+      [&] { return meshers.front().points_per_circumference(); },
+      [&](std::size_t k, double points) { meshers[k].set_points_per_circumference(points); });
+  tubular::Element_target target(o.elements, meshers.front().points_per_circumference(), power_of_points(o));
   for (;;) {
     for (std::size_t k = 0; k < parts.size(); ++k) {
       parts[k].run.options.points_per_circumference = target.points();
@@ -469,6 +479,13 @@ void make_meshes(std::vector<Part>& parts, Stage_clock& clock) {
     if (target.add(make_all()))
       return;
   }
+}
+
+// Measured anew, as the meshers are gone.
+tubular::Local_radius local_radius(const Run& run) {
+  return tubular::Local_radius(tubular::Centerline_field(run.model.centerlines),
+                               tubular::Wall_distance(run.model.surface, run.model.patch, tubular::labels::wall),
+                               tubular::parameters::number_of_threads(run.options.threads));
 }
 
 void curve(Run& run, Stage_clock& clock) {

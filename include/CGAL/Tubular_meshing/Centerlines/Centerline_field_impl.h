@@ -7,7 +7,7 @@
 #include <CGAL/Tubular_meshing/Centerlines/Centerline_field.h>
 #include <CGAL/Tubular_meshing/Centerlines/graph_segments.h>
 #include <CGAL/Tubular_meshing/Centerlines/internal/branch_axes.h>
-#include <CGAL/Tubular_meshing/base/Nearest_tree.h>
+#include <CGAL/Tubular_meshing/base/Corner_tree.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 
 #include <algorithm>
@@ -30,7 +30,7 @@ public:
   explicit Impl(const Graph& graph) {
     internal::Graph_segments all(graph);
     places_ = std::move(all.places);
-    tree_ = internal::Nearest_tree<Segment>(std::move(all.segments));
+    tree_ = internal::Corner_tree<Segment>(all.segments);
     const internal::Branch_axes axes(graph);
     ends_.reserve(2 * places_.size());
     for (const Place& place : places_)
@@ -51,7 +51,7 @@ public:
     const auto found = tree_.nearest(q);
     // a point without a nearest segment has coordinates that are not numbers: any answer is as good, none may crash
     const size_type i = found.index < tree_.size() ? found.index : 0;
-    const Segment& s = tree_.shape(i);
+    const Segment s = tree_.shape(i);
     const Double_vector d = s.target() - s.source();
     const double length2 = d.squared_length();
     const double t = length2 > 0 ? (found.point - s.source()) * d / length2 : 0;
@@ -95,7 +95,7 @@ private:
 
   static Vector_3 vector(const Double_vector& v) { return Vector_3(v.x(), v.y(), v.z()); }
 
-  internal::Nearest_tree<Segment> tree_;
+  internal::Corner_tree<Segment> tree_;
   std::vector<Place> places_;
   std::vector<End> ends_; // two a segment
 };

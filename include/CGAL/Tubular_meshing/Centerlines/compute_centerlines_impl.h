@@ -10,7 +10,7 @@
 #include <CGAL/Tubular_meshing/Centerlines/internal/Surface_loops.h>
 #include <CGAL/Tubular_meshing/base/Canonical_frame.h>
 #include <CGAL/Tubular_meshing/base/Labelled_surface.h>
-#include <CGAL/Tubular_meshing/base/Nearest_tree.h>
+#include <CGAL/Tubular_meshing/base/Corner_tree.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 #include <CGAL/Tubular_meshing/base/labels.h>
 #include <CGAL/Tubular_meshing/base/parallel.h>
@@ -79,12 +79,12 @@ struct Centerline_computation::Impl {
       , frame(points_of(surface, ends.size(), needed))
       , root(ends.front().first) {
     Sampled_surface samples(surface, patch, frame, number_of_threads);
-    std::vector<Double_kernel::Triangle_3> triangles = std::move(samples.wall_triangles);
+    wall_triangles = std::move(samples.wall_triangles);
     for_each_task(2, number_of_threads, [&](std::size_t task) {
       if (task == 0)
         tracer = std::make_unique<Centerline_tracer>(std::move(samples), canonical(ends), number_of_threads);
       else
-        wall = Nearest_tree<Double_kernel::Triangle_3>(std::move(triangles));
+        wall = Corner_tree<Double_kernel::Triangle_3>(wall_triangles);
     });
   }
 
@@ -173,7 +173,8 @@ struct Centerline_computation::Impl {
   Point_3 root;
   std::size_t loops = 0; // of the lumen; 0 also if they are not wanted
   std::unique_ptr<Centerline_tracer> tracer;
-  Nearest_tree<Double_kernel::Triangle_3> wall;
+  std::vector<Double_kernel::Triangle_3> wall_triangles; // till lines are traced
+  Corner_tree<Double_kernel::Triangle_3> wall;
   mutable std::unordered_map<Point_3, double> known_radii; // in the frame, of points of lines and graphs
 };
 
@@ -189,7 +190,11 @@ Centerline_computation::Centerline_computation(const Surface& surface, const Fac
   if (loops)
     on_surface = impl_->loops_on(surface);
   impl_->loops = on_surface.size() / 2;
-  impl_->tracer->trace(on_surface, impl_->wall, everywhere);
+  std::vector<Double_kernel::Triangle_3> triangles = std::move(impl_->wall_triangles);
+  Essential_meetings::Wall crossed; // of use for loops only
+  if (!on_surface.empty())
+    crossed = Essential_meetings::Wall(std::move(triangles));
+  impl_->tracer->trace(on_surface, crossed, everywhere);
 }
 
 CGAL_TUBULAR_MESHING_INLINE Centerline_computation::~Centerline_computation() = default;

@@ -119,18 +119,18 @@ private:
       used_.insert(n.second);
     for (const auto& n : names)
       used_.insert(n.second);
+    const Cells_by_region::Listed listed = order_.listed();
     for (std::size_t b = 0; b < blocks_.size(); ++b) {
       const Cells_of_region& block = blocks_[b];
       const std::string& region = names.at(block.region);
       const bool is_first = order_.is_first_of_region(b);
       const std::string name = is_first ? region : unused_name(shortened(region, 17) + '_' + kinds[block.kind], used_);
       used_.insert(name);
-      const auto cells = order_.cells_of(b);
-      auto cell = cells.begin();
+      std::size_t place = order_.first_place(b);
       write_section(name, types[block.kind], block.size, 8, [&](std::vector<cgsize_t>& part) {
-        for (std::uint32_t v : cells_.corners(*cell))
+        for (std::uint32_t v : cells_.corners(listed[place]))
           part.push_back(cgsize_t(points_.number(v)) + 1);
-        ++cell;
+        ++place;
       });
     }
   }

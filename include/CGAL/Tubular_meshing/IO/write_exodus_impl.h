@@ -132,62 +132,66 @@ private:
   }
 
   void write_points() {
-    std::vector<double> xyz[3];
-    for (int k = 0; k < 3; ++k) {
-      xyz[k].reserve(points_.size());
+    std::vector<double> values(points_.size());
+    for (int k = 0; k < 3; ++k) { // one after the other: the library leaves alone what it is not given
       for (std::size_t i = 0; i < nodes_.size(); ++i)
         if (points_.contain(i))
-          xyz[k].push_back(nodes_.point(i)[k]);
+          values[points_.number(i)] = nodes_.point(i)[k];
+      const double* xyz[3] = {nullptr, nullptr, nullptr};
+      xyz[k] = values.data();
+      check(ex_put_coord(exodus_, xyz[0], xyz[1], xyz[2]));
     }
-    check(ex_put_coord(exodus_, xyz[0].data(), xyz[1].data(), xyz[2].data()));
   }
 
   void write_blocks() {
+    const Cells_by_region::Listed listed = order_.listed();
     for (std::size_t b = 0; b < blocks_.size(); ++b) {
-      const auto cells = order_.cells_of(b);
-      const std::size_t nodes = nodes_.number(blocks_[b].kind);
-      check(ex_put_block(exodus_, EX_ELEM_BLOCK, block_ids_[b], type_of(blocks_[b].kind), std::int64_t(cells.size()),
-                         std::int64_t(nodes), 0, 0, 0));
-      write_nodes(block_ids_[b], cells, nodes);
+      check(ex_put_block(exodus_, EX_ELEM_BLOCK, block_ids_[b], type_of(blocks_[b].kind), std::int64_t(blocks_[b].size),
+                         std::int64_t(nodes_.number(blocks_[b].kind)), 0, 0, 0));
+      write_nodes(b, listed);
       check(ex_put_name(exodus_, EX_ELEM_BLOCK, block_ids_[b], block_names_[b].c_str()));
     }
   }
 
   // A part at a time, where the library is one of those that can.
-  void write_nodes(int block, const Cells_by_region::Cells& cells, std::size_t number) const {
+  void write_nodes(std::size_t block, const Cells_by_region::Listed& listed) const {
+    const std::size_t size = blocks_[block].size, first = order_.first_place(block);
 #if EX_API_VERS_NODOT <= 602
     const std::size_t most = std::size_t(1) << 15;
 #else
-    const std::size_t most = cells.size();
+    const std::size_t most = size;
 #endif
     std::vector<int> nodes;
-    for (std::size_t begin = 0; begin < cells.size(); begin += most) {
-      const std::size_t end = (std::min)(cells.size(), begin + most);
+    for (std::size_t begin = 0; begin < size; begin += most) {
+      const std::size_t end = (std::min)(size, begin + most);
       nodes.clear();
-      nodes.reserve((end - begin) * number);
+      nodes.reserve((end - begin) * nodes_.number(blocks_[block].kind));
       for (std::size_t i = begin; i < end; ++i)
-        for (std::uint32_t v : nodes_.of_cell(cells_, cells.begin()[i], exodus_order))
+        for (std::uint32_t v : nodes_.of_cell(cells_, listed[first + i], exodus_order))
           nodes.push_back(int(points_.number(v)) + 1);
 #if EX_API_VERS_NODOT <= 602
-      check(ex_put_partial_elem_conn(exodus_, block, std::int64_t(begin) + 1, std::int64_t(end - begin), nodes.data()));
+      check(ex_put_partial_elem_conn(exodus_, block_ids_[block], std::int64_t(begin) + 1, std::int64_t(end - begin),
+                                     nodes.data()));
 #else
-      check(ex_put_conn(exodus_, EX_ELEM_BLOCK, block, nodes.data(), nullptr, nullptr));
+      check(ex_put_conn(exodus_, EX_ELEM_BLOCK, block_ids_[block], nodes.data(), nullptr, nullptr));
 #endif
     }
   }
 
   // All sets in one call: each call that declares some makes the library move all that comes before.
   void write_side_sets() {
-    const std::vector<std::uint32_t> number = order_.numbers();
+    const Cells_by_region::Numbers number = order_.numbers();
     const std::map<int, std::vector<std::uint32_t>> patches = facets_by_patch(facets_);
     std::vector<std::vector<int>> elements, sides;
     std::vector<ex_set> sets;
     int next = patches.empty() ? 0 : patches.rbegin()->first;
     for (const auto& patch : patches) {
       elements.emplace_back();
+      elements.back().reserve(patch.second.size());
       sides.emplace_back();
+      sides.back().reserve(patch.second.size());
       for (std::uint32_t f : patch.second) {
-        const Facet_sides::Sides& s = facets_.sides(f);
+        const Facet_sides::Sides s = facets_.sides(f);
         const Facet_sides::Side& side = s[1].is_there() ? s[1] : s[0];
         elements.back().push_back(int(number[side.cell]) + 1);
         sides.back().push_back(side_of(cells_.kind(side.cell), side.face));
@@ -215,15 +219,15 @@ private:
     check(ex_put_variable_names(exodus_, EX_ELEM_BLOCK, int(names.size()), names.data()));
     check(ex_put_time(exodus_, time_step, &time));
     int variable = 0;
+    const Cells_by_region::Listed listed = order_.listed();
     for (const Cell_array& a : nodes_.cell_arrays())
       for (std::size_t k = 0; k < std::size_t(a.components); ++k) {
         ++variable;
         for (std::size_t b = 0; b < blocks_.size(); ++b) {
-          const auto cells = order_.cells_of(b);
           std::vector<double> values;
-          values.reserve(cells.size());
-          for (std::uint32_t c : cells)
-            values.push_back(a.values[std::size_t(a.components) * c + k]);
+          values.reserve(blocks_[b].size);
+          for (std::size_t p = order_.first_place(b); p < order_.first_place(b + 1); ++p)
+            values.push_back(a.values[std::size_t(a.components) * listed[p] + k]);
           check(ex_put_var(exodus_, time_step, EX_ELEM_BLOCK, variable, block_ids_[b], std::int64_t(values.size()),
                            values.data()));
         }

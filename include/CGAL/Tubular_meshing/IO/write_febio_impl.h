@@ -38,6 +38,7 @@ public:
       , cells_(mesh_)
       , facets_(cells_, file.name())
       , order_(cells_)
+      , listed_(order_.listed())
       , blocks_(order_.blocks())
       , fibres_(nodes.cell_arrays()) {}
 
@@ -108,9 +109,9 @@ private:
     for (std::size_t b = 0; b < blocks_.size(); ++b) {
       out_ << "<Elements type=\"" << type_of(blocks_[b].kind) << "\" name=\"" << escaped_for_xml(block_names_[b])
            << "\">\n";
-      for (std::uint32_t c : order_.cells_of(b)) {
+      for (std::size_t p = order_.first_place(b); p < order_.first_place(b + 1); ++p) {
         out_ << "<elem id=\"" << ++id << "\">";
-        write_nodes(nodes_.of_cell(cells_, c, febio_order), "</elem>\n");
+        write_nodes(nodes_.of_cell(cells_, listed_[p], febio_order), "</elem>\n");
       }
       out_ << "</Elements>\n";
     }
@@ -124,7 +125,7 @@ private:
       out_ << "<Surface name=\"" << name << "\">\n";
       std::size_t id = 0;
       for (std::uint32_t f : patch.second) {
-        const Facet_sides::Sides& sides = facets_.sides(f);
+        const Facet_sides::Sides sides = facets_.sides(f);
         const Face corners = facets_.face(sides[1].is_there() ? sides[1] : sides[0]);
         const Element_nodes of_facet = nodes_.of_face(corners, febio_order);
         nodes.insert(nodes.end(), of_facet.begin(), of_facet.end());
@@ -165,16 +166,18 @@ private:
 
   // Axes of the material, element by element; of the wall: elsewhere there are none.
   void write_axes(std::size_t block) {
-    const auto cells = order_.cells_of(block);
-    if (std::none_of(cells.begin(), cells.end(), [&](std::uint32_t c) { return fibres_.has(c); }))
+    const std::size_t first = order_.first_place(block), end = order_.first_place(block + 1);
+    std::size_t p = first;
+    while (p < end && !fibres_.has(listed_[p]))
+      ++p;
+    if (p == end)
       return;
     out_ << "<ElementData type=\"mat_axis\" elem_set=\"" << escaped_for_xml(block_names_[block]) << "\">\n";
-    std::size_t place = 0;
-    for (std::uint32_t c : cells) {
-      ++place;
+    for (; p < end; ++p) {
+      const std::uint32_t c = listed_[p];
       if (!fibres_.has(c))
         continue;
-      out_ << "<elem lid=\"" << place << "\"><a>";
+      out_ << "<elem lid=\"" << p - first + 1 << "\"><a>";
       write_numbers(fibres_.circumferential(c), 3, "</a><d>");
       write_numbers(fibres_.longitudinal(c), 3, "</d></elem>\n");
     }
@@ -186,11 +189,10 @@ private:
     out_ << "<ElementData name=\"" << escaped_for_xml(a.name) << "\" data_type=\""
          << (a.components == 3 ? "vec3" : "scalar") << "\" elem_set=\"" << escaped_for_xml(block_names_[block])
          << "\">\n";
-    std::size_t place = 0;
-    const std::size_t n = std::size_t(a.components);
-    for (std::uint32_t c : order_.cells_of(block)) {
-      out_ << "<elem lid=\"" << ++place << "\">";
-      write_numbers(&a.values[n * c], n, "</elem>\n");
+    const std::size_t n = std::size_t(a.components), first = order_.first_place(block);
+    for (std::size_t p = first; p < order_.first_place(block + 1); ++p) {
+      out_ << "<elem lid=\"" << p - first + 1 << "\">";
+      write_numbers(&a.values[n * listed_[p]], n, "</elem>\n");
     }
     out_ << "</ElementData>\n";
   }
@@ -207,6 +209,7 @@ private:
   const Numbered_cells cells_;
   const Facet_sides facets_;
   const Cells_by_region order_;
+  const Cells_by_region::Listed listed_;
   const std::vector<Cells_of_region>& blocks_;
   const Fibre_directions fibres_;
   Label_names region_names_;

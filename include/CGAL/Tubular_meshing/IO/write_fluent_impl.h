@@ -45,7 +45,7 @@ public:
   void write() {
     out_ << "(0 \"Tubular_meshing\")\n(2 3)\n";
     declare(10, points_.size());
-    declare(12, number_.size());
+    declare(12, order_.number_of_cells());
     declare(13, faces_.number_of_faces());
     write_points();
     write_cell_zones();
@@ -180,7 +180,7 @@ private:
   void write_patches() {
     for (const auto& p : facets_by_patch(faces_.facets())) {
       const Facet_sides& facets = faces_.facets();
-      const Facet_sides::Sides& first = facets.sides(p.second.front());
+      const Facet_sides::Sides first = facets.sides(p.second.front());
       const bool is_wall = walls_.contain(p.first) || faces_.cells().region(first[0].cell) != labels::lumen;
       const bool is_inlet = p.first == labels::inlet;
       const bool is_inside =
@@ -212,7 +212,7 @@ private:
   const Face_mesh faces_;
   const Used_points points_;
   const Cells_by_region order_;
-  const std::vector<std::uint32_t> number_;
+  const Cells_by_region::Numbers number_;
   const Wall_patches walls_;
   const Label_names patch_names_, region_names_;
   std::vector<Zone> zones_;

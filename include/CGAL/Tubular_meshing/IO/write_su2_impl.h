@@ -62,7 +62,7 @@ private:
     for (std::size_t f = 0; f < facets_.size(); ++f) {
       if (!facets_.is_inside(f))
         continue;
-      const auto& s = facets_.sides(f);
+      const Facet_sides::Sides s = facets_.sides(f);
       const int low = cells_.region(s[0].cell), high = cells_.region(s[1].cell), label = facets_.label(f);
       if (low == high)
         refuse(file_.name(),
@@ -112,7 +112,7 @@ private:
     std::map<std::string, std::vector<Side>> markers;
     for (std::size_t f = 0; f < facets_.size(); ++f)
       for (std::size_t s = 0; s < 2; ++s) {
-        const Side& side = facets_.sides(f)[s];
+        const Side side = facets_.sides(f)[s];
         if (side.is_there() && cells_.region(side.cell) == region)
           markers[s == 0 ? names_.at(facets_.label(f)) : other_names_.at({facets_.label(f), region})].push_back(side);
       }

@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_IO_WRITE_SVMULTIPHYSICS_IMPL_H
 #define CGAL_TUBULAR_MESHING_IO_WRITE_SVMULTIPHYSICS_IMPL_H
 
+#include <CGAL/Tubular_meshing/IO/internal/Cells_by_region.h>
 #include <CGAL/Tubular_meshing/IO/internal/Facet_sides.h>
 #include <CGAL/Tubular_meshing/IO/internal/Mesh_nodes.h>
 #include <CGAL/Tubular_meshing/IO/internal/Used_points.h>
@@ -24,6 +25,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <set>
 #include <string>
 #include <vector>
@@ -40,6 +42,8 @@ public:
       , mesh_(nodes.mesh())
       , cells_(mesh_)
       , facets_(cells_, folder.name())
+      , order_(cells_)
+      , number_(order_.numbers())
       , walls_(cells_, facets_)
       , file_names_(patch_names_in_file(mesh_, Mesh_format::svmultiphysics))
       , model_face_(model_faces())
@@ -56,8 +60,31 @@ public:
 
 private:
   typedef Facet_sides::Side Side;
-  typedef std::vector<const Side*> Sides;
-  typedef std::map<int, Sides> Patches;
+  typedef Vtk_xml_writer::Shared Shared;
+
+  // The facets of a patch among those of a region.
+  struct Patch {
+    int label;
+    std::size_t first, end;           // facets
+    std::size_t first_node, end_node; // of all facets
+  };
+  typedef std::vector<Patch> Patches; // by their labels
+
+  // By patch: the nodes of each, and the number of the cell that it bounds, from 1.
+  struct Region_facets {
+    std::vector<std::uint32_t> nodes, cells;
+    Patches patches;
+  };
+
+  // A file of facets before it is written: what begins with the same patches begins with the same values.
+  struct Facets_file {
+    Facets_file(const Patches& facets, const std::shared_ptr<Block_packer>& packer)
+        : patches(facets)
+        , out("PolyData", packer) {}
+    const Patches& patches;
+    std::vector<std::size_t> points; // of the first patch, of the first two, and so on
+    Vtk_xml_writer out;
+  };
 
   // The numbers that the input had, each once; another patch's is its label, where that is not taken.
   std::map<int, std::int32_t> model_faces() const {
@@ -90,13 +117,15 @@ private:
              "choose --wall-elements tetrahedra or --type hexahedral, or leave --order 2 away");
     std::map<int, std::size_t> corners;
     for (std::size_t f = 0; f < facets_.size(); ++f) {
-      const Facet_sides::Sides& s = facets_.sides(f);
+      const Facet_sides::Sides s = facets_.sides(f);
       if (s[1].is_there() && cells_.region(s[0].cell) == cells_.region(s[1].cell))
         refuse(folder_.name(),
                "its patch \"" + file_names_.at(facets_.label(f)) +
                    "\" lies inside of a region, and its format has patches around regions only",
                write_vtu_instead);
-      const std::size_t n = number_of_corners(facets_.face(s[0]));
+      const std::size_t n = facets_.corners_of_facet(f);
+      if (f > 0 && facets_.label(f) == facets_.label(f - 1) && n == facets_.corners_of_facet(f - 1))
+        continue;
       if (corners.emplace(facets_.label(f), n).first->second != n)
         refuse(folder_.name(),
                "its patch \"" + file_names_.at(facets_.label(f)) +
@@ -105,32 +134,65 @@ private:
     }
   }
 
+  /* Most facets are in three files, one patch alone, walls_combined and the whole boundary, and compressing them is most
+   * of the work: so that of the boundary is made first, and the others copy what they share with it. */
   void write_region(int region, const std::string& path) {
     const Used_points points(nodes_, [&](int r) { return r == region; });
-    const std::vector<std::uint32_t> number = write_cells(region, points, path);
-    Patches patches;
-    for (std::size_t f = 0; f < facets_.size(); ++f)
-      for (const Side& s : facets_.sides(f))
-        if (s.is_there() && cells_.region(s.cell) == region)
-          patches[facets_.label(f)].push_back(&s);
+    write_cells(region, points, path);
+    const Region_facets facets = facets_of(region);
     Patches walls;
-    for (const auto& p : patches) {
-      write_facets(path + "mesh-surfaces/" + file_names_.at(p.first) + ".vtp", {p}, points, number);
-      if (walls_.contain(p.first))
-        walls.insert(p);
+    for (const Patch& p : facets.patches)
+      if (walls_.contain(p.label))
+        walls.push_back(p);
+    Facets_file boundary(facets.patches, packer_);
+    make_facets(boundary, facets, points, nullptr);
+    const auto write_part = [&](const Patches& part, const std::vector<std::string>& names) {
+      Facets_file file(part, packer_);
+      make_facets(file, facets, points, &boundary);
+      for (const std::string& name : names)
+        file.out.write(folder_.file(path + name));
+    };
+    const std::string walls_combined = "walls_combined.vtp";
+    for (const Patch& p : facets.patches) {
+      std::vector<std::string> names = {"mesh-surfaces/" + file_names_.at(p.label) + ".vtp"};
+      if (walls.size() == 1 && walls.front().label == p.label)
+        names.push_back(walls_combined);
+      write_part({p}, names);
     }
-    write_facets(path + "mesh-complete.exterior.vtp", patches, points, number);
-    if (!walls.empty())
-      write_facets(path + "walls_combined.vtp", walls, points, number);
+    if (walls.size() > 1)
+      write_part(walls, {walls_combined});
+    boundary.out.write(folder_.file(path + "mesh-complete.exterior.vtp"));
   }
 
-  // Returns the number of each cell in the region.
-  std::vector<std::uint32_t> write_cells(int region, const Used_points& points, const std::string& path) {
-    const std::vector<std::uint32_t> number = write_cells(region, points, path + "mesh-complete.mesh.vtu", nullptr);
+  Region_facets facets_of(int region) const {
+    Region_facets result;
+    const std::size_t first_place = order_.first_place(block_of(region));
+    result.cells.reserve(facets_.size());
+    result.nodes.reserve(facets_.size() * (facets_.size() == 0 ? 0 : nodes_of_facet(0)));
+    for (const auto& p : facets_by_patch(facets_)) {
+      Patch patch{p.first, result.cells.size(), 0, result.nodes.size(), 0};
+      for (std::uint32_t f : p.second)
+        for (const Side& s : facets_.sides(f)) {
+          if (!s.is_there() || cells_.region(s.cell) != region)
+            continue;
+          result.cells.push_back(std::uint32_t(number_[s.cell] - first_place + 1));
+          const Face face = facets_.face(s);
+          nodes_.for_each_of(facets_.corners_of_facet(f) == 3 ? 4 : 5, face.data(), 0, vtk_order,
+                             [&](std::uint32_t v) { result.nodes.push_back(v); });
+        }
+      patch.end = result.cells.size();
+      patch.end_node = result.nodes.size();
+      if (patch.end > patch.first)
+        result.patches.push_back(patch);
+    }
+    return result;
+  }
+
+  void write_cells(int region, const Used_points& points, const std::string& path) {
+    write_cells(region, points, path + "mesh-complete.mesh.vtu", nullptr);
     for (const Cell_array& a : nodes_.cell_arrays())
       if (a.components == 3 && has_values(a, region))
         write_cells(region, points, path + "fibers-" + as_file_name(a.name) + ".vtu", &a);
-    return number;
   }
 
   bool has_values(const Cell_array& array, int region) const {
@@ -142,21 +204,29 @@ private:
     return false;
   }
 
-  // The mesh itself, or directions of fibres in its cells, which svMultiPhysics reads from a file for each family.
-  std::vector<std::uint32_t> write_cells(int region, const Used_points& points, const std::string& file,
-                                         const Cell_array* fibres) {
-    std::vector<std::uint32_t> number(cells_.size());
-    std::uint32_t size = 0;
-    std::size_t first = no_cell;
-    for (std::size_t c = 0; c < cells_.size(); ++c)
-      if (cells_.region(c) == region) {
-        first = (std::min)(first, c);
-        number[c] = size++;
-      }
-    const std::size_t nodes = nodes_.number(cells_.kind(first));
-    const auto vtk_type = static_cast<std::uint8_t>(vtk_type_of(nodes_, cells_.kind(first)));
+  // The cells of a region, of which all are of one kind.
+  std::size_t block_of(int region) const {
+    std::size_t b = 0;
+    while (order_.blocks()[b].region != region)
+      ++b;
+    return b;
+  }
 
-    Vtk_xml_writer out("UnstructuredGrid");
+  // Calls f(cell) for those of a region, in order.
+  template <class F> void for_each_cell_of(int region, F f) const {
+    const std::size_t kind = order_.blocks()[block_of(region)].kind;
+    for (std::size_t c = cells_.first_cell(kind); c < cells_.first_cell(kind + 1); ++c)
+      if (cells_.region(c) == region)
+        f(c);
+  }
+
+  // The mesh itself, or directions of fibres in its cells, which svMultiPhysics reads from a file for each family.
+  void write_cells(int region, const Used_points& points, const std::string& file, const Cell_array* fibres) {
+    const Cells_of_region& block = order_.blocks()[block_of(region)];
+    const std::size_t size = block.size, nodes = nodes_.number(block.kind);
+    const auto vtk_type = static_cast<std::uint8_t>(vtk_type_of(nodes_, block.kind));
+
+    Vtk_xml_writer out("UnstructuredGrid", packer_);
     write_names(out, {}, mesh_.region_names, {region});
     out.begin("Piece NumberOfPoints=\"" + std::to_string(points.size()) + "\" NumberOfCells=\"" + std::to_string(size) +
               "\"");
@@ -166,24 +236,26 @@ private:
     out.end("PointData");
     out.begin("CellData");
     id = 0;
-    out.array_of<std::int32_t>("GlobalElementID", 1, size, [&] { return ++id; });
+    out.array_of<std::int32_t>("GlobalElementID", 1, size, [&] { return ++id; }, {&out, "GlobalNodeID", points.size()});
     out.array_of<std::int32_t>("ModelRegionID", 1, size, [&] { return region; });
     if (fibres != nullptr)
-      out.array("FIB_DIR", 3, values_in(region, *fibres));
+      out.array_made<double>("FIB_DIR", 3, 3 * size, [&](const auto& put) {
+        for_each_cell_of(region, [&](std::size_t c) {
+          for (std::size_t k = 0; k < 3; ++k)
+            put(fibres->values[3 * c + k]);
+        });
+      });
     out.end("CellData");
     write_points(out, points);
     out.begin("Cells");
-    std::size_t cell = first, node = 0;
-    Element_nodes of_cell = nodes_.of_cell(cells_, first, vtk_order);
-    out.array_of<std::int32_t>("connectivity", 1, size * nodes, [&] {
-      if (node == nodes) {
-        node = 0;
-        do
-          ++cell;
-        while (cells_.region(cell) != region);
-        of_cell = nodes_.of_cell(cells_, cell, vtk_order);
-      }
-      return std::int32_t(points.number(of_cell[node++]));
+    out.array_made<std::int32_t>("connectivity", 1, size * nodes, [&](const auto& put) {
+      for_each_block(mesh_, [&](const auto& cells, const Element_kind& kind) {
+        if (&kind == &element_kinds[block.kind])
+          for (std::size_t i = 0; i < cells.size(); ++i)
+            if (cells.label[i] == region)
+              nodes_.for_each_of(block.kind, cells.vertices[i].data(), i, vtk_order,
+                                 [&](std::uint32_t v) { put(std::int32_t(points.number(v))); });
+      });
     });
     std::int64_t end = 0;
     out.array_of<std::int64_t>("offsets", 1, size, [&] { return end += std::int64_t(nodes); });
@@ -191,33 +263,23 @@ private:
     out.end("Cells");
     out.end("Piece");
     out.write(folder_.file(file));
-    return number;
-  }
-
-  std::vector<double> values_in(int region, const Cell_array& array) const {
-    std::vector<double> values;
-    for (std::size_t c = 0; c < cells_.size(); ++c)
-      if (cells_.region(c) == region)
-        values.insert(values.end(), array.values.begin() + std::ptrdiff_t(3 * c),
-                      array.values.begin() + std::ptrdiff_t(3 * c + 3));
-    return values;
   }
 
   void write_points(Vtk_xml_writer& out, const Used_points& points) const {
     out.begin("Points");
-    std::size_t point = 0;
-    int k = 0;
-    out.array_of<double>("Points", 3, 3 * points.size(), [&] {
-      while (!points.contain(point))
-        ++point;
-      const double x = nodes_.point(point)[k];
-      if (++k == 3) {
-        k = 0;
-        ++point;
-      }
-      return x;
+    out.array_made<double>("Points", 3, 3 * points.size(), [&](const auto& put) {
+      for (std::size_t i = 0; i < nodes_.size(); ++i)
+        if (points.contain(i))
+          put_point(i, put);
     });
     out.end("Points");
+  }
+
+  template <class Put> void put_point(std::size_t i, const Put& put) const {
+    const Point_3& p = nodes_.point(i);
+    put(p.x());
+    put(p.y());
+    put(p.z());
   }
 
   static void write_names(Vtk_xml_writer& out, const Label_names& patches, const Label_names& regions,
@@ -238,61 +300,126 @@ private:
     out.end("FieldData");
   }
 
-  void write_facets(const std::string& file, const Patches& patches, const Used_points& points,
-                    const std::vector<std::uint32_t>& number) {
-    std::vector<std::uint32_t> used; // points of the mesh, as they come
-    std::vector<std::int32_t> elements, model_faces;
-    std::vector<std::int64_t> corners, ends;
-    std::set<int> labels;
-    for (const auto& p : patches) {
-      labels.insert(p.first);
-      for (const Side* s : p.second) {
-        const Face face = facets_.face(*s);
-        for (std::uint32_t v : nodes_.of_face(face, vtk_order))
-          corners.push_back(v);
-        ends.push_back(std::int64_t(corners.size()));
-        elements.push_back(std::int32_t(number[s->cell] + 1));
-        model_faces.push_back(model_face_.at(p.first));
-      }
-    }
-    for (std::int64_t& c : corners) {
-      const auto v = std::uint32_t(c);
-      if (local_[v] == no_vertex) {
-        local_[v] = std::uint32_t(used.size());
-        used.push_back(v);
-      }
-      c = local_[v];
-    }
-    std::vector<std::int32_t> nodes;
-    std::vector<double> xyz;
-    for (std::uint32_t v : used) {
-      local_[v] = no_vertex;
-      nodes.push_back(std::int32_t(points.number(v) + 1));
-      for (int k = 0; k < 3; ++k)
-        xyz.push_back(nodes_.point(v)[k]);
-    }
+  std::size_t nodes_of_facet(std::size_t facet) const {
+    return nodes_.number(facets_.corners_of_facet(facet) == 3 ? 4 : 5);
+  }
 
-    Vtk_xml_writer out("PolyData");
+  // The points of facets, each where it comes first; `local_` is where.
+  std::vector<std::uint32_t> list_points(Facets_file& file, const Region_facets& facets) {
+    std::vector<std::uint32_t> used;
+    for (const Patch& p : file.patches) {
+      for (std::size_t i = p.first_node; i < p.end_node; ++i) {
+        const std::uint32_t v = facets.nodes[i];
+        if (local_[v] == no_vertex) {
+          local_[v] = std::uint32_t(used.size());
+          used.push_back(v);
+        }
+      }
+      file.points.push_back(used.size());
+    }
+    return used;
+  }
+
+  // How much a file has, or begins with that another one does, too.
+  struct Size {
+    std::size_t points = 0, facets = 0, nodes = 0;
+  };
+  static Size size_of(const Facets_file& file, std::size_t patches) {
+    Size size;
+    for (std::size_t i = 0; i < patches; ++i) {
+      const Patch& p = file.patches[i];
+      size = {file.points[i], size.facets + p.end - p.first, size.nodes + p.end_node - p.first_node};
+    }
+    return size;
+  }
+  static Size common_to(const Facets_file& file, const Facets_file& other) {
+    std::size_t n = 0;
+    while (n < file.patches.size() && n < other.patches.size() && file.patches[n].label == other.patches[n].label)
+      ++n;
+    return size_of(file, n);
+  }
+
+  // other: what is made already, and may have values of this one
+  void make_facets(Facets_file& file, const Region_facets& facets, const Used_points& points,
+                   const Facets_file* other) {
+    const std::vector<std::uint32_t> used = list_points(file, facets);
+    const Size size = size_of(file, file.patches.size());
+    const Size common = other == nullptr ? Size() : common_to(file, *other);
+    const auto shared = [&](const char* array, std::size_t values) {
+      return Shared{other == nullptr ? nullptr : &other->out, array, values};
+    };
+    std::set<int> labels;
+    for (const Patch& p : file.patches)
+      labels.insert(p.label);
+
+    Vtk_xml_writer& out = file.out;
     write_names(out, mesh_.patch_names, {}, labels);
-    out.begin("Piece NumberOfPoints=\"" + std::to_string(used.size()) +
+    out.begin("Piece NumberOfPoints=\"" + std::to_string(size.points) +
               "\" NumberOfVerts=\"0\" NumberOfLines=\"0\" NumberOfStrips=\"0\" NumberOfPolys=\"" +
-              std::to_string(ends.size()) + "\"");
+              std::to_string(size.facets) + "\"");
     out.begin("PointData");
-    out.array("GlobalNodeID", 1, nodes);
+    out.array_made<std::int32_t>(
+        "GlobalNodeID", 1, size.points,
+        [&](const auto& put) {
+          for (std::uint32_t v : used)
+            put(std::int32_t(points.number(v) + 1));
+        },
+        shared("GlobalNodeID", common.points));
     out.end("PointData");
     out.begin("CellData");
-    out.array("GlobalElementID", 1, elements);
-    out.array("ModelFaceID", 1, model_faces);
+    out.array_made<std::int32_t>(
+        "GlobalElementID", 1, size.facets,
+        [&](const auto& put) {
+          for (const Patch& p : file.patches)
+            for (std::size_t i = p.first; i < p.end; ++i)
+              put(std::int32_t(facets.cells[i]));
+        },
+        shared("GlobalElementID", common.facets));
+    out.array_made<std::int32_t>(
+        "ModelFaceID", 1, size.facets,
+        [&](const auto& put) {
+          for (const Patch& p : file.patches) {
+            const std::int32_t id = model_face_.at(p.label);
+            for (std::size_t i = p.first; i < p.end; ++i)
+              put(id);
+          }
+        },
+        shared("ModelFaceID", common.facets));
     out.end("CellData");
     out.begin("Points");
-    out.array("Points", 3, xyz);
+    out.array_made<double>(
+        "Points", 3, 3 * size.points,
+        [&](const auto& put) {
+          for (std::uint32_t v : used)
+            put_point(v, put);
+        },
+        shared("Points", 3 * common.points));
     out.end("Points");
     out.begin("Polys");
-    out.array("connectivity", 1, corners);
-    out.array("offsets", 1, ends);
+    out.array_made<std::int64_t>(
+        "connectivity", 1, size.nodes,
+        [&](const auto& put) {
+          for (const Patch& p : file.patches)
+            for (std::size_t i = p.first_node; i < p.end_node; ++i)
+              put(std::int64_t(local_[facets.nodes[i]]));
+        },
+        shared("connectivity", common.nodes));
+    out.array_made<std::int64_t>(
+        "offsets", 1, size.facets,
+        [&](const auto& put) {
+          std::int64_t end = 0;
+          for (const Patch& p : file.patches) {
+            const auto n =
+                std::int64_t((p.end_node - p.first_node) / (p.end - p.first)); // of each, as they are of one kind
+            for (std::size_t i = p.first; i < p.end; ++i)
+              put(end += n);
+          }
+        },
+        shared("offsets", common.facets));
     out.end("Polys");
     out.end("Piece");
-    out.write(folder_.file(file));
+    for (std::uint32_t v : used)
+      local_[v] = no_vertex;
   }
 
   Output_folder& folder_;
@@ -300,9 +427,12 @@ private:
   const Mixed_mesh& mesh_;
   const Numbered_cells cells_;
   const Facet_sides facets_;
+  const Cells_by_region order_;
+  const Cells_by_region::Numbers number_;
   const Wall_patches walls_;
   const Label_names file_names_;
   const std::map<int, std::int32_t> model_face_;
+  const std::shared_ptr<Block_packer> packer_ = std::make_shared<Block_packer>();
   std::vector<std::uint32_t> local_; // of points on the file that is written, where they are there
 };
 

@@ -21,7 +21,8 @@ namespace CGAL::Tubular_meshing {
  *
  * The number of elements goes with a power of N: at first that which is given (3 for cells, 2 for faces), then that of
  * the meshes made so far. As soon as there is one mesh with fewer and one with more, the next ones are between them. The
- * number may grow with any power of N, by steps, and need not grow everywhere. Two or three meshes are the rule.
+ * number may grow with any power of N, by steps, and need not grow everywhere. With the N of first_points() one mesh is
+ * the rule.
  */
 class Element_target {
 public:
@@ -41,20 +42,24 @@ public:
                             " elements cannot be made: give a number of at least 10.");
   }
 
-  /*! The first N for a mesh of tetrahedra, or one with layers and walls of other cells beside them.
+  /*! The first N, by estimates, which are quick beside a mesh.
    * \param elements the number wanted
    * \param points some N
-   * \param estimate of the number of tetrahedra with `points` */
-  static double first_points(double elements, double points, double estimate) {
-    return points * std::cbrt(elements / estimate);
+   * \param power of N that the number of elements goes with
+   * \param expected the number of elements with an N; called last with the N that is returned */
+  template <class Expected>
+  static double first_points(double elements, double points, double power, const Expected& expected) {
+    const int most_rounds = 6;
+    const double near = 0.02;
+    for (int round = 0;; ++round) {
+      const double n = expected(points);
+      if (round == most_rounds || !(n > 0) || std::abs(n / elements - 1) < near)
+        return points;
+      points = limited(points * std::pow(elements / n, 1 / power));
+    }
   }
 
-  /*! The first N for an anisotropic mesh: at the default layers it has about eight times as many tetrahedra, and they
-   * take longer to make; so that the first one should not be the largest. */
-  static double first_points_of_layers(double elements, double points, double estimate) {
-    return points * std::pow(elements / (8 * estimate), 1 / power_of_layers);
-  }
-
+  /// Of anisotropic meshes, which have layers.
   static constexpr double power_of_layers = 2.3;
 
   /// N, to be tried next.

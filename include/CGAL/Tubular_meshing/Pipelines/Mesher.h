@@ -221,6 +221,11 @@ public:
    * than in the model. */
   Block_structure block_structure();
 
+  /*! The local radius at p, see Local_radius, which sizes, layers and walls are relative to: for a wall around the mesh,
+   * see extrude_wall(), without measuring the vessels again. The first call measures them, unless a mesh was made
+   * before; the next may come from several threads. */
+  double local_radius(const Point_3& p);
+
   /// Takes over the surface mesh that the last volume mesh was made from and kept; empty if there is none.
   Remeshed_surface kept_surface();
 

@@ -47,6 +47,8 @@ public:
   Remeshed_surface take_kept_surface() { return std::exchange(kept_, Remeshed_surface()); }
   Block_structure take_block_structure() { return std::exchange(structure_, Block_structure()); }
 
+  double local_radius(const Point_3& p) { return frame_.length_from_frame(radius()(frame_.to_frame(p))); }
+
   double estimated_number_of_tetrahedra() { return size().estimated_number_of_tetrahedra(); }
 
   Mesh_estimate estimate(Mesh_type type, Surface_elements elements) {
@@ -83,20 +85,29 @@ public:
     return result;
   }
 
-  /* Makes a mesh; again with other N, until it has the number of elements that is wanted. The number goes with a power
-   * of N; `first` gives the N to begin with. */
-  template <class Make, class Count, class First>
-  auto fitted(const Make& make, const Count& count, double power, const First& first) {
+  /* Makes a mesh; again with other N, until it has the number of elements that is wanted, which goes with a power of
+   * N. */
+  template <class Make, class Count>
+  auto fitted(Mesh_type type, Surface_elements elements, double power, const Make& make, const Count& count) {
     if (options_.number_of_elements == 0)
       return make();
-    Element_target target(options_.number_of_elements,
-                          first(options_.number_of_elements, points(), estimated_number_of_tetrahedra()), power);
+    const auto expected = [&](double n) {
+      set_points(n);
+      const Mesh_estimate e = estimate(type, elements);
+      return type == Mesh_type::surface ? e.facets() : e.cells();
+    };
+    const double wanted = options_.number_of_elements;
+    Element_target target(wanted, Element_target::first_points(wanted, points(), power, expected), power);
     for (;;) {
       set_points(target.points());
       auto mesh = make();
       if (target.add(count(mesh)))
         return mesh;
     }
+  }
+  template <class Make> Mixed_mesh fitted(Mesh_type type, const Make& make) {
+    const double power = type == Mesh_type::anisotropic ? Element_target::power_of_layers : 3;
+    return fitted(type, Surface_elements::triangles, power, make, internal::number_of_cells);
   }
 
   /* Runs what makes a mesh in the frame, and brings the mesh back from there, or the places of what is thrown. */
@@ -356,7 +367,7 @@ private:
       stage("optimization");
       internal::optimize_tetrahedra(mesh, s.surface, s.patch, options_.optimization);
       stage("check");
-      differences = internal::differences(mesh, *model_, frame_.surface().surface);
+      differences = internal::differences(mesh, *model_, frame_.surface().surface, options_.size.number_of_threads);
       if (differences.empty()) {
         give_volume_to(mesh);
         return mesh;
@@ -454,27 +465,29 @@ CGAL_TUBULAR_MESHING_INLINE Mesh_estimate Mesher::estimate(Mesh_type type, Surfa
   return impl_->estimate(type, elements);
 }
 CGAL_TUBULAR_MESHING_INLINE Mixed_mesh Mesher::isotropic() {
-  return impl_->fitted([&] { return impl_->isotropic(); }, internal::number_of_cells, 3, Element_target::first_points);
+  return impl_->fitted(Mesh_type::isotropic, [&] { return impl_->isotropic(); });
 }
 CGAL_TUBULAR_MESHING_INLINE Mixed_mesh Mesher::anisotropic() {
-  return impl_->fitted([&] { return impl_->anisotropic(); }, internal::number_of_cells, Element_target::power_of_layers,
-                       Element_target::first_points_of_layers);
+  return impl_->fitted(Mesh_type::anisotropic, [&] { return impl_->anisotropic(); });
 }
 CGAL_TUBULAR_MESHING_INLINE Mixed_mesh Mesher::mixed() {
-  return impl_->fitted([&] { return impl_->mixed(); }, internal::number_of_cells, 3, Element_target::first_points);
+  return impl_->fitted(Mesh_type::mixed, [&] { return impl_->mixed(); });
 }
 CGAL_TUBULAR_MESHING_INLINE Mixed_mesh Mesher::hexahedral() {
-  return impl_->fitted([&] { return impl_->hexahedral(); }, internal::number_of_cells, 3, Element_target::first_points);
+  return impl_->fitted(Mesh_type::hexahedral, [&] { return impl_->hexahedral(); });
 }
 CGAL_TUBULAR_MESHING_INLINE Remeshed_surface Mesher::surface(Surface_elements elements) {
-  return impl_->fitted([&] { return impl_->surface(elements); },
-                       [](const Remeshed_surface& s) { return std::size_t(s.surface.number_of_faces()); }, 2,
-                       Element_target::first_points);
+  return impl_->fitted(
+      Mesh_type::surface, elements, 2, [&] { return impl_->surface(elements); },
+      [](const Remeshed_surface& s) { return std::size_t(s.surface.number_of_faces()); });
 }
 CGAL_TUBULAR_MESHING_INLINE Block_structure Mesher::block_structure() {
   return impl_->take_block_structure();
 }
 
+CGAL_TUBULAR_MESHING_INLINE double Mesher::local_radius(const Point_3& p) {
+  return impl_->local_radius(p);
+}
 CGAL_TUBULAR_MESHING_INLINE Remeshed_surface Mesher::kept_surface() {
   return impl_->take_kept_surface();
 }

@@ -7,6 +7,7 @@
 #include <CGAL/Tubular_meshing/Quality/branch_resolution.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
 #include <CGAL/Tubular_meshing/base/labels.h>
+#include <CGAL/Tubular_meshing/base/edges_of.h>
 
 namespace CGAL::Tubular_meshing {
 

@@ -8,6 +8,9 @@
 #include <CGAL/Tubular_meshing/Quality/quality_report.h>
 #include <CGAL/Tubular_meshing/Quality/shape_measures.h>
 #include <CGAL/Tubular_meshing/base/parallel.h>
+#include <CGAL/Tubular_meshing/base/edges_of.h>
+
+#include <boost/sort/spreadsort/float_sort.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +24,7 @@ namespace CGAL::Tubular_meshing {
 
 CGAL_TUBULAR_MESHING_INLINE Measure_statistics::Measure_statistics(std::vector<double> values)
     : values_(std::move(values)) {
-  std::sort(values_.begin(), values_.end());
+  boost::sort::spreadsort::float_sort(values_.begin(), values_.end()); // by digits: a half of the time of std::sort
   for (double v : values_)
     mean_ += v;
   if (!values_.empty())

@@ -6,6 +6,7 @@
 
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/base/config.h>
+#include <CGAL/Tubular_meshing/base/parameters.h>
 
 #include <cstddef>
 #include <map>
@@ -47,12 +48,32 @@ struct Validity_report {
   std::string defects() const;
 };
 
+namespace internal {
+
+Validity_report validity_report_on(int threads, const Mixed_mesh& mesh);
+
+} // namespace internal
+
 /*! \ingroup PkgTubularMeshingQuality
  *
  * checks a volume mesh of any kinds of cells: orientation, conformity, boundary, labels, connectedness, of the whole
  * and of each region. O(n log n).
+ *
+ * \param mesh the mesh
+ * \param np an optional sequence of named parameters among the ones listed below
+ *
+ * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{number_of_threads}
+ *     \cgalParamDescription{0: all cores. The result does not depend on it}
+ *     \cgalParamType{`int`}
+ *     \cgalParamDefault{`0`}
+ *   \cgalParamNEnd
+ * \cgalNamedParamsEnd
  */
-Validity_report validity_report(const Mixed_mesh& mesh);
+template <typename CGAL_NP_TEMPLATE_PARAMETERS>
+Validity_report validity_report(const Mixed_mesh& mesh, const CGAL_NP_CLASS& np = CGAL::parameters::default_values()) {
+  return internal::validity_report_on(internal::choose(np, internal_np::number_of_threads, 0), mesh);
+}
 
 } // namespace CGAL::Tubular_meshing
 

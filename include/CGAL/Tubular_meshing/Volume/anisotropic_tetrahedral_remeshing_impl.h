@@ -21,8 +21,8 @@ void remesh_to_metric(Mixed_mesh& mesh, Metric_function metric, const MakeProjec
                       const Anisotropic_tetrahedral_remeshing_options& options) {
   if (options.number_of_threads < 0)
     throw Parameter_error("number_of_threads is negative; pass the number of threads, or 0 for all cores.");
-  check_mesh_to_remesh(mesh);
-  std::unique_ptr<Tetrahedron_store> store(new Tetrahedron_store(mesh));
+  check_mesh_to_remesh(mesh, options.number_of_threads);
+  std::unique_ptr<Tetrahedron_store> store(new Tetrahedron_store(mesh, options.number_of_threads));
   const Patch_projection projection(make_projection(*store));
   Metric_mesh metric_mesh(*store, metric, projection, options.keep_boundary, options.boundary_layer_patches,
                           options.number_of_threads);

@@ -38,9 +38,11 @@ void fill_keeping_boundary(const Surface& surface, Face_patch_map patch, Length_
 
 /*! \ingroup PkgTubularMeshingVolume
  *
- * fills a closed labelled surface with tetrahedra and keeps it as it is, facet for facet. TetGen (\cgalCite{si2015}),
- * or \cgal's own `Conforming_constrained_Delaunay_triangulation_3`, connects the points of the surface; where the
- * latter needs points on the surface they are brought inside again. Delaunay refinement adds points inside, as many as
+ * fills a closed labelled surface with tetrahedra and keeps it as it is, facet for facet. The Delaunay triangulation of
+ * the surface's points has nearly all of its triangles for facets as a rule. Those that are missing are recovered by
+ * TetGen (\cgalCite{si2015}), or the whole surface is, by TetGen or by \cgal's own
+ * `Conforming_constrained_Delaunay_triangulation_3`; where the latter needs points on the surface they are brought
+ * inside again. Delaunay refinement adds points inside, as many as
  * the field asks for. What makes the mesh good is optimize_tetrahedra() with `keep_boundary(true)`.
  *
  * The surface is handed over in a frame of unit extent: units and distance from the origin make no difference. The

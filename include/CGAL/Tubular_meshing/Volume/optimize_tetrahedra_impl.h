@@ -13,7 +13,7 @@ namespace CGAL::Tubular_meshing::internal {
 inline void optimize_with_surface(Mixed_mesh& mesh, const Surface& surface, Face_patch_map patch, int passes,
                                   int threads) {
   const Patch_projection projection(surface, patch);
-  Tetrahedron_store store(mesh);
+  Tetrahedron_store store(mesh, threads);
   const Surface_flip_guard guard(store, projection);
   const auto move_vertices = [&](int pass) {
     Vertex_optimizer<Patch_projection> vertices(store, projection, threads);

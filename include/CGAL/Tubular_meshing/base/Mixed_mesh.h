@@ -39,25 +39,6 @@ template <std::size_t N> struct Element_block {
   }
 };
 
-namespace internal {
-
-/* The edges of those triangles or tetrahedra of which `counts(label)` holds, lower vertex first, in order. O(n log n). */
-template <std::size_t N, class Counts>
-std::vector<std::pair<std::uint32_t, std::uint32_t>> edges_of(const Element_block<N>& elements, const Counts& counts) {
-  static_assert(N <= 4, "any two vertices are joined");
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
-  for (std::size_t k = 0; k < elements.size(); ++k)
-    if (counts(elements.label[k]))
-      for (std::size_t i = 0; i < N; ++i)
-        for (std::size_t j = 0; j < i; ++j)
-          edges.push_back(std::minmax(elements.vertices[k][i], elements.vertices[k][j]));
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-  return edges;
-}
-
-} // namespace internal
-
 /*! \ingroup PkgTubularMeshingBase
  * The name of the point array of a metric: xx, xy, xz, yy, yz, zz. */
 constexpr const char* metric_array_name = "metric";

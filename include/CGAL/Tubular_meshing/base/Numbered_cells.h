@@ -68,6 +68,10 @@ template <std::size_t N> Face face_of(const std::array<std::uint32_t, N>& cell, 
           c[3] < 0 ? no_vertex : cell[std::size_t(c[3])]};
 }
 
+template <std::size_t N> constexpr std::size_t faces_of(const std::array<std::uint32_t, N>&) {
+  return Cell_faces<N>::corners.size();
+}
+
 /* The cells of a mesh counted through its blocks (tetrahedra, pyramids, prisms, hexahedra), and the faces of all cells counted
  * through the cells: a face's number stands for the cell and for which of its faces it is. */
 class Numbered_cells {
@@ -150,6 +154,19 @@ public:
     });
   }
 
+  // Calls f(cell, vertices) for all cells, in order.
+  template <class F> void for_each_cell(F f) const {
+    std::size_t cell = 0;
+    const auto visit = [&](const auto& block) {
+      for (const auto& vertices : block.vertices)
+        f(cell++, vertices);
+    };
+    visit(mesh_.tetrahedra);
+    visit(mesh_.pyramids);
+    visit(mesh_.prisms);
+    visit(mesh_.hexahedra);
+  }
+
   // Calls f(cell, face, corners) for all faces of all cells, in order.
   template <class F> void for_each_face(F f) const {
     for_each_cell([&](std::size_t cell, const auto& vertices) {
@@ -179,22 +196,6 @@ public:
   }
 
 private:
-  template <std::size_t N> static constexpr std::size_t faces_of(const std::array<std::uint32_t, N>&) {
-    return Cell_faces<N>::corners.size();
-  }
-
-  template <class F> void for_each_cell(F f) const {
-    std::size_t cell = 0;
-    const auto visit = [&](const auto& block) {
-      for (const auto& vertices : block.vertices)
-        f(cell++, vertices);
-    };
-    visit(mesh_.tetrahedra);
-    visit(mesh_.pyramids);
-    visit(mesh_.prisms);
-    visit(mesh_.hexahedra);
-  }
-
   // f(kind, cell in its block, face, block); divisions are by constants, which is what makes them fast.
   template <class Result, class F> Result with_kind_of_face(std::size_t number, const F& f) const {
     if (number < first_face_[1])

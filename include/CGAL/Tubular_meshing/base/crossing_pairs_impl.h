@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_BASE_CROSSING_PAIRS_IMPL_H
 #define CGAL_TUBULAR_MESHING_BASE_CROSSING_PAIRS_IMPL_H
 
+#include <CGAL/Tubular_meshing/base/Crossing_suspects.h>
 #include <CGAL/Tubular_meshing/base/crossing_pairs.h>
 
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
@@ -16,7 +17,10 @@ namespace CGAL::Tubular_meshing::internal {
 CGAL_TUBULAR_MESHING_INLINE Face_pairs crossing_pairs(const std::vector<Surface::Face_index>& faces,
                                                       const Surface& surface) {
   Face_pairs pairs;
-  Polygon_mesh_processing::self_intersections(faces, surface, std::back_inserter(pairs));
+  const std::vector<Surface::Face_index> suspects = Crossing_suspects(faces, surface).faces();
+  if (suspects.empty())
+    return pairs;
+  Polygon_mesh_processing::self_intersections(suspects, surface, std::back_inserter(pairs));
   for (auto& pair : pairs)
     if (pair.second < pair.first)
       std::swap(pair.first, pair.second);

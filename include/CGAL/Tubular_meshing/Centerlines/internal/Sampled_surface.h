@@ -6,7 +6,7 @@
 
 #include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/base/Canonical_frame.h>
-#include <CGAL/Tubular_meshing/Centerlines/internal/order_in_space.h>
+#include <CGAL/Tubular_meshing/base/place_on_curve.h>
 #include <CGAL/Tubular_meshing/Centerlines/internal/parallel_sort.h>
 #include <CGAL/Tubular_meshing/base/Nearest_tree.h>
 #include <CGAL/Tubular_meshing/base/labels.h>

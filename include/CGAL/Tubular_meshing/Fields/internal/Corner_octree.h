@@ -5,6 +5,8 @@
 #define CGAL_TUBULAR_MESHING_FIELDS_INTERNAL_CORNER_OCTREE_H
 
 #include <CGAL/Tubular_meshing/base/Function_view.h>
+#include <CGAL/Tubular_meshing/base/Growing_numbering.h>
+#include <CGAL/Tubular_meshing/base/Triangle_soup.h>
 #include <CGAL/Tubular_meshing/base/parallel.h>
 
 #include <CGAL/Bbox_3.h>
@@ -13,7 +15,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -210,18 +211,21 @@ private:
     return {l[0] + (c & 1u) * width, l[1] + ((c >> 1) & 1u) * width, l[2] + ((c >> 2) & 1u) * width};
   }
 
+  struct Hash_of_key {
+    std::size_t operator()(std::uint64_t key) const { return std::size_t(mixed_bits(key)); }
+  };
+
   void number_corners() {
-    std::unordered_map<std::uint64_t, std::uint32_t> index;
-    index.reserve(2 * leaf_lower_.size());
+    Growing_numbering<std::uint64_t, Hash_of_key> numbers;
     leaf_corners_.reserve(8 * leaf_lower_.size());
     for (const auto& leaf : leaf_lower_)
       for (std::uint32_t c = 0; c < 8; ++c) {
         const Lattice_point p = corner(leaf.first, leaf.second, c);
         const std::uint64_t key = (std::uint64_t(p[0]) << 42) | (std::uint64_t(p[1]) << 21) | p[2];
-        const auto inserted = index.emplace(key, std::uint32_t(corners_.size()));
-        if (inserted.second)
+        const std::uint32_t number = numbers.number_of(key);
+        if (number == corners_.size())
           corners_.push_back(p);
-        leaf_corners_.push_back(inserted.first->second);
+        leaf_corners_.push_back(number);
       }
     leaf_lower_ = std::vector<std::pair<Lattice_point, std::uint32_t>>();
   }

@@ -68,25 +68,32 @@ public:
 private:
   // Every halfedge once from either side; what comes once only is on the rim.
   void connect() {
-    std::vector<std::array<Index, 2>> edges;
-    edges.reserve(6 * triangles_.size());
+    std::vector<std::size_t> first(points_.size() + 1, 0); // of the corners that are met at each point, some twice
     for (const auto& t : triangles_)
-      for (int i = 0; i < 3; ++i) {
-        edges.push_back({t[i], t[(i + 1) % 3]});
-        edges.push_back({t[(i + 1) % 3], t[i]});
-      }
-    std::sort(edges.begin(), edges.end());
-    first_neighbor_.assign(points_.size() + 1, 0);
+      for (Index v : t)
+        first[v + 1] += 2;
+    std::partial_sum(first.begin(), first.end(), first.begin());
+    std::vector<std::size_t> next(first.begin(), first.end());
+    std::vector<Index> met(first.back());
+    for (const auto& t : triangles_)
+      for (int i = 0; i < 3; ++i)
+        for (int k : {1, 2})
+          met[next[t[i]]++] = t[(i + k) % 3];
+    first_neighbor_.assign(1, 0);
+    first_neighbor_.reserve(points_.size() + 1);
+    neighbors_.reserve(met.size() / 2);
     on_rim_.assign(points_.size(), false);
-    for (std::size_t i = 0, j = 0; i < edges.size(); i = j) {
-      while (j < edges.size() && edges[j] == edges[i])
-        ++j;
-      if (j == i + 1)
-        on_rim_[edges[i][0]] = on_rim_[edges[i][1]] = true;
-      neighbors_.push_back(edges[i][1]);
-      ++first_neighbor_[edges[i][0] + 1];
+    for (Index v = 0; v < points_.size(); ++v) {
+      std::sort(met.begin() + std::ptrdiff_t(first[v]), met.begin() + std::ptrdiff_t(first[v + 1]));
+      for (std::size_t i = first[v], j = i; i < first[v + 1]; i = j) {
+        while (j < first[v + 1] && met[j] == met[i])
+          ++j;
+        if (j == i + 1)
+          on_rim_[v] = on_rim_[met[i]] = true;
+        neighbors_.push_back(met[i]);
+      }
+      first_neighbor_.push_back(neighbors_.size());
     }
-    std::partial_sum(first_neighbor_.begin(), first_neighbor_.end(), first_neighbor_.begin());
   }
 
   std::vector<Vector_3d> points_;

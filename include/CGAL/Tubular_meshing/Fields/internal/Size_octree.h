@@ -43,7 +43,7 @@ public:
             box, [&](const Position& x) { return sample(x, true).need; }, threads)
       , values_(tree_.number_of_corners()) {
     tree_.for_each_corner([&](std::size_t i, const Position& x) { values_[i] = sample(x, false).size; }, threads);
-    limit_growth(slope);
+    limit_growth(slope, threads);
     tree_.release_corners();
   }
 
@@ -93,7 +93,8 @@ private:
 
   // Calls lower(q, bound) for each neighbour q of a corner whose value is above what the corner's value allows.
   template <class Lower>
-  void for_each_too_large(std::uint32_t corner, double slope, const Leaves_of_corners& around, const Lower& lower) {
+  void for_each_too_large(std::uint32_t corner, double slope, const Leaves_of_corners& around,
+                          const Lower& lower) const {
     const double value = values_[corner];
     for (std::uint32_t k = around.first[corner]; k < around.first[corner + 1]; ++k)
       for (int c = 0; c < 8; ++c) {
@@ -108,16 +109,18 @@ private:
   }
 
   // Dijkstra's algorithm from all corners that limit a neighbour: the smallest sizes spread first.
-  void limit_growth(double slope) {
+  void limit_growth(double slope, int threads) {
     const Leaves_of_corners around = leaves_of_corners();
     typedef std::pair<double, std::uint32_t> Entry;
+    std::vector<char> limits(values_.size(), 0);
+    for_each_range(values_.size(), threads, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i)
+        for_each_too_large(std::uint32_t(i), slope, around, [&](std::uint32_t, double) { limits[i] = 1; });
+    });
     std::vector<Entry> initial;
-    for (std::uint32_t i = 0; i < values_.size(); ++i) {
-      bool limits = false;
-      for_each_too_large(i, slope, around, [&](std::uint32_t, double) { limits = true; });
-      if (limits)
+    for (std::uint32_t i = 0; i < values_.size(); ++i)
+      if (limits[i])
         initial.emplace_back(values_[i], i);
-    }
     std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue(std::greater<Entry>(),
                                                                               std::move(initial));
     while (!queue.empty()) {

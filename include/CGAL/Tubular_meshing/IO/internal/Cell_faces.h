@@ -13,6 +13,7 @@ using Tubular_meshing::internal::cells::Cell_faces;
 using Tubular_meshing::internal::cells::Cell_neighbours;
 using Tubular_meshing::internal::cells::Face;
 using Tubular_meshing::internal::cells::face_of;
+using Tubular_meshing::internal::cells::faces_of;
 using Tubular_meshing::internal::cells::lowest_corner;
 using Tubular_meshing::internal::cells::no_cell;
 using Tubular_meshing::internal::cells::no_vertex;

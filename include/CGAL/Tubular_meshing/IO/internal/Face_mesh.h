@@ -146,10 +146,26 @@ private:
     return cells_;
   }
 
+  // Room for as many as there are: they would take twice of it while they grow.
+  void reserve_patches(std::vector<std::uint32_t>& listed) {
+    std::map<int, std::size_t> sizes;
+    std::size_t all = 0;
+    for (std::size_t f = 0; f < facets_.size(); ++f)
+      if (!facets_.is_inside(f)) {
+        ++sizes[facets_.label(f)];
+        ++all;
+      }
+    for (const auto& s : sizes)
+      patches_[s.first].reserve(s.second);
+    listed.reserve(all);
+    inner_facets_.reserve(facets_.size() - all);
+  }
+
   void list_patches() {
     std::vector<std::uint32_t> listed; // numbers of faces
+    reserve_patches(listed);
     for (std::size_t f = 0; f < facets_.size(); ++f) {
-      const Facet_sides::Sides& s = facets_.sides(f);
+      const Facet_sides::Sides s = facets_.sides(f);
       if (s[1].is_there()) {
         const Side& lower = s[0].cell < s[1].cell ? s[0] : s[1];
         inner_facets_.push_back({lower.cell, lower.face, std::uint32_t(f)});

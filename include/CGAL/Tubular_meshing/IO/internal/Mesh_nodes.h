@@ -50,6 +50,17 @@ public:
       nodes.push_back(corners[i]);
     return nodes;
   }
+  // Calls f(node) for them.
+  template <class F>
+  void for_each_of(std::size_t kind, const std::uint32_t* corners, std::size_t number, const Node_order& order,
+                   const F& f) const {
+    if (is_quadratic())
+      for (std::uint32_t node : of(kind, corners, number, order))
+        f(node);
+    else
+      for (std::size_t i = 0; i < element_kinds[kind].corners; ++i)
+        f(corners[i]);
+  }
   Element_nodes of_cell(const Numbered_cells& cells, std::size_t cell, const Node_order& order) const {
     const std::size_t kind = cells.kind(cell);
     return of(kind, cells.corners(cell).first, cell - cells.first_cell(kind), order);

@@ -22,7 +22,8 @@ public:
       : file_(file)
       , solver_(solver) {
     for (std::size_t c = 0; c < cells.size(); ++c)
-      kinds_[cells.region(c)].insert(cells.kind(c));
+      if (c == 0 || cells.region(c) != cells.region(c - 1) || cells.kind(c) != cells.kind(c - 1))
+        kinds_[cells.region(c)].insert(cells.kind(c));
   }
 
   // Throws an Output_error if the region has cells of a kind that is not allowed, or of more than one.

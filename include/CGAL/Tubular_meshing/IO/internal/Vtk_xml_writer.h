@@ -13,8 +13,15 @@
 #include <zlib.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <memory>
+#include <new>
 #include <string>
+#include <string_view>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Tubular_meshing::IO::internal {
@@ -26,12 +33,58 @@ template <class T> std::string vtk_xml_type_name() {
   return (std::is_floating_point<T>::value ? "Float" : std::is_signed<T>::value ? "Int" : "UInt") + bits;
 }
 
+// Compresses block after block, as compress2() does, but keeps its tables, which are larger than the blocks.
+class Block_packer {
+public:
+  // The fastest level: coordinates gain little from more, and indices nothing worth the time.
+  Block_packer()
+      : stream_(new z_stream()) {
+    if (deflateInit(stream_.get(), Z_BEST_SPEED) != Z_OK) {
+      delete stream_.release(); // there is nothing to be ended
+      throw std::bad_alloc();
+    }
+  }
+
+  // The result stays until the next call.
+  std::string_view pack(const char* bytes, std::size_t size) {
+    deflateReset(stream_.get());
+    packed_.resize(compressBound(static_cast<uLong>(size)));
+    stream_->next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes));
+    stream_->avail_in = static_cast<uInt>(size);
+    stream_->next_out = reinterpret_cast<Bytef*>(packed_.data());
+    stream_->avail_out = static_cast<uInt>(packed_.size());
+    deflate(stream_.get(), Z_FINISH);
+    return {packed_.data(), packed_.size() - stream_->avail_out};
+  }
+
+private:
+  struct End {
+    void operator()(z_stream* s) const {
+      deflateEnd(s);
+      delete s;
+    }
+  };
+  std::unique_ptr<z_stream, End> stream_; // its tables know where it is
+  std::vector<char> packed_;
+};
+
 // Makes a file in VTK's XML formats: data arrays appended raw, compressed by zlib in blocks of 32768 bytes, with
 // headers of UInt64. The arrays are kept compressed until write(), since the XML in front says where each begins.
 class Vtk_xml_writer {
 public:
-  explicit Vtk_xml_writer(const std::string& dataset)
-      : dataset_(dataset) {
+  // The first values of an array that are those of another one, of another file or this: blocks of these are copied as
+  // they are packed there.
+  struct Shared {
+    const Vtk_xml_writer* file = nullptr;
+    std::string array;
+    std::size_t values = 0;
+  };
+
+  // Files that are written one after the other may share a packer, whose tables are larger than a small file.
+  explicit Vtk_xml_writer(const std::string& dataset,
+                          std::shared_ptr<Block_packer> packer = std::make_shared<Block_packer>())
+      : dataset_(dataset)
+      , packer_(std::move(packer)) {
     xml_ = "<VTKFile type=\"" + dataset + "\" version=\"1.0\" byte_order=\"" +
            (host_is_little_endian() ? "LittleEndian" : "BigEndian") +
            "\" header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\">\n<" + dataset + ">\n";
@@ -51,39 +104,50 @@ public:
 
   // The same of values that are made one after the other, and not kept: for_each(put) calls put(value) for each.
   template <class T, class For_each>
-  void array_made(const std::string& name, std::size_t components, std::size_t number, const For_each& for_each) {
+  void array_made(const std::string& name, std::size_t components, std::size_t number, const For_each& for_each,
+                  const Shared& shared = {}) {
     declare<T>(name, components, number);
     begin_compressed(number * sizeof(T));
-    std::vector<T> block;
-    block.reserve(block_size / sizeof(T));
+    constexpr std::size_t in_block = block_size / sizeof(T);
+    const std::size_t blocks = shared.file == nullptr ? 0 : (std::min)(shared.values, number) / in_block;
+    if (blocks > 0)
+      copy_blocks(*shared.file, shared.array, blocks);
+    std::size_t passed_over = blocks * in_block, n = 0;
+    std::vector<T> block((std::min)(in_block, number));
     const auto append = [&] {
-      append_block(reinterpret_cast<const char*>(block.data()), block.size() * sizeof(T));
-      block.clear();
+      append_block(reinterpret_cast<const char*>(block.data()), n * sizeof(T));
+      n = 0;
     };
     for_each([&](T value) {
-      block.push_back(value);
-      if (block.size() * sizeof(T) == block_size)
+      if (passed_over > 0) {
+        --passed_over;
+        return;
+      }
+      block[n] = value;
+      if (++n == in_block)
         append();
     });
-    if (!block.empty())
+    if (n > 0)
       append();
   }
 
   // The same of values of which f() gives the next.
-  template <class T, class F> void array_of(const std::string& name, std::size_t components, std::size_t number, F f) {
-    array_made<T>(name, components, number, [&](const auto& put) {
-      for (std::size_t i = 0; i < number; ++i)
-        put(f());
-    });
+  template <class T, class F>
+  void array_of(const std::string& name, std::size_t components, std::size_t number, F f, const Shared& shared = {}) {
+    array_made<T>(
+        name, components, number,
+        [&](const auto& put) {
+          for (std::size_t i = 0; i < number; ++i)
+            put(f());
+        },
+        shared);
   }
 
-  void write(Output_file& out) {
+  void write(Output_file& out) const {
     out.write(xml_);
     out.write("</" + dataset_ + ">\n<AppendedData encoding=\"raw\">\n_");
-    for (std::string& piece : data_) {
+    for (const std::string& piece : data_)
       out.write(piece);
-      std::string().swap(piece);
-    }
     out.write("\n</AppendedData>\n</VTKFile>\n");
   }
 
@@ -97,43 +161,75 @@ private:
     else if (components > 1)
       xml_ += " NumberOfComponents=\"" + std::to_string(components) + "\"";
     xml_ += " format=\"appended\" offset=\"" + std::to_string(data_size_) + "\"/>\n";
+    arrays_.push_back({name});
   }
+
+  struct Place {
+    std::size_t piece, begin;
+  };
 
   // The sizes of the blocks are filled in as they come.
   void begin_compressed(std::size_t size) {
     const std::size_t blocks = (size + block_size - 1) / block_size;
-    data_.emplace_back();
-    header_ = data_.size() - 1;
-    next_size_ = 3 * sizeof(std::uint64_t);
-    append_bytes(data_.back(), std::uint64_t(blocks));
-    append_bytes(data_.back(), std::uint64_t(block_size));
-    append_bytes(data_.back(), std::uint64_t(size % block_size));
-    data_.back().resize(next_size_ + blocks * sizeof(std::uint64_t));
-    data_size_ += data_.back().size();
+    std::string& piece = piece_with_room_for((3 + blocks) * sizeof(std::uint64_t));
+    data_size_ += (3 + blocks) * sizeof(std::uint64_t);
+    append_bytes(piece, std::uint64_t(blocks));
+    append_bytes(piece, std::uint64_t(block_size));
+    append_bytes(piece, std::uint64_t(size % block_size));
+    next_size_ = {data_.size() - 1, piece.size()};
+    piece.resize(piece.size() + blocks * sizeof(std::uint64_t));
+    arrays_.back().sizes = next_size_;
   }
 
-  void append_block(const char* bytes, std::size_t size) {
-    packed_.resize(compressBound(block_size));
-    uLongf n = static_cast<uLongf>(packed_.size());
-    // the fastest level: coordinates gain little from more, and indices nothing worth the time
-    compress2(packed_.data(), &n, reinterpret_cast<const Bytef*>(bytes), static_cast<uLong>(size), Z_BEST_SPEED);
-    const std::uint64_t packed_size = n;
-    std::memcpy(&data_[header_][next_size_], &packed_size, sizeof packed_size);
-    next_size_ += sizeof packed_size;
-    if (data_.size() - 1 == header_ || data_.back().capacity() - data_.back().size() < n) {
-      data_.emplace_back();
-      data_.back().reserve(piece_size);
-    }
-    data_.back().append(reinterpret_cast<const char*>(packed_.data()), n);
-    data_size_ += n;
+  void append_block(const char* bytes, std::size_t size) { append_packed(packer_->pack(bytes, size)); }
+
+  void append_packed(std::string_view packed) {
+    const std::uint64_t size = packed.size();
+    std::memcpy(&data_[next_size_.piece][next_size_.begin], &size, sizeof size);
+    next_size_.begin += sizeof size;
+    std::string& piece = piece_with_room_for(size);
+    if (arrays_.back().number_of_blocks++ == 0)
+      arrays_.back().first_block = {data_.size() - 1, piece.size()};
+    piece.append(packed);
+    data_size_ += size;
   }
+
+  std::string& piece_with_room_for(std::size_t size) {
+    if (data_.empty() || data_.back().capacity() - data_.back().size() < size) {
+      data_.emplace_back();
+      data_.back().reserve((std::max)(size, piece_size));
+    }
+    return data_.back();
+  }
+
+  // A block is where the one before ends, or at the beginning of the next piece where that one is full.
+  void copy_blocks(const Vtk_xml_writer& file, const std::string& name, std::size_t number) {
+    const auto array =
+        std::find_if(file.arrays_.rbegin(), file.arrays_.rend(), [&](const Array& a) { return a.name == name; });
+    Place place = array->first_block;
+    for (std::size_t b = 0; b < number; ++b) {
+      std::uint64_t size;
+      std::memcpy(&size, &file.data_[array->sizes.piece][array->sizes.begin + b * sizeof size], sizeof size);
+      if (file.data_[place.piece].size() - place.begin < size)
+        place = {place.piece + 1, 0};
+      append_packed(std::string_view(file.data_[place.piece]).substr(place.begin, size));
+      place.begin += size;
+    }
+  }
+
+  struct Array {
+    std::string name;
+    Place sizes = {0, 0}, first_block = {0, 0};
+    std::size_t number_of_blocks = 0;
+  };
 
   std::string dataset_;
   std::string xml_;
   std::vector<std::string> data_; // in pieces, none of which grows
   std::size_t data_size_ = 0;
-  std::size_t header_ = 0, next_size_ = 0; // where the size of the next block goes
-  std::vector<Bytef> packed_;
+  Place next_size_ = {0, 0}; // where the size of the next block goes
+  std::vector<Array> arrays_;
+  std::shared_ptr<Block_packer> packer_;
 };
 
 template <class Point> std::vector<double> coordinates_of(const std::vector<Point>& points) {

@@ -5,6 +5,8 @@
 #define CGAL_TUBULAR_MESHING_IO_INTERNAL_WRITE_INP_H
 
 #include <CGAL/Tubular_meshing/IO/Output_file.h>
+#include <CGAL/Tubular_meshing/IO/internal/Cells_by_region.h>
+#include <CGAL/Tubular_meshing/IO/internal/Facet_index.h>
 #include <CGAL/Tubular_meshing/IO/internal/Fibre_directions.h>
 #include <CGAL/Tubular_meshing/IO/internal/Mesh_nodes.h>
 #include <CGAL/Tubular_meshing/IO/internal/Number_writer.h>
@@ -22,7 +24,7 @@
 #include <map>
 #include <set>
 #include <string>
-#include <utility>
+#include <string_view>
 #include <vector>
 
 namespace CGAL::Tubular_meshing::IO::internal {
@@ -66,32 +68,31 @@ public:
       , out_(file)
       , nodes_(nodes)
       , mesh_(nodes.mesh())
-      , fibres_(nodes.cell_arrays()) {}
+      , fibres_(nodes.cell_arrays())
+      , numbered_(mesh_)
+      , order_(numbered_)
+      , listed_(order_.listed())
+      , index_(mesh_)
+      , bounded_(mesh_.number_of_facets()) {}
 
   void write() {
     if (mesh_.number_of_cells() == 0)
       fail("its format is for meshes with cells, and this one has none");
     check_names_differ();
-    list_facets();
     out_ << "** Nodes, elements by region, node sets and surfaces by patch.\n*NODE\n";
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
       out_ << i + 1;
       for (int k = 0; k < 3; ++k)
-        out_ << ", " << short_number(nodes_.point(i)[k]);
+        out_ << ", " << Short_number(nodes_.point(i)[k]).text();
       out_ << '\n';
     }
-    std::size_t first = 0;
-    const auto write = [&](const auto& block) {
-      write_cells(block, first);
-      first += block.size();
-    };
-    write(mesh_.tetrahedra);
-    write(mesh_.pyramids);
-    write(mesh_.prisms);
-    write(mesh_.hexahedra);
-    for (const Facet& f : facets_)
-      if (f.element == 0)
-        fail("a facet of its patch " + std::to_string(f.label) + " bounds no cell");
+    for (std::size_t kind = 0; kind < 4; ++kind)
+      for (std::size_t b = 0; b < order_.blocks().size(); ++b)
+        if (order_.blocks()[b].kind == kind)
+          write_block(b);
+    for (std::uint32_t f : index_.facets())
+      if (bounded_[f].element == 0)
+        fail("a facet of its patch " + std::to_string(label(f)) + " bounds no cell");
     write_patches();
     if (fibres_.are_there())
       write_orientation();
@@ -99,31 +100,32 @@ public:
   }
 
 private:
-  typedef std::array<std::uint32_t, 4> Key; // sorted; a triangle's last one is none
-  static constexpr std::uint32_t none = std::uint32_t(-1);
+  // Of those elements that a facet bounds, that in the highest region.
+  struct Bounded_element {
+    std::uint32_t element = 0; // there is none
+    int region = 0;
+    std::uint8_t face = 0;
+  };
 
-  struct Facet {
-    Key key;
-    int label;
-    std::array<std::uint32_t, 4> corners;
-    std::size_t element = 0; // of those that it bounds, in the highest region
-    int face = 0, region = 0;
-    bool operator<(const Facet& f) const { return key < f.key; }
+  // Exactly, if that takes no more than the twenty characters that a field of a deck may have; else to 13 digits or
+  // more.
+  class Short_number {
+  public:
+    explicit Short_number(double x)
+        : end_(std::to_chars(text_, text_ + sizeof text_, x).ptr) {
+      for (int digits = 15; end_ - text_ > 20; --digits)
+        end_ = std::to_chars(text_, text_ + sizeof text_, x, std::chars_format::scientific, digits).ptr;
+    }
+    std::string_view text() const { return {text_, std::size_t(end_ - text_)}; }
+
+  private:
+    char text_[32];
+    char* end_;
   };
 
   [[noreturn]] void fail(const std::string& reason) const {
     throw Output_error("The file \"" + file_.name() + "\" cannot be written: " + reason +
                        "; write a .vtu file instead.");
-  }
-
-  // Exactly, if that takes no more than the twenty characters that a field of a deck may have; else to 13 digits or
-  // more.
-  static std::string short_number(double x) {
-    char text[32];
-    std::to_chars_result end = std::to_chars(text, text + sizeof text, x);
-    for (int digits = 15; end.ptr - text > 20; --digits)
-      end = std::to_chars(text, text + sizeof text, x, std::chars_format::scientific, digits);
-    return std::string(text, end.ptr);
   }
 
   static std::string name_of(const Label_names& names, int label, const std::string& prefix,
@@ -154,101 +156,106 @@ private:
       add(patch_name(p), "patch " + std::to_string(p));
   }
 
-  static Key key_of(Key corners) {
-    std::sort(corners.begin(), corners.end());
-    return corners;
-  }
-
-  void list_facets() {
-    on_facet_.assign(mesh_.points.size(), 0);
-    const auto add = [&](const Key& corners, int label) {
-      Facet f;
-      f.key = key_of(corners);
-      f.label = label;
-      f.corners = corners;
-      facets_.push_back(f);
-      for (std::uint32_t v : corners)
-        if (v != none)
-          on_facet_[v] = 1;
-    };
-    for (std::size_t i = 0; i < mesh_.triangles.size(); ++i) {
-      const auto& t = mesh_.triangles.vertices[i];
-      add({t[0], t[1], t[2], none}, mesh_.triangles.label[i]);
+  void write_block(std::size_t block) {
+    switch (order_.blocks()[block].kind) {
+    case 0:
+      return write_cells(mesh_.tetrahedra, block);
+    case 1:
+      return write_cells(mesh_.pyramids, block);
+    case 2:
+      return write_cells(mesh_.prisms, block);
+    default:
+      return write_cells(mesh_.hexahedra, block);
     }
-    for (std::size_t i = 0; i < mesh_.quads.size(); ++i)
-      add(mesh_.quads.vertices[i], mesh_.quads.label[i]);
-    std::sort(facets_.begin(), facets_.end());
   }
 
-  // first: how many cells of the mesh come before
-  template <std::size_t N> void write_cells(const Element_block<N>& block, std::size_t first) {
+  // cells: all of the kind of those of the block
+  template <std::size_t N> void write_cells(const Element_block<N>& cells, std::size_t block) {
     constexpr std::size_t kind = N == 8 ? 3 : N - 4;
     constexpr std::size_t most_on_a_line = 15; // nodes, of what may be 16 numbers
-    std::map<int, std::vector<std::size_t>> by_region;
-    for (std::size_t i = 0; i < block.size(); ++i)
-      by_region[block.label[i]].push_back(i);
-    for (const auto& region : by_region) {
-      out_ << "*ELEMENT, TYPE=" << (nodes_.is_quadratic() ? Inp_cell<N>::quadratic : Inp_cell<N>::type)
-           << ", ELSET=" << region_name(region.first) << '\n';
-      for (std::size_t i : region.second) {
-        const auto& cell = block.vertices[i];
-        out_ << ++element_;
-        if (fibres_.are_there())
-          cells_.push_back(std::uint32_t(first + i));
-        const Element_nodes nodes = nodes_.of(kind, cell.data(), i, abaqus_order);
-        for (std::size_t k = 0; k < nodes.size; ++k)
-          out_ << (k == most_on_a_line ? ",\n" : ", ") << nodes[k] + std::size_t(1);
-        if (N == 5)
-          for (int k = 0; k < 3; ++k)
-            out_ << ", " << cell[4] + std::size_t(1);
-        out_ << '\n';
-        find_facets(cell, region.first);
-      }
+    const int region = order_.blocks()[block].region;
+    out_ << "*ELEMENT, TYPE=" << (nodes_.is_quadratic() ? Inp_cell<N>::quadratic : Inp_cell<N>::type)
+         << ", ELSET=" << region_name(region) << '\n';
+    for (std::size_t place = order_.first_place(block); place < order_.first_place(block + 1); ++place) {
+      const std::size_t i = listed_[place] - numbered_.first_cell(kind);
+      const auto& cell = cells.vertices[i];
+      out_ << ++element_;
+      if (fibres_.are_there())
+        cells_.push_back(listed_[place]);
+      const Element_nodes nodes = nodes_.of(kind, cell.data(), i, abaqus_order);
+      for (std::size_t k = 0; k < nodes.size; ++k)
+        out_ << (k == most_on_a_line ? ",\n" : ", ") << nodes[k] + std::size_t(1);
+      if (N == 5)
+        for (int k = 0; k < 3; ++k)
+          out_ << ", " << cell[4] + std::size_t(1);
+      out_ << '\n';
+      find_facets(cell, region);
     }
   }
 
   template <std::size_t N> void find_facets(const std::array<std::uint32_t, N>& cell, int region) {
+    if (!index_.may_have_facet(cell))
+      return;
     for (std::size_t f = 0; f < Inp_cell<N>::faces.size(); ++f) {
-      Facet face;
-      bool may_be = true;
-      for (std::size_t k = 0; k < 4; ++k) {
-        const int c = Inp_cell<N>::faces[f][k];
-        face.key[k] = c < 0 ? none : cell[std::size_t(c)];
-        may_be = may_be && (c < 0 ? k == 3 : on_facet_[cell[std::size_t(c)]] != 0);
-      }
-      if (!may_be)
+      const std::array<int, 4>& corners = Inp_cell<N>::faces[f];
+      if (corners[0] < 0)
+        continue; // what has shrunk to a point
+      Face face;
+      for (std::size_t k = 0; k < 4; ++k)
+        face[k] = corners[k] < 0 ? no_vertex : cell[std::size_t(corners[k])];
+      if (!index_.may_be_facet(face))
         continue;
-      face.key = key_of(face.key);
-      const auto range = std::equal_range(facets_.begin(), facets_.end(), face);
-      for (auto it = range.first; it != range.second; ++it)
-        if (it->element == 0 || it->region < region) {
-          it->element = element_;
-          it->face = int(f) + 1;
-          it->region = region;
-        }
+      const Facet_index::Facets found = index_.with_corners_of(face);
+      for (auto it = found.first; it != found.second; ++it) {
+        Bounded_element& e = bounded_[*it];
+        if (e.element == 0 || e.region < region)
+          e = {std::uint32_t(element_), region, std::uint8_t(f + 1)};
+      }
     }
   }
 
+  int label(std::size_t facet) const {
+    const std::size_t triangles = mesh_.triangles.size();
+    return facet < triangles ? mesh_.triangles.label[facet] : mesh_.quads.label[facet - triangles];
+  }
+
+  // The facets of each patch, by their sorted corners.
+  std::map<int, std::vector<std::uint32_t>> facets_of_patches() const {
+    std::map<int, std::size_t> sizes;
+    for (std::uint32_t f : index_.facets())
+      ++sizes[label(f)];
+    std::map<int, std::vector<std::uint32_t>> patches;
+    for (const auto& s : sizes)
+      patches[s.first].reserve(s.second);
+    for (std::uint32_t f : index_.facets())
+      patches[label(f)].push_back(f);
+    return patches;
+  }
+
   void write_patches() {
-    std::map<int, std::vector<const Facet*>> by_patch;
-    for (const Facet& f : facets_)
-      by_patch[f.label].push_back(&f);
-    for (auto& patch : by_patch) {
-      auto& facets = patch.second;
-      std::vector<std::uint32_t> nodes;
-      for (const Facet* f : facets)
-        for (std::uint32_t v : nodes_.of_face(f->corners, abaqus_order))
-          nodes.push_back(v);
-      std::sort(nodes.begin(), nodes.end());
-      nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-      out_ << "*NSET, NSET=" << patch_name(patch.first) << '\n';
-      for (std::size_t i = 0; i < nodes.size(); ++i)
-        out_ << nodes[i] + std::size_t(1) << (i % 8 == 7 || i + 1 == nodes.size() ? "\n" : ", ");
-      std::sort(facets.begin(), facets.end(), [](const Facet* a, const Facet* b) { return a->element < b->element; });
+    std::map<int, std::vector<std::uint32_t>> patches = facets_of_patches();
+    for (auto& patch : patches) {
+      std::vector<std::uint32_t>& facets = patch.second;
+      write_nodes_of(facets, patch_name(patch.first));
+      std::sort(facets.begin(), facets.end(),
+                [&](std::uint32_t a, std::uint32_t b) { return bounded_[a].element < bounded_[b].element; });
       out_ << "*SURFACE, NAME=" << patch_name(patch.first) << ", TYPE=ELEMENT\n";
-      for (const Facet* f : facets)
-        out_ << f->element << ", S" << f->face << '\n';
+      for (std::uint32_t f : facets)
+        out_ << bounded_[f].element << ", S" << int(bounded_[f].face) << '\n';
     }
+  }
+
+  void write_nodes_of(const std::vector<std::uint32_t>& facets, const std::string& name) {
+    std::vector<std::uint32_t> nodes;
+    nodes.reserve(nodes_.number(4) * facets.size());
+    for (std::uint32_t f : facets)
+      for (std::uint32_t v : nodes_.of_face(index_.corners_of(f), abaqus_order))
+        nodes.push_back(v);
+    std::sort(nodes.begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    out_ << "*NSET, NSET=" << name << '\n';
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      out_ << nodes[i] + std::size_t(1) << (i % 8 == 7 || i + 1 == nodes.size() ? "\n" : ", ");
   }
 
   /* A material's axes in each element of the wall: a section that names the orientation gets them. The table is Abaqus',
@@ -262,7 +269,7 @@ private:
       out_ << i + 1;
       for (const double* direction : {fibres_.circumferential(cells_[i]), fibres_.longitudinal(cells_[i])})
         for (int k = 0; k < 3; ++k)
-          out_ << ", " << short_number(direction[k]);
+          out_ << ", " << Short_number(direction[k]).text();
       out_ << '\n';
     }
     out_ << "*ORIENTATION, NAME=" << inp_orientation << ", DEFINITION=COORDINATES\nfibre_axes\n";
@@ -273,10 +280,13 @@ private:
   const Mesh_nodes nodes_;
   const Mixed_mesh& mesh_;
   const Fibre_directions fibres_;
+  const Numbered_cells numbered_;
+  const Cells_by_region order_;
+  const Cells_by_region::Listed listed_;
+  const Facet_index index_;
+  std::vector<Bounded_element> bounded_;
   std::vector<std::uint32_t> cells_; // of each element, in the order of the file, if there are fibres
-  std::vector<Facet> facets_;        // sorted
-  std::vector<char> on_facet_;
-  std::size_t element_ = 0; // the last one written; they count from 1
+  std::size_t element_ = 0;          // the last one written; they count from 1
 };
 
 } // namespace CGAL::Tubular_meshing::IO::internal

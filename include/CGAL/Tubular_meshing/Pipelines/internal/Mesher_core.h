@@ -116,7 +116,7 @@ public:
   // That the mesh is one of the model.
   void check(const Mixed_mesh& mesh) {
     stage("check");
-    check_differences(mesh, *model_, frame_.surface().surface);
+    check_differences(mesh, *model_, frame_.surface().surface, options_.size.number_of_threads);
   }
   void check_fits_into_memory() { check_memory(size().estimated_number_of_tetrahedra()); }
 

@@ -30,8 +30,9 @@ constexpr double largest_loss_of_volume = 0.3;
 
 // What a mesh of the model must be beyond valid: of the model's topology, with all of its patches, and as large.
 // `surface`: the model's, where the mesh is.
-inline std::string differences(const Mixed_mesh& mesh, const Tubular_model& model, const Surface& surface) {
-  Validity_report report = validity_report(mesh);
+inline std::string differences(const Mixed_mesh& mesh, const Tubular_model& model, const Surface& surface,
+                               int threads) {
+  Validity_report report = validity_report(mesh, parameters::number_of_threads(threads));
   const bool has_materials =
       !report.region_components.empty() && report.region_components.rbegin()->first >= labels::first_material;
   if (has_materials) // which may be in several places, and part the wall
@@ -79,8 +80,8 @@ template <class Size> double estimated_number_of_triangles(const Surface& surfac
   return number;
 }
 
-inline void check_differences(const Mixed_mesh& mesh, const Tubular_model& model, const Surface& surface) {
-  const std::string s = differences(mesh, model, surface);
+inline void check_differences(const Mixed_mesh& mesh, const Tubular_model& model, const Surface& surface, int threads) {
+  const std::string s = differences(mesh, model, surface, threads);
   if (!s.empty())
     throw Meshing_error("The mesh came out with " + s +
                         ": the mesh size may be too coarse for the surface; try a finer one.");

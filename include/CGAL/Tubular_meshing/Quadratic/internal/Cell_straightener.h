@@ -17,7 +17,9 @@ namespace CGAL::Tubular_meshing::internal {
 
 /* Makes the cells of a curved mesh valid: the nodes of one whose Jacobian is not proved to be positive go half of the
  * way back to where straight edges have them, and again, until they are there; and after them its corners to where they
- * came from. Cells that share such a node change with it, and are looked at again. */
+ * came from. So do the corners of a thin tetrahedron that turns over between them, though it may be valid with its
+ * curved edges: programs look at its corners alone. Cells that share such a node change with it, and are looked at
+ * again. */
 class Cell_straightener {
 public:
   Cell_straightener(const Quadratic_mesh& mesh, Curved_nodes& nodes, int threads)
@@ -37,11 +39,14 @@ public:
     was_bad_.assign(cells_.size(), 0);
     cannot_.assign(cells_.size(), 0);
     while (!suspects.empty()) { // each round holds back what can be so four times, or gives a cell up
-      std::vector<std::uint32_t> bad = bad_ones(suspects);
+      const std::vector<std::uint32_t> bad = bad_ones(suspects, &Cell_straightener::is_valid);
+      const std::vector<std::uint32_t> turned = bad_ones(suspects, &Cell_straightener::is_upright);
       changed_.assign(mesh_.linear.points.size(), 0);
+      for (std::uint32_t c : turned)
+        cannot_[c] = !hold_back_corners(cells_[c]); // such a one is not looked at again
       for (std::uint32_t c : bad) {
         was_bad_[c] = 1;
-        cannot_[c] = !hold_back(cells_[c]); // such a one is not looked at again
+        cannot_[c] = !hold_back(cells_[c]);
       }
       suspects = cells_of_changed();
     }
@@ -61,7 +66,7 @@ public:
       if (was_bad_[c])
         suspects.push_back(std::uint32_t(c));
     std::vector<std::uint32_t> result;
-    for (std::uint32_t c : bad_ones(suspects))
+    for (std::uint32_t c : bad_ones(suspects, &Cell_straightener::is_valid))
       result.push_back(cells_[c].corners[0]);
     return result;
   }
@@ -72,12 +77,12 @@ private:
     const std::uint32_t* corners;
   };
 
-  std::vector<std::uint32_t> bad_ones(const std::vector<std::uint32_t>& suspects) const {
+  std::vector<std::uint32_t> bad_ones(const std::vector<std::uint32_t>& suspects,
+                                      bool (Cell_straightener::*is_good)(const Cell&) const) const {
     std::vector<char> is_bad(suspects.size(), 0);
     for_each_range(suspects.size(), threads_, [&](std::size_t first, std::size_t last) {
-      for (std::size_t i = first; i < last; ++i) {
-        is_bad[i] = !is_valid(cells_[suspects[i]]);
-      }
+      for (std::size_t i = first; i < last; ++i)
+        is_bad[i] = !(this->*is_good)(cells_[suspects[i]]);
     });
     std::vector<std::uint32_t> result;
     for (std::size_t i = 0; i < suspects.size(); ++i)
@@ -89,6 +94,13 @@ private:
   bool is_valid(const Cell& c) const {
     if (c.type != Element_type::tetrahedron || !nodes_.is_straight(c.type, c.corners))
       return Quadratic_cell(nodes_.cell(c.type, c.corners)).validity() == Cell_validity::valid;
+    return is_upright(c);
+  }
+
+  // Whether a tetrahedron has a positive volume with straight edges.
+  bool is_upright(const Cell& c) const {
+    if (c.type != Element_type::tetrahedron)
+      return true;
     const Vector_3d a = nodes_.corner(c.corners[0]);
     return dot(cross(nodes_.corner(c.corners[1]) - a, nodes_.corner(c.corners[2]) - a),
                nodes_.corner(c.corners[3]) - a) > 0;
@@ -104,18 +116,27 @@ private:
       vectors.hold_back(i);
       any = true;
     });
-    const std::size_t n = topology_of(cell.type).corners;
-    for (std::size_t k = 0; k < n && !any; ++k)
+    if (!any)
+      return hold_back_corners(cell);
+    mark_changed(cell);
+    return true;
+  }
+
+  bool hold_back_corners(const Cell& cell) {
+    bool any = false;
+    for (std::size_t k = 0; k < topology_of(cell.type).corners; ++k)
       if (nodes_.shifts.is_there(cell.corners[k])) {
-        for (std::size_t j = k; j < n; ++j)
-          if (nodes_.shifts.is_there(cell.corners[j]))
-            nodes_.shifts.hold_back(cell.corners[j]);
+        nodes_.shifts.hold_back(cell.corners[k]);
         any = true;
       }
     if (any)
-      for (std::size_t k = 0; k < n; ++k)
-        changed_[cell.corners[k]] = 1;
+      mark_changed(cell);
     return any;
+  }
+
+  void mark_changed(const Cell& cell) {
+    for (std::size_t k = 0; k < topology_of(cell.type).corners; ++k)
+      changed_[cell.corners[k]] = 1;
   }
 
   std::vector<std::uint32_t> cells_of_changed() const {

@@ -12,6 +12,7 @@
 #include <CGAL/Tubular_meshing/Repair/internal/drop_islands.h>
 #include <CGAL/Tubular_meshing/Repair/internal/fill_wall.h>
 #include <CGAL/Tubular_meshing/Repair/internal/repair_crossings.h>
+#include <CGAL/Tubular_meshing/Repair/internal/is_oriented_surface.h>
 #include <CGAL/Tubular_meshing/Repair/internal/put_back_spikes.h>
 #include <CGAL/Tubular_meshing/Repair/internal/remove_fins.h>
 #include <CGAL/Tubular_meshing/Repair/internal/remove_needles.h>
@@ -165,7 +166,7 @@ private:
     points.reserve(soup.points.size());
     for (const Coordinates& p : soup.points)
       points.push_back(point(p));
-    if (!Polygon_mesh_processing::is_polygon_soup_a_polygon_mesh(soup.triangles)) { // a cheap test before a costly step
+    if (!is_oriented_surface(soup.triangles, points.size())) { // a cheap test before a costly step
       const std::vector<Index_triangle> before = soup.triangles;
       Polygon_mesh_processing::orient_polygon_soup(points, soup.triangles);
       report_orientation(points, before, soup.triangles, report_);

@@ -4,8 +4,11 @@
 #ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_TETRAHEDRON_STORE_H
 #define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_TETRAHEDRON_STORE_H
 
+#include <CGAL/Tubular_meshing/base/Face_buckets.h>
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
+#include <CGAL/Tubular_meshing/base/Numbered_cells.h>
 #include <CGAL/Tubular_meshing/base/element_measures.h>
+#include <CGAL/Tubular_meshing/base/parallel.h>
 
 #include <boost/container/small_vector.hpp>
 
@@ -14,8 +17,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <numeric>
-#include <tuple>
 #include <unordered_set>
 #include <utility>
 #include <vector>
@@ -65,7 +66,7 @@ public:
     return {k[i][j], 6 - i - j - k[i][j]};
   }
 
-  explicit Tetrahedron_store(const Mixed_mesh& mesh) {
+  explicit Tetrahedron_store(const Mixed_mesh& mesh, int threads = 1) {
     points_.reserve(mesh.points.size());
     for (const Point_3& p : mesh.points)
       points_.emplace_back(p);
@@ -73,7 +74,7 @@ public:
     for (std::size_t i = 0; i < mesh.tetrahedra.size(); ++i)
       tetrahedra_.push_back(
           {mesh.tetrahedra.vertices[i], {none, none, none, none}, {0, 0, 0, 0}, mesh.tetrahedra.label[i]});
-    connect(mesh.triangles);
+    connect(mesh, threads);
   }
 
   /* Back to a Mixed_mesh: points, in their order, tetrahedra and labelled triangles; the rest of `mesh` stays as it is.
@@ -479,48 +480,31 @@ private:
     free_.push_back(t);
   }
 
-  // Neighbors and labels of all tetrahedra at once: facets with the same vertices are next to each other when those of
-  // each lowest vertex are sorted.
-  void connect(const Element_block<3>& labelled) {
-    struct Entry {
-      std::array<Index, 2> others; // than the lowest vertex
-      Index code;                  // a facet, or a label
-
-      bool operator<(const Entry& e) const { return std::tie(others, code) < std::tie(e.others, e.code); }
-    };
-    const Index is_label = Index(1) << 31; // codes of facets stay below: 2^29 tetrahedra at most
-    const auto for_each_facet = [&](const auto& visit) {
-      for (Index t = 0; t < tetrahedra_.size(); ++t)
-        for (int i = 0; i < 4; ++i)
-          visit(key(tetrahedra_[t].v, i), facet(t, i));
-      for (Index f = 0; f < labelled.size(); ++f)
-        visit(sorted(labelled.vertices[f]), is_label | f);
-    };
-    std::vector<std::size_t> end_at(points_.size() + 1, 0); // of a vertex; while they are filled, where it goes on
-    for_each_facet([&](const Facet_vertices& v, Index) { ++end_at[v[0] + 1]; });
-    std::partial_sum(end_at.begin(), end_at.end(), end_at.begin());
-    std::vector<Entry> entries(end_at.back());
-    for_each_facet([&](const Facet_vertices& v, Index code) { entries[end_at[v[0]]++] = {{v[1], v[2]}, code}; });
-    for (std::size_t v = 0, first = 0; v < points_.size(); first = end_at[v++])
-      connect_equal(entries.begin() + std::ptrdiff_t(first), entries.begin() + std::ptrdiff_t(end_at[v]),
-                    [&](Index code) { return (code & is_label) != 0 ? &labelled.label[code & ~is_label] : nullptr; });
+  // Neighbors and labels of all tetrahedra at once, by facets with the same vertices.
+  void connect(const Mixed_mesh& mesh, int threads) {
+    const cells::Numbered_cells cells(mesh);
+    const cells::Face_buckets faces(cells, cells::Face_buckets::with_facets, threads);
+    for_each_range(points_.size(), threads, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t v = begin; v < end; ++v)
+        faces.for_each_group(
+            v, [&](std::size_t first, std::size_t last) { connect_equal(faces, first, last, mesh.triangles.label); });
+    });
     visited_.assign(tetrahedra_.size(), 0);
     collect_vertices();
   }
 
-  // Of the facets and labels at one lowest vertex. label_of(code): none for a facet.
-  template <class Iterator, class Label_of>
-  void connect_equal(Iterator entry, Iterator last, const Label_of& label_of) {
-    std::sort(entry, last);
-    while (entry != last) {
-      const Iterator first = entry;
-      while (entry != last && entry->others == first->others)
-        ++entry;
-      const std::int32_t* const label = label_of((entry - 1)->code);
-      const std::ptrdiff_t sides = entry - first - (label != nullptr ? 1 : 0);
-      if (sides > 0)
-        link(first->code, sides > 1 ? (first + 1)->code : none, label != nullptr ? *label : 0);
-    }
+  // Other cells than tetrahedra, which there may be, come behind them.
+  void connect_equal(const cells::Face_buckets& faces, std::size_t first, std::size_t last,
+                     const std::vector<int>& labels) {
+    static constexpr int opposite[4] = {3, 2, 0, 1}; // of the faces in their order among the cell's
+    const auto code = [&](std::size_t k) {
+      const auto& f = faces[k];
+      return !f.is_facet() && f.owner() < tetrahedra_.size() ? facet(f.owner(), opposite[f.number()]) : none;
+    };
+    const auto& behind = faces[last - 1];
+    const int label = behind.is_facet() && behind.owner() < labels.size() ? labels[behind.owner()] : 0;
+    if (code(first) != none)
+      link(code(first), first + 1 < last ? code(first + 1) : none, label);
   }
 
   void collect_vertices() {

@@ -24,17 +24,18 @@
 namespace CGAL::Tubular_meshing::internal {
 
 /* What connects the points of a boundary. `run` returns 0 or one of TetGen's numbers for what went wrong; `name` is
- * what it is called in a sentence. */
+ * what it is called in a sentence; `keeps_inner_facets`: triangles may lie inside the boundary of what is filled. */
 struct Boundary_recovery {
   std::function<int(const Boundary_arrays&, Recovered_boundary&)> run;
   std::string name;
+  bool keeps_inner_facets = false;
 
   bool is_there() const { return bool(run); }
 };
 
 inline Boundary_recovery tetgen_recovery() {
 #ifdef CGAL_TUBULAR_MESHING_WITH_TETGEN
-  return {run_tetgen, "TetGen"};
+  return {run_tetgen, "TetGen", true};
 #else
   return {};
 #endif
@@ -42,7 +43,7 @@ inline Boundary_recovery tetgen_recovery() {
 
 inline Boundary_recovery ccdt_recovery() {
 #ifdef CGAL_TUBULAR_MESHING_WITH_CCDT
-  return {run_ccdt, "CGAL"};
+  return {run_ccdt, "CGAL", false};
 #else
   return {};
 #endif

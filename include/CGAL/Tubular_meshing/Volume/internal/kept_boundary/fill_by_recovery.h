@@ -11,6 +11,7 @@
 #include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/Unit_frame.h>
 #include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/boundary_recovery.h>
 #include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/failure_sentence.h>
+#include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/recover_in_delaunay.h>
 #include <CGAL/Tubular_meshing/Volume/internal/order_in_space.h>
 #include <CGAL/Tubular_meshing/base/crossing_pairs.h>
 #include <CGAL/Tubular_meshing/base/labels.h>
@@ -96,19 +97,27 @@ inline std::optional<Sentence> recover_boundary(const Surface& surface, const Bo
   for (const Point_3& p : mesh.points)
     boundary.points.push_back(frame.to_frame(p));
   boundary.triangles = mesh.triangles.vertices;
+  const auto recover = [&](const Boundary_arrays& part, Recovered_boundary& result) {
+    return limits.in_child_process ? recover_in_child_process(recovery, part, limits.seconds, result)
+                                   : recover_in_this_process(recovery, surface, part, result);
+  };
+  const auto fill_cavities = [&](const Boundary_arrays& cavities, Recovered_boundary& filling) {
+    return recovery.keeps_inner_facets && recover(cavities, filling).kind == Child_ending::done;
+  };
   Recovered_boundary recovered;
-  const Child_ending ending = limits.in_child_process
-                                  ? recover_in_child_process(recovery, boundary, limits.seconds, recovered)
-                                  : recover_in_this_process(recovery, surface, boundary, recovered);
-  if (ending.kind != Child_ending::done)
-    return failure_sentence(recovery.name, ending, surface, limits.instead);
+  if (!recover_in_delaunay(boundary, limits.threads, fill_cavities, recovered)) {
+    recovered = {};
+    const Child_ending ending = recover(boundary, recovered);
+    if (ending.kind != Child_ending::done)
+      return failure_sentence(recovery.name, ending, surface, limits.instead);
+  }
   for (const Vector_3d& x : recovered.inner_points)
     mesh.points.push_back(frame.from_frame(x));
   mesh.tetrahedra.label.assign(recovered.tetrahedra.size(), labels::lumen);
   mesh.tetrahedra.vertices = std::move(recovered.tetrahedra);
   orient_tetrahedra(mesh);
 
-  const Validity_report report = validity_report(mesh);
+  const Validity_report report = validity_report(mesh, parameters::number_of_threads(limits.threads));
   if (report.unlabelled_faces + report.misplaced_facets + report.overfull_faces > 0)
     return Sentence(recovery.name + " could not keep this surface (" + report.defects() + "): " + limits.instead + ".");
   return std::nullopt;
@@ -121,7 +130,7 @@ constexpr double kept_boundary_radius_bound = 0.78;
 
 // Returns whether there was room for all points that the size asks for.
 inline bool add_points_inside(Length_function size, std::size_t most_points, int threads, Mixed_mesh& mesh) {
-  Tetrahedron_store store(mesh);
+  Tetrahedron_store store(mesh, threads);
   if (Delaunay_refinement(store, size, kept_boundary_radius_bound, threads)(most_points) == most_points)
     return false;
   store.write_inside_to(mesh);

@@ -30,7 +30,7 @@ inline void optimize_inside(Mixed_mesh& mesh, int passes, int threads, const Ele
   // flips and sweeps alone leave a few tetrahedra of boundary vertices at 0.15 to 0.25
   const double remeshed_below = 0.4;
   const Kept_boundary boundary;
-  Tetrahedron_store store(mesh);
+  Tetrahedron_store store(mesh, threads);
   const auto move_vertices = [&](int) {
     Vertex_optimizer<Kept_boundary> apexes(store, boundary, pyramids, threads);
     Vertex_optimizer<Kept_boundary> vertices(store, boundary, threads);

@@ -4,12 +4,15 @@
 #ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_PRESERVING_INPUT_SURFACE_H
 #define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_PRESERVING_INPUT_SURFACE_H
 
+#include <CGAL/Tubular_meshing/base/Corner_tree.h>
 #include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/base/Nearest_tree.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
 #include <CGAL/Tubular_meshing/base/labels.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <map>
 #include <optional>
 #include <utility>
@@ -69,7 +72,7 @@ public:
           rims[patch[f]].emplace_back(point(surface.opposite(g)), point(g));
       }
     }
-    wall_ = Nearest_tree<Double_kernel::Triangle_3>(std::move(wall));
+    wall_ = Corner_tree<Double_kernel::Triangle_3>(wall);
     for (auto& r : rims) {
       const Vector_3d& a = areas[r.first];
       openings_[r.first] = Opening{normalized(a), norm(a), Nearest_tree<Double_kernel::Segment_3>(std::move(r.second))};
@@ -83,17 +86,67 @@ public:
     return found == openings_.end() ? nullptr : &found->second;
   }
 
-  /* How far the wall is from x along the unit vector n, positive in its direction, up to a bound; 0 where it is not
-   * found there: what is nearest is another part of the wall then. `hint`: the triangle of the wall that was nearest to
-   * a place near x; it becomes that of x. */
-  double distance_to_wall(const Vector_3d& x, const Vector_3d& n, double bound, std::size_t& hint) const {
-    const auto found = wall_.nearest_from(hint, Double_kernel::Point_3(x.x, x.y, x.z), bound * bound);
-    if (found.index >= wall_.size())
-      return 0;
-    hint = found.index;
-    return along(x, n, found);
-  }
-  // The same for the rim of an opening, n in its plane.
+  /* The triangles of the wall that may be nearest to points in a ball, for many questions about them. Of use to one thread
+   * at a time. */
+  class Wall_nearby {
+  public:
+    explicit Wall_nearby(const Input_surface& input)
+        : input_(input) {}
+
+    // Of the wall, up to a bound from points in the ball.
+    void move_to(const Vector_3d& center, double radius, double bound) {
+      center_ = center;
+      triangles_.clear();
+      double reach = bound + radius, reach2 = reach * reach;
+      input_.wall_.for_each_near(
+          to_double_point(center), reach2, [&](std::size_t i, const Double_kernel::Triangle_3& t, double d2) {
+            const double d = std::sqrt(d2);
+            triangles_.push_back({d, i, t});
+            reach = (std::min)(reach, d + 2 * radius); // no further than d from any of its points
+            reach2 = reach * reach;
+          });
+      std::sort(triangles_.begin(), triangles_.end(), [](const Triangle& a, const Triangle& b) {
+        return a.distance < b.distance || (a.distance == b.distance && a.number < b.number);
+      });
+    }
+
+    /* How far the wall is from x in the ball along the unit vector n, positive in its direction, up to the bound; 0 where
+     * it is not found there: what is nearest is another part of the wall then. */
+    double distance(const Vector_3d& x, const Vector_3d& n, double bound) const {
+      const Double_kernel::Point_3 q = to_double_point(x);
+      const double away = norm(x - center_);
+      double nearest = bound;
+      Nearest result{q, bound * bound};
+      for (const Triangle& t : triangles_) {
+        if (t.distance - away > nearest)
+          break;
+        const Double_kernel::Point_3 p = projection(t.shape, q);
+        const double d2 = CGAL::squared_distance(p, q);
+        if (d2 < result.squared_distance) {
+          result = {p, d2};
+          nearest = std::sqrt(d2);
+        }
+      }
+      return nearest < bound ? along(x, n, result) : 0;
+    }
+
+  private:
+    struct Triangle {
+      double distance; // from the center
+      std::size_t number;
+      Double_kernel::Triangle_3 shape;
+    };
+    struct Nearest {
+      Double_kernel::Point_3 point;
+      double squared_distance;
+    };
+
+    const Input_surface& input_;
+    Vector_3d center_;
+    std::vector<Triangle> triangles_; // nearest first
+  };
+
+  // The same as Wall_nearby::distance() for the rim of an opening, n in its plane.
   static double distance_to_rim(const Opening& opening, const Vector_3d& x, const Vector_3d& n, double bound) {
     const auto found = opening.rim.nearest(Double_kernel::Point_3(x.x, x.y, x.z), bound * bound);
     return found.index >= opening.rim.size() ? 0 : along(x, n, found);
@@ -105,7 +158,7 @@ public:
     const auto found = wall_.nearest(to_double_point(x), bound * bound);
     if (found.index >= wall_.size())
       return std::nullopt;
-    const Double_kernel::Triangle_3& t = wall_.shape(found.index);
+    const Double_kernel::Triangle_3 t = wall_.shape(found.index);
     const Vector_3d normal = normalized(cross(Vector_3d(t[1]) - Vector_3d(t[0]), Vector_3d(t[2]) - Vector_3d(t[0])));
     if (!(dot(normal, n) > 0)) // so large an angle for the sake of creases, where n is between two sides
       return std::nullopt;
@@ -131,7 +184,7 @@ private:
   }
 
   double volume_;
-  Nearest_tree<Double_kernel::Triangle_3> wall_;
+  Corner_tree<Double_kernel::Triangle_3> wall_;
   std::map<int, Opening> openings_;
 };
 

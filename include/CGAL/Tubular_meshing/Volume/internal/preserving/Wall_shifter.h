@@ -202,7 +202,8 @@ private:
   /* Of one facet: what is missing at each of its corners, and how much comes for moving it. */
   typedef std::array<Balance, 4> Facet_balance;
 
-  Facet_balance balance_of(const Facet& f, const std::vector<Vector_3d>& normal) const {
+  Facet_balance balance_of(const Facet& f, const std::vector<Vector_3d>& normal,
+                           Input_surface::Wall_nearby& wall) const {
     // six points, exact to the fourth degree (D. A. Dunavant, 1985)
     static const double a = 0.445948490915965, wa = 0.223381589678011, b = 0.091576213509771, wb = 0.109951743655322;
     static const std::array<double, 4> of_triangle[6] = {{1 - 2 * a, a, a, wa}, {a, 1 - 2 * a, a, wa},
@@ -214,8 +215,7 @@ private:
     const bool is_quad = f.corner[3] != none;
     const std::array<double, 4>* rule = is_quad ? of_quad : of_triangle;
     const std::size_t number = is_quad ? 3 : 6;
-    std::size_t hint = std::size_t(-1); // the triangle of the input that was nearest: of this facet only, so that
-                                        // results do not depend on how facets are shared out to threads
+    move_to(f, wall);
     Facet_balance result;
     const auto add = [&](Index v, double missing, double area, const Vector_3d& n) {
       for (std::size_t k = 0; k < 4; ++k)
@@ -228,11 +228,11 @@ private:
     for_each_triangle(f, [&](const std::array<Index, 3>& corner, const std::array<Vector_3d, 3>& p) {
       const Vector_3d doubled = cross(p[1] - p[0], p[2] - p[0]), n = normalized(doubled);
       const double area = norm(doubled) / 2;
-      const double bound = std::sqrt((std::max)(squared_norm(p[1] - p[0]), squared_norm(p[2] - p[0]))) / 2;
+      const double bound = bound_of(p);
       std::array<double, 3> missing = {0, 0, 0};
       for (std::size_t i = 0; i < number; ++i) {
         const std::array<double, 4>& q = rule[i];
-        const double d = input_.distance_to_wall(q[0] * p[0] + q[1] * p[1] + q[2] * p[2], n, bound, hint);
+        const double d = wall.distance(q[0] * p[0] + q[1] * p[1] + q[2] * p[2], n, bound);
         for (std::size_t k = 0; k < 3; ++k)
           missing[k] += q[3] * area * q[k] * d;
       }
@@ -242,12 +242,38 @@ private:
     return result;
   }
 
+  // How far the wall is looked for.
+  static double bound_of(const std::array<Vector_3d, 3>& triangle) {
+    return std::sqrt((std::max)(squared_norm(triangle[1] - triangle[0]), squared_norm(triangle[2] - triangle[0]))) / 2;
+  }
+
+  // To the ball that a facet is in but for its corners: the points that count are not there.
+  void move_to(const Facet& f, Input_surface::Wall_nearby& wall) const {
+    const double part = f.corner[3] == none ? 0.73 : 0.84; // of the way from the middle to a corner
+    Vector_3d middle;
+    double corners = 0, radius = 0, bound = 0;
+    for (Index v : f.corner)
+      if (v != none) {
+        middle += points_[v];
+        ++corners;
+      }
+    middle = (1 / corners) * middle;
+    for (Index v : f.corner)
+      if (v != none)
+        radius = (std::max)(radius, part * norm(points_[v] - middle));
+    for_each_triangle(f, [&](const std::array<Index, 3>&, const std::array<Vector_3d, 3>& p) {
+      bound = (std::max)(bound, bound_of(p));
+    });
+    wall.move_to(middle, radius, bound);
+  }
+
   void move_wall() {
     const std::vector<Vector_3d> normal = wall_normals();
     std::vector<Facet_balance> of_facet(facets_.size());
     for_each_range(facets_.size(), threads_, [&](std::size_t first, std::size_t last) {
+      Input_surface::Wall_nearby wall(input_);
       for (std::size_t i = first; i < last; ++i)
-        of_facet[i] = balance_of(facets_[i], normal);
+        of_facet[i] = balance_of(facets_[i], normal, wall);
     });
     std::vector<Balance> balance(points_.size());
     for (std::size_t i = 0; i < facets_.size(); ++i)

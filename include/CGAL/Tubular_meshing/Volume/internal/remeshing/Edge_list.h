@@ -31,17 +31,35 @@ struct Listed_edge {
 };
 typedef std::vector<Listed_edge> Edge_list;
 
-// By their ends, each once.
-inline void sort_and_unite(Edge_list& edges) {
-  const auto ends = [](const Listed_edge& e) { return (std::uint64_t(e.a) << 32) | e.b; };
-  std::sort(edges.begin(), edges.end(), [&](const Listed_edge& x, const Listed_edge& y) { return ends(x) < ends(y); });
-  edges.erase(std::unique(edges.begin(), edges.end(),
-                          [&](const Listed_edge& x, const Listed_edge& y) { return ends(x) == ends(y); }),
-              edges.end());
-}
+// Edges that are known by their ends, in a hash table.
+class Known_edges {
+public:
+  // Room for `most` edges.
+  explicit Known_edges(std::size_t most) {
+    std::size_t size = 16;
+    while (size < 2 * most)
+      size *= 2;
+    table_.assign(size, none);
+  }
+
+  // Whether the edge was not known yet.
+  bool insert(Listed_edge::Index a, Listed_edge::Index b) {
+    const std::uint64_t key = std::uint64_t(a) << 32 | b;
+    std::size_t place = (key * 0x9e3779b97f4a7c15u >> 20) & (table_.size() - 1);
+    while (table_[place] != none && table_[place] != key)
+      place = (place + 1) & (table_.size() - 1);
+    const bool is_new = table_[place] == none;
+    table_[place] = key;
+    return is_new;
+  }
+
+private:
+  static constexpr std::uint64_t none = std::uint64_t(-1);
+  std::vector<std::uint64_t> table_;
+};
 
 /* The edges of the tetrahedra listed (some may be gone) that have a length of interest, each once, the longest first.
- * O(n log n) in the number of tetrahedra. */
+ * O(n + m log m) for n tetrahedra and m edges of interest. */
 template <class IsOfInterest>
 Edge_list list_edges(const Metric_mesh& mesh, const std::vector<Tetrahedron_store::Index>& tetrahedra,
                      const IsOfInterest& is_of_interest) {
@@ -49,33 +67,35 @@ Edge_list list_edges(const Metric_mesh& mesh, const std::vector<Tetrahedron_stor
   const std::size_t piece = 4096, pieces = (tetrahedra.size() + piece - 1) / piece;
   std::vector<Edge_list> lists(pieces);
   for_each_task(pieces, mesh.threads, [&](std::size_t p) {
-    Edge_list edges;
-    for (std::size_t k = p * piece; k < (std::min)((p + 1) * piece, tetrahedra.size()); ++k) {
+    const std::size_t end = (std::min)((p + 1) * piece, tetrahedra.size());
+    Known_edges known(6 * (end - p * piece));
+    for (std::size_t k = p * piece; k < end; ++k) {
       const Listed_edge::Index t = tetrahedra[k];
       if (!mesh.store.is_alive(t))
         continue;
       const auto& v = mesh.store[t].v;
       for (int i = 0; i < 4; ++i)
-        for (int j = i + 1; j < 4; ++j)
-          edges.push_back({0, t, (std::min)(v[i], v[j]), (std::max)(v[i], v[j])});
+        for (int j = i + 1; j < 4; ++j) {
+          const auto ends = std::minmax(v[i], v[j]);
+          if (!known.insert(ends.first, ends.second))
+            continue;
+          const float length = float(mesh.length(ends.first, ends.second));
+          if (is_of_interest(double(length)))
+            lists[p].push_back({length, t, ends.first, ends.second});
+        }
     }
-    sort_and_unite(edges);
-    for (Listed_edge& e : edges)
-      e.length = float(mesh.length(e.a, e.b));
-    edges.erase(std::remove_if(edges.begin(), edges.end(),
-                               [&](const Listed_edge& e) { return !is_of_interest(double(e.length)); }),
-                edges.end());
-    lists[p].assign(edges.begin(), edges.end()); // no larger than need be
   });
   Edge_list edges;
   for (Edge_list& list : lists) {
     edges.insert(edges.end(), list.begin(), list.end());
     Edge_list().swap(list);
   }
-  sort_and_unite(edges);
   std::sort(edges.begin(), edges.end(), [](const Listed_edge& x, const Listed_edge& y) {
-    return std::make_tuple(-x.length, x.a, x.b) < std::make_tuple(-y.length, y.a, y.b);
+    return std::make_tuple(-x.length, x.a, x.b, x.t) < std::make_tuple(-y.length, y.a, y.b, y.t);
   });
+  edges.erase(std::unique(edges.begin(), edges.end(),
+                          [](const Listed_edge& x, const Listed_edge& y) { return x.a == y.a && x.b == y.b; }),
+              edges.end());
   return edges;
 }
 

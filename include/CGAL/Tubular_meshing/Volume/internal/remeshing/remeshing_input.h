@@ -16,7 +16,7 @@
 namespace CGAL::Tubular_meshing::internal {
 
 /* Refuses meshes that the remesher cannot start from. O(n log n) */
-inline void check_mesh_to_remesh(const Mixed_mesh& mesh) {
+inline void check_mesh_to_remesh(const Mixed_mesh& mesh, int threads) {
   if (mesh.number_of_cells() != mesh.tetrahedra.size() || !mesh.quads.empty())
     throw Input_error("The mesh has cells other than tetrahedra, which cannot be remeshed; pass its tetrahedra alone.");
   if (mesh.tetrahedra.empty())
@@ -39,7 +39,7 @@ inline void check_mesh_to_remesh(const Mixed_mesh& mesh) {
     if (mesh.triangles.label[i] == 0)
       throw Input_error("Triangle " + std::to_string(i) +
                         " of the mesh has the label 0, which means none; give each boundary triangle its patch.");
-  Validity_report report = validity_report(mesh);
+  Validity_report report = validity_report(mesh, parameters::number_of_threads(threads));
   report.unused_points = 0; // they go
   report.connected_components = 1;
   if (!report.is_valid())

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tubular_meshing authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_TUBULAR_MESHING_CENTERLINES_INTERNAL_ORDER_IN_SPACE_H
-#define CGAL_TUBULAR_MESHING_CENTERLINES_INTERNAL_ORDER_IN_SPACE_H
+#ifndef CGAL_TUBULAR_MESHING_BASE_PLACE_ON_CURVE_H
+#define CGAL_TUBULAR_MESHING_BASE_PLACE_ON_CURVE_H
 
 #include <CGAL/Tubular_meshing/base/Nearest_tree.h>
 
@@ -32,4 +32,4 @@ inline std::uint64_t place_on_curve(const Double_kernel::Point_3& p) {
 
 } // namespace CGAL::Tubular_meshing::internal
 
-#endif // CGAL_TUBULAR_MESHING_CENTERLINES_INTERNAL_ORDER_IN_SPACE_H
+#endif // CGAL_TUBULAR_MESHING_BASE_PLACE_ON_CURVE_H
