@@ -79,6 +79,11 @@ Json estimate(const tubular::Mesh_estimate& e, const Options& o) {
   return json;
 }
 
+bool is_in_blocks(const Options& o) {
+  return (o.is_hexahedral() && o.hex_method == "blocks") ||
+         (o.makes_surface_only() && o.surface_elements == "structured-quads");
+}
+
 // Takes the models over.
 Json report_of(Prepared& prepared, const tubular::Mesh_estimate& all) {
   const Run& run = prepared.run;
@@ -94,7 +99,8 @@ Json report_of(Prepared& prepared, const tubular::Mesh_estimate& all) {
   const bool is_sampled = prepared.parts.front().run.is_sampled;
   if (is_sampled)
     notes.push_back("The surface is large: mesh sizes are those of balls at some places of its wall; -v follows the "
-                    "centerlines, and lists the branches.");
+                    "centerlines, and lists the branches" +
+                    std::string(is_in_blocks(o) ? ", and finds whether they can have blocks." : "."));
   const tubular::Tubular_model model = tubular::join_parts(std::move(models));
   return {{"program", "tubular_mesh " + run.version},
           {"dry_run", true},

@@ -389,8 +389,7 @@ bool is_to_be_sampled(const Run& run, std::size_t triangles, Stage_clock& clock)
   const std::size_t many = 100000; // fewer take no more than some seconds
   const bool asks_for_branches = o.verbose || !o.refined_branches.empty() || !run.walls.of_branches.empty();
   return o.dry_run && triangles >= many && !asks_for_branches && run.lines.lines.empty() && run.sizes.empty() &&
-         tubular::Sampled_estimator::can_estimate(mesh_type(o), surface_elements(o),
-                                                  tubular::Mesher_options(mesher_parameters(run, clock)));
+         tubular::Sampled_estimator::can_estimate(tubular::Mesher_options(mesher_parameters(run, clock)));
 }
 
 void prepare_model(Run& run, const tubular::Surface& surface, Stage_clock& clock) {

@@ -76,6 +76,42 @@ def use_program(root, prefix):
     check("openfoam" in completed(["tubular_mesh", "--case", "open"]), "A solver is not completed.")
 
 
+EXAMPLE = """
+import sys, time
+start = time.process_time()
+import tubular_meshing as tm
+seconds = time.process_time() - start
+
+surface = tm.read_surface(sys.argv[1])
+surface, repairs = tm.repair(surface)
+model = tm.Model(surface)
+mesh = tm.mesh(model, type="hexahedral", points_per_circumference=16, boundary_layer=0.3)
+assert len(mesh.points) > 1000 and mesh.cells["hexahedron"].shape[1] == 8, mesh
+assert mesh.patches["inlet"].area > 0 and mesh.quality["scaled_jacobian"].min() > 0, mesh.quality
+mesh.write("example.vtu")
+for to_object, package in ((mesh.to_meshio, "meshio"), (mesh.to_vtk, "vtk"), (mesh.to_pyvista, "pyvista")):
+    try:
+        to_object()
+        raise SystemExit(package + " is there, and should not be.")
+    except ImportError as e:
+        assert package in str(e), e
+print(seconds)
+"""
+
+
+def use_python_alone(modules, interpreter="/usr/bin/python3"):
+    """The example of the manual with NumPy, and no other package: as on a fresh system. It is imported in little time."""
+    numpy = run(interpreter, "-c", "import numpy, pathlib; print(pathlib.Path(numpy.__file__).parents[0])").strip()
+    alone = SCRATCH / "alone"
+    alone.mkdir()
+    for folder in (pathlib.Path(numpy), pathlib.Path(numpy + ".libs")):
+        if folder.exists():
+            (alone / folder.name).symlink_to(folder)
+    said = [run(interpreter, "-S", "-B", "-c", EXAMPLE, SAMPLE, cwd=SCRATCH,
+                env={"PYTHONPATH": "%s:%s" % (modules, alone), "PATH": os.environ["PATH"]}) for _ in range(2)]
+    check(min(map(float, said)) < 0.2, "The package is imported in %s s." % " and ".join(map(str.strip, said)))
+
+
 def use_python(modules, interpreter="/usr/bin/python3"):
     """The module is imported from where it is unpacked, and meshes."""
     code = ("import sys, tubular_meshing as tm; assert tm.__file__.startswith(sys.argv[1]), tm.__file__; "
@@ -138,6 +174,7 @@ def test_deb():
             run("sh", "-n", control / script)
             check(os.access(control / script, os.X_OK), script + " cannot be run.")
         use_python(modules)
+        use_python_alone(modules)
 
 
 def test_archive():

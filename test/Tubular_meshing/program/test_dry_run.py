@@ -78,9 +78,10 @@ class DryRun(ProgramTest):
     def test_large_surfaces_are_sampled(self):
         large, report = self.surface("y", "--resolution", "130"), self.out / "dry.json"
         told = {}
-        for name, options in (("isotropic", []), ("layers", LAYERS), ("mixed", ["-t", "mixed"]),
-                              ("subdivision", TYPES["subdivision"]), ("surface", ["-t", "surface"])):
-            what = "facets" if name == "surface" else "cells"
+        types = dict(TYPES, **{"hexahedral, layers": ["-t", "hexahedral", *LAYERS]})
+        for name in ("isotropic", "isotropic, layers", "mixed", "mixed, layers and wall", "anisotropic", "hexahedral",
+                     "hexahedral, layers", "subdivision", "surface", "structured quads"):
+            options, what = types[name], "facets" if "surface" in types[name] else "cells"
             for way in (["-q"], ["-v"]):
                 self.succeed(large, *options, "-n", 14, "--dry-run", *way, "--report", report)
                 dry = read_json(report)
@@ -90,7 +91,7 @@ class DryRun(ProgramTest):
                 told[way[0]] = sum(dry["estimate"][what].values())
             self.assertAlmostEqual(told["-q"] / told["-v"], 1, delta=TOLERANCE, msg=name)
             self.assertNotEqual(told["-q"], told["-v"])
-        self.succeed(large, "-t", "anisotropic", "--dry-run", "-q", "--report", report)
+        self.succeed(large, "--refine", "0,0,0,1,0.1", "--dry-run", "-q", "--report", report)
         self.assertIsNotNone(read_json(report)["branches"])  # which need the centerlines
         self.succeed(large, "--elements", 20000, "--dry-run", "-q", "--report", report)
         self.assertAlmostEqual(sum(read_json(report)["estimate"]["cells"].values()), 20000, delta=2000)

@@ -16,9 +16,10 @@ namespace CGAL::Tubular_meshing {
 /*! \ingroup PkgTubularMeshingFields
  * A place on a lumen's wall, and the lumen there. */
 struct Wall_sample {
-  Point_3 point;
-  double area;   ///< of the wall that it stands for
-  double radius; ///< that a mesh size on the wall goes with; 0 if nothing of the wall lies opposite
+  Point_3 point;                ///< the middle of a facet
+  Surface::Vertex_index vertex; ///< one of its corners
+  double area;                  ///< of the wall that it stands for
+  double radius;                ///< that a mesh size on the wall goes with; 0 if nothing of the wall lies opposite
 };
 
 /*! \ingroup PkgTubularMeshingFields

@@ -9,7 +9,6 @@
 #include <CGAL/Tubular_meshing/Fields/Local_radius.h>
 #include <CGAL/Tubular_meshing/Fields/Refined_metric_field.h>
 #include <CGAL/Tubular_meshing/Layers/append_mesh.h>
-#include <CGAL/Tubular_meshing/Layers/boundary_layer_heights.h>
 #include <CGAL/Tubular_meshing/Layers/unfold_wall.h>
 #include <CGAL/Tubular_meshing/Pipelines/Element_target.h>
 #include <CGAL/Tubular_meshing/Pipelines/Mesher.h>
@@ -53,19 +52,12 @@ public:
   double estimated_number_of_tetrahedra() { return size().estimated_number_of_tetrahedra(); }
 
   Mesh_estimate estimate(Mesh_type type, Surface_elements elements) {
-    int layers = 0;
-    double thickness = 0;
-    if (options_.has_boundary_layer()) {
-      const internal::Boundary_layer_heights heights(options_.boundary_layer);
-      layers = heights.layers;
-      thickness = (std::min)(heights.total(), 0.95);
-    }
+    const internal::Layers_in_lumen layers(options_);
     const Centerline_sizing_field& h = size();
     const Local_radius& r = radius();
     stage("estimate");
-    internal::Lumen_integrator integrator(frame_.surface(), h, r, thickness, options_.size.number_of_threads);
-    const bool has_metric = type == Mesh_type::anisotropic || elements == Surface_elements::anisotropic_triangles;
-    if (has_metric) {
+    internal::Lumen_integrator integrator(frame_.surface(), h, r, layers.thickness, options_.size.number_of_threads);
+    if (internal::has_metric(type, elements)) {
       const Labelled_surface& s = frame_.surface();
       const Centerline_metric_field metric(s.surface, s.patch, frame_.centerlines(), options_.metric);
       options_.size.size_requests.empty() ? integrator.add_metric(metric) : integrator.add_metric(refined(metric));
@@ -79,9 +71,7 @@ public:
       result.smallest_radius = (std::min)(result.smallest_radius, b.min_radius);
       result.largest_radius = (std::max)(result.largest_radius, b.max_radius);
     }
-    const bool in_blocks = (type == Mesh_type::hexahedral && options_.hexahedral_method == Hexahedral_method::blocks) ||
-                           (type == Mesh_type::surface && elements == Surface_elements::structured_quads);
-    if (in_blocks && !hexahedra_.has_blocks(result))
+    if (internal::is_in_blocks(type, elements, options_) && !hexahedra_.has_blocks(result))
       result.method = Hexahedral_method::subdivision;
     if (type == Mesh_type::hexahedral && options_.hexahedral_method == Hexahedral_method::subdivision)
       result.method = Hexahedral_method::subdivision;
@@ -89,7 +79,8 @@ public:
     if (type == Mesh_type::surface)
       internal::count_facets(result, elements, points(), openings);
     else
-      internal::count_cells(result, type, layers, points(), internal::coarsening_for_subdivision(points()), openings);
+      internal::count_cells(result, type, layers.number, points(), internal::coarsening_for_subdivision(points()),
+                            openings);
     internal::estimate_cost(result, type, double(model_->surface.number_of_faces()));
     return result;
   }

@@ -23,6 +23,7 @@
 #include <CGAL/Tubular_meshing/Volume/preserve_volume.h>
 #include <CGAL/Tubular_meshing/base/parameters.h>
 
+#include <algorithm>
 #include <functional>
 #include <optional>
 
@@ -114,6 +115,15 @@ struct Mesher_options {
     number_of_elements = choose(np, internal_np::number_of_elements, number_of_elements);
     preserve_volume = choose(np, internal_np::preserve_volume, preserve_volume);
     observer = choose(np, internal_np::observer, observer);
+  }
+
+  /// Sets N; the points on circles of curvature go with those that were `given`, whatever N was in between.
+  void set_points(double points, const Mesher_options& given) {
+    const double before = given.size.points_per_circumference, factor = before > 0 ? points / before : 1, least = 3;
+    const auto scaled = [&](double n) { return points < least ? points : (std::max)(factor * n, least); };
+    metric.curvature_points = scaled(given.metric.curvature_points);
+    metric.points_per_circumference = scaled(given.metric.points_per_circumference);
+    size.points_per_circumference = points;
   }
 
   /// Whether layers of prisms or hexahedra are wanted inside the lumen.

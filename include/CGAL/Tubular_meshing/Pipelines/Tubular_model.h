@@ -94,6 +94,17 @@ void open_labelled_ends(const FaceGraph& surface, Tubular_model& model, Tubular_
   }
 }
 
+/* A model of a copy of a caller's surface, by prepare(model, options). */
+template <class FaceGraph, class NamedParameters, class Prepare>
+Tubular_model prepared_model(const FaceGraph& surface, const NamedParameters& np, const Prepare& prepare) {
+  Tubular_model model;
+  Tubular_model_options options(np);
+  copy_face_graph(*Core_surface<FaceGraph, NamedParameters>(surface, np), model.surface);
+  open_labelled_ends(surface, model, options, np);
+  prepare(model, options);
+  return model;
+}
+
 } // namespace internal
 
 /*! \ingroup PkgTubularMeshingPipelines
@@ -145,12 +156,8 @@ void open_labelled_ends(const FaceGraph& surface, Tubular_model& model, Tubular_
 template <class FaceGraph, class NamedParameters = CGAL::parameters::Default_named_parameters>
 Tubular_model make_tubular_model(const FaceGraph& surface, const Centerline_polylines& lines,
                                  const NamedParameters& np = CGAL::parameters::default_values()) {
-  Tubular_model model;
-  Tubular_model_options options(np);
-  copy_face_graph(*internal::Core_surface<FaceGraph, NamedParameters>(surface, np), model.surface);
-  internal::open_labelled_ends(surface, model, options, np);
-  internal::prepare(model, lines, options);
-  return model;
+  return internal::prepared_model(surface, np,
+                                  [&](auto& model, const auto& options) { internal::prepare(model, lines, options); });
 }
 
 /*! \ingroup PkgTubularMeshingPipelines
@@ -224,12 +231,8 @@ Tubular_model make_tubular_model(const FaceGraph& surface, const Centerline_poly
 template <class FaceGraph, class NamedParameters = CGAL::parameters::Default_named_parameters>
 Tubular_model make_tubular_model(const FaceGraph& surface,
                                  const NamedParameters& np = CGAL::parameters::default_values()) {
-  Tubular_model model;
-  Tubular_model_options options(np);
-  copy_face_graph(*internal::Core_surface<FaceGraph, NamedParameters>(surface, np), model.surface);
-  internal::open_labelled_ends(surface, model, options, np);
-  internal::prepare(model, options);
-  return model;
+  return internal::prepared_model(surface, np,
+                                  [](auto& model, const auto& options) { internal::prepare(model, options); });
 }
 
 /*! \ingroup PkgTubularMeshingPipelines
@@ -242,12 +245,8 @@ Tubular_model make_tubular_model(const FaceGraph& surface,
 template <class FaceGraph, class NamedParameters = CGAL::parameters::Default_named_parameters>
 Tubular_model make_model_without_centerlines(const FaceGraph& surface,
                                              const NamedParameters& np = CGAL::parameters::default_values()) {
-  Tubular_model model;
-  Tubular_model_options options(np);
-  copy_face_graph(*internal::Core_surface<FaceGraph, NamedParameters>(surface, np), model.surface);
-  internal::open_labelled_ends(surface, model, options, np);
-  internal::prepare_without_centerlines(model, options);
-  return model;
+  return internal::prepared_model(
+      surface, np, [](auto& model, const auto& options) { internal::prepare_without_centerlines(model, options); });
 }
 
 } // namespace CGAL::Tubular_meshing

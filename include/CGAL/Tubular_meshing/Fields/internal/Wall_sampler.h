@@ -42,12 +42,12 @@ public:
         box_.high = {(std::max)(box_.high.x, points.back().x), (std::max)(box_.high.y, points.back().y),
                      (std::max)(box_.high.z, points.back().z)};
       }
+    add_middles(points);
     obstacles_ = Point_boxes(points, std::vector<double>(points.size(), 0.));
   }
 
   std::vector<Wall_sample> samples(std::size_t most) const {
     std::vector<Wall_sample> result;
-    std::vector<Vertex> vertices;
     const std::size_t n = (std::min)(most, std::size_t(surface_.number_of_faces()));
     double walked = 0;
     for (Face f : surface_.faces()) {
@@ -55,20 +55,21 @@ public:
         continue;
       walked += norm(doubled_area(f)) / 2;
       for (; (double(result.size()) + 0.5) / double(n) * area_ < walked && result.size() < n;) {
-        const Vertex v = surface_.target(surface_.halfedge(f));
-        vertices.push_back(v);
-        result.push_back({surface_.point(v), area_ / double(n), 0});
+        const Vector_3d middle = middle_of(f);
+        result.push_back(
+            {Point_3(middle.x, middle.y, middle.z), surface_.target(surface_.halfedge(f)), area_ / double(n), 0});
       }
     }
     std::vector<double> radii(result.size());
     for_each_range(result.size(), threads_, [&](std::size_t first, std::size_t last) {
       for (std::size_t i = first; i < last; ++i)
-        radii[i] = radius(vertices[i]);
+        radii[i] = radius(result[i].vertex);
     });
     std::vector<Ball> balls;
     for (std::size_t i = 0; i < result.size(); ++i)
       if (radii[i] > 0)
-        balls.push_back({Vector_3d(result[i].point) + radii[i] * normals_[vertices[i]], radii[i]});
+        balls.push_back(
+            {Vector_3d(surface_.point(result[i].vertex)) + radii[i] * normals_[result[i].vertex], radii[i]});
     const Point_boxes axis = middles_of_vessels(balls);
     for_each_range(result.size(), threads_, [&](std::size_t first, std::size_t last) {
       for (std::size_t i = first; i < last; ++i)
@@ -97,6 +98,29 @@ private:
     return cross(b - a, c - a);
   }
 
+  Vector_3d middle_of(Face f) const {
+    Vector_3d sum;
+    for (Vertex v : surface_.vertices_around_face(surface_.halfedge(f)))
+      sum += Vector_3d(surface_.point(v));
+    return (1. / 3) * sum;
+  }
+
+  /* Those of facets from which the wall turns away at a corner: in a vessel of few facets round it, they are nearer to its
+   * middle than corners are, and a ball would stick out. */
+  void add_middles(std::vector<Vector_3d>& points) const {
+    const double most_turned = 0.99; // the cosine of 8 degrees, of which a facet is a hundredth nearer
+    for (Face f : surface_.faces()) {
+      if (get(patch_, f) != labels::wall)
+        continue;
+      const Vector_3d n = doubled_area(f);
+      for (Vertex v : surface_.vertices_around_face(surface_.halfedge(f)))
+        if (-dot(n, normals_[v]) < most_turned * norm(n)) {
+          points.push_back(middle_of(f));
+          break;
+        }
+    }
+  }
+
   // Inward, of unit length.
   void add_normals() {
     for (Face f : surface_.faces()) {
@@ -113,7 +137,9 @@ private:
       n = normalized(n);
   }
 
+  // Where facets are large against the vessel, neighbours' normals lead round it, and are of no use.
   void average_normals() {
+    const double most_turned = 0.85;
     std::vector<Vector_3d> averaged(normals_.size());
     for_each_range(normals_.size(), threads_, [&](std::size_t first, std::size_t last) {
       for (std::size_t i = first; i < last; ++i) {
@@ -122,7 +148,7 @@ private:
           continue;
         Vector_3d sum = normals_[i];
         for (Vertex w : surface_.vertices_around_target(surface_.halfedge(v)))
-          if (is_wall_[w])
+          if (is_wall_[w] && dot(normals_[w], normals_[v]) > most_turned)
             sum += normals_[w];
         averaged[i] = squared_norm(sum) > 0 ? normalized(sum) : normals_[i];
       }

@@ -50,20 +50,6 @@ struct Vessel_path {
     const double first = (std::max)(a - width / 2, 0.), last = (std::min)(a + width / 2, length());
     return normalized(point(last) - point(first));
   }
-  // The distance of a point, in radii of the place nearest to it; only the first `most` of the path counts.
-  double distance_in_radii(const Vector_3d& p, double most) const {
-    double nearest = (std::numeric_limits<double>::infinity)(), radius = 1;
-    for (std::size_t k = 0; k + 1 < points.size() && abscissa[k] <= most; ++k) {
-      const Vector_3d d = points[k + 1] - points[k];
-      const double t = (std::min)((std::max)(dot(p - points[k], d) / squared_norm(d), 0.), 1.);
-      const double d2 = squared_norm(points[k] + t * d - p);
-      if (d2 < nearest) {
-        nearest = d2;
-        radius = (1 - t) * radii[k] + t * radii[k + 1];
-      }
-    }
-    return std::sqrt(nearest) / radius;
-  }
   // The place nearest to a point; only the first `most` of the path counts.
   double nearest(const Vector_3d& p, double most) const {
     double least = (std::numeric_limits<double>::infinity)(), place = 0;
@@ -77,6 +63,11 @@ struct Vessel_path {
       }
     }
     return place;
+  }
+  // The distance of a point, in radii of the place nearest to it; only the first `most` of the path counts.
+  double distance_in_radii(const Vector_3d& p, double most) const {
+    const double place = nearest(p, most);
+    return norm(point(place) - p) / radius(place);
   }
   // What is left of it beyond a place.
   Vessel_path from(double a) const {

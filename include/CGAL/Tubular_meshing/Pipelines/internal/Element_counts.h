@@ -5,6 +5,7 @@
 #define CGAL_TUBULAR_MESHING_PIPELINES_INTERNAL_ELEMENT_COUNTS_H
 
 #include <CGAL/Tubular_meshing/Hexahedra/hexahedral_blocks.h>
+#include <CGAL/Tubular_meshing/Layers/boundary_layer_heights.h>
 #include <CGAL/Tubular_meshing/Pipelines/Mesh_estimate.h>
 #include <CGAL/Tubular_meshing/Pipelines/Mesher_options.h>
 
@@ -41,6 +42,31 @@ struct Element_counts {
 private:
   static double positive(double x) { return (std::max)(x, 1.); }
 };
+
+/* The layers along the wall, inside: how many there are, and how thick they are together, in local radii. */
+struct Layers_in_lumen {
+  int number = 0;
+  double thickness = 0;
+
+  explicit Layers_in_lumen(const Mesher_options& options) {
+    if (!options.has_boundary_layer())
+      return;
+    const Boundary_layer_heights heights(options.boundary_layer);
+    number = heights.layers;
+    thickness = (std::min)(heights.total(), 0.95);
+  }
+};
+
+/* Whether a mesh has elements of unit size in the metric. */
+inline bool has_metric(Mesh_type type, Surface_elements elements) {
+  return type == Mesh_type::anisotropic || elements == Surface_elements::anisotropic_triangles;
+}
+
+/* Whether it is to be in blocks along the vessels. */
+inline bool is_in_blocks(Mesh_type type, Surface_elements elements, const Mesher_options& options) {
+  return (type == Mesh_type::hexahedral && options.hexahedral_method == Hexahedral_method::blocks) ||
+         (type == Mesh_type::surface && elements == Surface_elements::structured_quads);
+}
 
 /* How much larger the mesh size of what is to be subdivided is: as many hexahedra come as tetrahedra otherwise, but a vessel
  * has points enough round it. */

@@ -6,6 +6,7 @@
 
 #include <CGAL/Tubular_meshing/Fields/Metric_tensor_3.h>
 #include <CGAL/Tubular_meshing/Pipelines/Mesh_estimate.h>
+#include <CGAL/Tubular_meshing/Pipelines/internal/lumen_columns.h>
 #include <CGAL/Tubular_meshing/base/Function_view.h>
 #include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/base/Labelled_surface.h>
@@ -177,29 +178,18 @@ private:
     return rays_scale_ * sum_over_rays(function, from);
   }
 
-  /* Along a ray the pieces grow from the wall on, as the sizes of a metric do. `from`: in radii. */
+  // `from`: in radii.
   template <class Function> double sum_over_rays(const Function& function, double from) const {
-    const std::vector<double> ends = pieces(from);
+    const std::vector<double> ends = pieces_of_radius(from);
     std::vector<double> part(rays_.size());
     for_each_range(rays_.size(), threads_, [&](std::size_t first, std::size_t last) {
       for (std::size_t i = first; i < last; ++i) {
         const Ray& ray = rays_[i];
-        for (std::size_t k = 1; k < ends.size(); ++k) {
-          const double a = ends[k - 1], b = ends[k], middle = (a + b) / 2;
-          part[i] +=
-              ray.area * ray.radius * (b - a) * (1 - middle) * function(ray.source + middle * ray.radius * ray.inward);
-        }
+        part[i] =
+            ray.area * over_column(ends, ray.radius, [&](double d) { return function(ray.source + d * ray.inward); });
       }
     });
     return std::accumulate(part.begin(), part.end(), 0.);
-  }
-  static std::vector<double> pieces(double from) {
-    constexpr double least = 0.002, growth = 1.5, most = 0.1;
-    std::vector<double> ends{from};
-    for (double step = (std::max)(least, 0.1 * from); ends.back() + step < 1; step = (std::min)(growth * step, most))
-      ends.push_back(ends.back() + step);
-    ends.push_back(1);
-    return ends;
   }
 
   // Elements of unit size on a unit of area.
@@ -207,13 +197,10 @@ private:
     return m.density() * m.inverse().length(normal);
   }
 
-  /* The same on a wall. Where they are to be long and narrow, facets that lie between tetrahedra come out shorter, and
-   * fewer: on straight tubes, which ask for ratios of 11, two in five, found on generated shapes. */
+  // The same on a wall.
   static double realized(const Metric_tensor_3& m, const Vector_3& normal) {
-    constexpr double square_of_ratio = 196, least = 0.2;
     const std::array<double, 3> sizes = m.sizes(); // the first is that across the wall
-    const double ratio = sizes[2] / sizes[1];
-    return in_plane(m, normal) * (std::max)(1 - ratio * ratio / square_of_ratio, least);
+    return in_plane(m, normal) * realized_share(sizes[2] / sizes[1]);
   }
 
   const Labelled_surface& surface_;

@@ -17,7 +17,6 @@
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/base/labels.h>
 
-#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
@@ -32,8 +31,7 @@ public:
   Mesher_core(std::shared_ptr<const Tubular_model> model, const Mesher_options& options)
       : model_(std::move(model))
       , options_(options)
-      , given_points_(options.size.points_per_circumference)
-      , given_metric_(options.metric)
+      , given_(options)
       , frame_(*model_) {
     frame_.scale_lengths(options_.size);
     frame_.scale_lengths(options_.metric);
@@ -48,13 +46,8 @@ public:
   const Mesher_report& report() const { return report_; }
 
   double points() const { return options_.size.points_per_circumference; }
-  // The points on circles of curvature go with those that were given, whatever N was in between.
   void set_points(double points) {
-    const double factor = given_points_ > 0 ? points / given_points_ : 1, least = 3;
-    const auto scaled = [&](double given) { return points < least ? points : (std::max)(factor * given, least); };
-    options_.metric.curvature_points = scaled(given_metric_.curvature_points);
-    options_.metric.points_per_circumference = scaled(given_metric_.points_per_circumference);
-    options_.size.points_per_circumference = points;
+    options_.set_points(points, given_);
     size_.reset();
   }
 
@@ -130,8 +123,7 @@ public:
 protected:
   std::shared_ptr<const Tubular_model> model_;
   Mesher_options options_;
-  double given_points_;
-  Centerline_metric_field_options given_metric_;
+  Mesher_options given_;
   Model_in_its_frame frame_;
   std::optional<Local_radius> radius_;
   std::optional<Centerline_sizing_field> size_;
