@@ -23,6 +23,7 @@
 #include <CGAL/Tubular_meshing/IO/write_surface.h>
 #include <CGAL/Tubular_meshing/Partition/partition_cells.h>
 #include <CGAL/Tubular_meshing/base/interruption.h>
+#include <CGAL/Tubular_meshing/base/parallel.h>
 
 #include <boost/property_map/function_property_map.hpp>
 
@@ -123,6 +124,7 @@ void write(const Run& run, Run_report& report, Stage_clock& clock) {
 }
 
 Prepared prepare(Run& run, const tubular::Surface& surface, Stage_clock& clock) {
+  const tubular::internal::Thread_limit limit(run.options.threads);
   std::vector<Part> parts = split(run, surface);
   const bool is_sampled = is_to_be_sampled(run, surface.number_of_faces(), clock);
   for (Part& part : parts) {
@@ -151,6 +153,7 @@ Prepared copy_of(const Prepared& prepared, const Options& options, const tubular
 
 Run make_mesh(Prepared prepared, Stage_clock& clock) {
   Run run = std::move(prepared.run);
+  const tubular::internal::Thread_limit limit(run.options.threads);
   std::vector<Part> parts = std::move(prepared.parts);
   distribute_branches(run, parts);
   distribute_walls(run, parts);
@@ -195,6 +198,7 @@ Run run_of(const Options& options, const std::string& version) {
 }
 
 void make_and_write(const Options& options, const std::string& version, Progress& progress) {
+  const tubular::internal::Thread_limit limit(options.threads);
   Stage_clock clock(Stage_clock::Observer(), &progress);
   Run run = run_of(options, version);
   Prepared prepared = prepare(run, read_surface(run, clock), clock);

@@ -19,6 +19,19 @@ namespace CGAL::Tubular_meshing::internal {
 /* Runs a parallel loop on at most `threads` threads (0: as many as there are cores). */
 void run_on(int threads, Function_view<void()> loop);
 
+/* While it lives, loops that this thread runs take no more than `threads` threads (0: as many as there are cores), also
+ * those of functions that have no parameter for it. */
+class Thread_limit {
+public:
+  explicit Thread_limit(int threads);
+  ~Thread_limit();
+  Thread_limit(const Thread_limit&) = delete;
+  Thread_limit& operator=(const Thread_limit&) = delete;
+
+private:
+  int before_;
+};
+
 /* Calls body(first, last) on pieces of [0, n), on `threads` threads where oneTBB is there (0: as many as there are
  * cores). The pieces, of about `grain`, may be done in any order: the body must not depend on it. */
 template <class Body> void for_each_range(std::size_t n, int threads, const Body& body, std::size_t grain = 128) {

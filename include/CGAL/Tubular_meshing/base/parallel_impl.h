@@ -16,10 +16,26 @@
 
 namespace CGAL::Tubular_meshing::internal {
 
+CGAL_TUBULAR_MESHING_INLINE int& thread_limit() {
+  thread_local int limit = 0;
+  return limit;
+}
+
+CGAL_TUBULAR_MESHING_INLINE Thread_limit::Thread_limit(int threads)
+    : before_(thread_limit()) {
+  thread_limit() = threads;
+}
+CGAL_TUBULAR_MESHING_INLINE Thread_limit::~Thread_limit() {
+  thread_limit() = before_;
+}
+
 /* Arenas are kept, one for each number of threads: some loops are as short as their making, and those given up live on
  * for as long as a thread has not left them. */
 CGAL_TUBULAR_MESHING_INLINE void run_on(int threads, Function_view<void()> loop) {
   check_interruption();
+  const int limit = thread_limit();
+  if (limit > 0 && (threads == 0 || threads > limit))
+    threads = limit;
 #ifdef CGAL_LINKED_WITH_TBB
   if (threads > 0 && threads < tbb::this_task_arena::max_concurrency()) {
     static std::mutex mutex;
