@@ -12,12 +12,13 @@
 #include <CGAL/Tubular_meshing/Fields/internal/Indexed_wall.h>
 #include <CGAL/Tubular_meshing/Fields/internal/Layer_octree.h>
 #include <CGAL/Tubular_meshing/Fields/internal/Wall_frames.h>
-#include <CGAL/Tubular_meshing/base/Nearest_tree.h>
+#include <CGAL/Tubular_meshing/base/Corner_tree.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace CGAL::Tubular_meshing {
 
@@ -74,14 +75,14 @@ private:
     if (x >= 1)
       return s.distance;
     // a face nearby gives the search a bound, which is seldom far from the result
-    const double bound = squared_distance(internal::projection(wall_.shape(s.near_face), q), q);
-    const double d = std::sqrt((std::min)(bound, wall_.nearest(q, bound).squared_distance));
+    const double d =
+        std::sqrt(wall_.nearest_from(s.near_face, q, std::numeric_limits<double>::infinity()).squared_distance);
     return x <= 0 ? d : d + x * x * (3 - 2 * x) * (s.distance - d);
   }
 
   internal::Boundary_layer_sizes sizes_;
   internal::Layer_octree octree_;
-  internal::Nearest_tree<internal::Double_kernel::Triangle_3> wall_;
+  internal::Corner_tree<internal::Double_kernel::Triangle_3> wall_;
 };
 
 CGAL_TUBULAR_MESHING_INLINE void Centerline_metric_field::build(const internal::Indexed_triangles& wall,

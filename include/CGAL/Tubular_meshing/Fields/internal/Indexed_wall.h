@@ -6,7 +6,7 @@
 
 #include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Fields/curvature.h>
-#include <CGAL/Tubular_meshing/base/Nearest_tree.h>
+#include <CGAL/Tubular_meshing/base/Corner_tree.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
 #include <CGAL/boost/graph/helpers.h>
@@ -56,13 +56,13 @@ public:
   }
 
   /* The tree of the triangles, by their numbers here. */
-  Nearest_tree<Double_kernel::Triangle_3> make_tree() const {
+  Corner_tree<Double_kernel::Triangle_3> make_tree() const {
     const auto point = [&](Index v) { return Double_kernel::Point_3(points_[v].x, points_[v].y, points_[v].z); };
     std::vector<Double_kernel::Triangle_3> shapes;
     shapes.reserve(triangles_.size());
     for (const auto& t : triangles_)
       shapes.emplace_back(point(t[0]), point(t[1]), point(t[2]));
-    return Nearest_tree<Double_kernel::Triangle_3>(std::move(shapes));
+    return Corner_tree<Double_kernel::Triangle_3>(shapes);
   }
 
 private:

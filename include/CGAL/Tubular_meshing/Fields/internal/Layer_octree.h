@@ -8,7 +8,6 @@
 #include <CGAL/Tubular_meshing/Fields/Metric_tensor_3.h>
 #include <CGAL/Tubular_meshing/Fields/internal/Corner_octree.h>
 #include <CGAL/Tubular_meshing/Fields/internal/Wall_frames.h>
-#include <CGAL/Tubular_meshing/base/Nearest_tree.h>
 #include <CGAL/Tubular_meshing/base/parallel.h>
 
 #include <CGAL/Bbox_3.h>

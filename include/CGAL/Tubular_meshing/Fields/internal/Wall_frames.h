@@ -8,7 +8,7 @@
 #include <CGAL/Tubular_meshing/Fields/internal/Wall_frame.h>
 #include <CGAL/Tubular_meshing/base/Function_view.h>
 #include <CGAL/Tubular_meshing/base/Kernel.h>
-#include <CGAL/Tubular_meshing/base/Nearest_tree.h>
+#include <CGAL/Tubular_meshing/base/Corner_tree.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
 #include <CGAL/Tubular_meshing/base/parallel.h>
 
@@ -46,7 +46,7 @@ public:
     });
   }
 
-  const Nearest_tree<Double_kernel::Triangle_3>& tree() const { return tree_; }
+  const Corner_tree<Double_kernel::Triangle_3>& tree() const { return tree_; }
 
   /* At a point of a triangle, both as the tree has found them. */
   Wall_frame at(std::size_t triangle, const Double_kernel::Point_3& p) const {
@@ -105,7 +105,7 @@ private:
   }
 
   Indexed_wall wall_;
-  Nearest_tree<Double_kernel::Triangle_3> tree_;
+  Corner_tree<Double_kernel::Triangle_3> tree_;
   int threads_;
   std::vector<Wall_frame> frames_; // one a vertex
 };

@@ -68,17 +68,21 @@ private:
   std::vector<char> packed_;
 };
 
+class Vtk_xml_writer;
+
+// The first values of an array that are those of another one, of another file or the same: blocks of these are copied as
+// they are packed there.
+struct Shared_vtk_values {
+  const Vtk_xml_writer* file = nullptr;
+  std::string array;
+  std::size_t values = 0;
+};
+
 // Makes a file in VTK's XML formats: data arrays appended raw, compressed by zlib in blocks of 32768 bytes, with
 // headers of UInt64. The arrays are kept compressed until write(), since the XML in front says where each begins.
 class Vtk_xml_writer {
 public:
-  // The first values of an array that are those of another one, of another file or this: blocks of these are copied as
-  // they are packed there.
-  struct Shared {
-    const Vtk_xml_writer* file = nullptr;
-    std::string array;
-    std::size_t values = 0;
-  };
+  typedef Shared_vtk_values Shared;
 
   // Files that are written one after the other may share a packer, whose tables are larger than a small file.
   explicit Vtk_xml_writer(const std::string& dataset,
