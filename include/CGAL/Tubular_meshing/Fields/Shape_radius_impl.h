@@ -8,16 +8,14 @@
 #include <CGAL/Tubular_meshing/Fields/curvature.h>
 #include <CGAL/Tubular_meshing/Fields/internal/Indexed_wall.h>
 #include <CGAL/Tubular_meshing/Fields/internal/Wall_balls.h>
-#include <CGAL/Tubular_meshing/base/Growing_numbering.h>
-#include <CGAL/Tubular_meshing/base/Triangle_soup.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
-#include <CGAL/Tubular_meshing/base/place_on_curve.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -63,47 +61,25 @@ public:
 
 private:
   typedef std::array<std::uint32_t, 3> Triangle;
-  typedef internal::Growing_numbering<internal::Coordinates, internal::Hash_of_coordinates> Places;
 
   // The triangles with their corners numbered by places, so that they know their neighbours.
   static internal::Indexed_triangles welded(const Wall_distance& wall) {
+    const std::size_t n = wall.number_of_triangles();
+    std::vector<Point_3> corners;
+    corners.reserve(3 * n);
+    for (std::size_t i = 0; i < n; ++i)
+      for (const Point_3& p : wall.triangle(i))
+        corners.push_back(p);
+    std::vector<std::uint32_t> order(corners.size());
+    std::iota(order.begin(), order.end(), 0u);
+    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return corners[a] < corners[b]; });
     internal::Indexed_triangles result;
-    Places places;
-    result.triangles.resize(wall.number_of_triangles());
-    for (std::size_t i = 0; i < wall.number_of_triangles(); ++i) {
-      const std::array<Point_3, 3> corners = wall.triangle(i);
-      for (std::size_t k = 0; k < 3; ++k)
-        result.triangles[i][k] = places.number_of({corners[k].x(), corners[k].y(), corners[k].z()});
+    result.triangles.resize(n);
+    for (std::uint32_t i : order) {
+      if (result.points.empty() || result.points.back() != corners[i])
+        result.points.push_back(corners[i]);
+      result.triangles[i / 3][i % 3] = std::uint32_t(result.points.size() - 1);
     }
-    std::vector<std::uint32_t> renumbered(places.size());
-    for (std::uint32_t c : along_curve(places, wall.bbox())) {
-      renumbered[c] = std::uint32_t(result.points.size());
-      result.points.emplace_back(places[c][0], places[c][1], places[c][2]);
-    }
-    for (Triangle& t : result.triangles)
-      for (std::uint32_t& c : t)
-        c = renumbered[c];
-    return result;
-  }
-
-  // Places that are near each other are near each other in this order, which depends on nothing but the places.
-  static std::vector<std::uint32_t> along_curve(const Places& places, const CGAL::Bbox_3& box) {
-    const double extent = (std::max)({box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin()});
-    std::vector<std::pair<std::uint64_t, std::uint32_t>> order;
-    order.reserve(places.size());
-    for (std::uint32_t c = 0; c < places.size(); ++c) {
-      const auto& p = places[c];
-      order.emplace_back(internal::place_on_curve({(p[0] - box.xmin()) / extent, (p[1] - box.ymin()) / extent,
-                                                   (p[2] - box.zmin()) / extent}),
-                         c);
-    }
-    std::sort(order.begin(), order.end(), [&](const auto& a, const auto& b) {
-      return a.first != b.first ? a.first < b.first : places[a.second] < places[b.second];
-    });
-    std::vector<std::uint32_t> result;
-    result.reserve(order.size());
-    for (const auto& o : order)
-      result.push_back(o.second);
     return result;
   }
 

@@ -13,11 +13,8 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -35,18 +32,17 @@ public:
       , threads_(threads) {
     find_spikes();
     make_normals();
-    sort_for_sweep();
     // once at some vertices, for an idea of the radius; then at all, against as many obstacles as the radius needs
     chosen_.assign(size(), 1);
     collect_obstacles(false);
     choose_apart([&](Index v) { return 1.01 * longest_edge(v); });
-    shrink(chosen_, std::vector<double>(size(), 0.), 0.8);
+    shrink(chosen_, 0.8);
     spread_to_neighbours();
     filter(touching_at_first);
     average_normals();
     choose_apart([&](Index v) { return spacing * radii_[v]; });
     collect_obstacles(true);
-    shrink(std::vector<char>(size(), 1), radii_, 0.98);
+    shrink(std::vector<char>(size(), 1), 0.98);
     filter(touching);
     give_mouths_to_necks();
     smooth();
@@ -125,22 +121,12 @@ private:
     });
   }
 
-  // In a direction, as a front that passes over the wall meets them.
-  void sort_for_sweep() {
-    sweep_.resize(size());
-    std::iota(sweep_.begin(), sweep_.end(), Index(0));
-    std::sort(sweep_.begin(), sweep_.end(), [&](Index v, Index w) {
-      const Vector_3d &p = wall_.point(v), &q = wall_.point(w);
-      return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z);
-    });
-  }
-
   /* Chooses vertices so that each other one is within this distance of one of them, along edges. */
   template <class Distance> void choose_apart(const Distance& distance) {
     chosen_.assign(size(), 0);
     std::vector<char> covered(size(), 0);
     Wall_neighborhood near(wall_, most_near);
-    for (Index v : sweep_)
+    for (Index v = 0; v < size(); ++v)
       if (!covered[v]) {
         chosen_[v] = 1;
         near.for_each(v, distance(v), [&](Index w, double) { covered[w] = 1; });
@@ -198,74 +184,44 @@ private:
     }
   }
 
-  /* A ball that is small enough but for a part of its squared radius is left: on a sphere, all of it is near the ball.
-   * `about`: what radius to expect; 0 if unknown; a copy, as it may be that of radii_. */
-  void shrink(const std::vector<char>& wanted, const std::vector<double> about, double slack) {
+  /* A ball that is small enough but for a part of its squared radius is left: on a sphere, all of it is near the ball. */
+  void shrink(const std::vector<char>& wanted, double slack) {
     radii_.assign(size(), 0);
     const Bbox_3 box = wall_bbox();
     const double largest = norm({box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin()}) / 2;
     for_each_range(size(), threads_, [&](std::size_t first, std::size_t last) {
       for (std::size_t i = first; i < last; ++i) {
         const Index v = Index(i);
-        if (wanted[v]) {
-          const double first = about[v] > 0 ? 2 * about[v] : 8 * longest_edge(v);
-          radii_[v] = opposite_ball(obstacles_, wall_.point(v), directions_[v], first, largest, slack);
-        }
+        if (wanted[v])
+          radii_[v] = opposite_ball(obstacles_, wall_.point(v), directions_[v], 8 * longest_edge(v), largest, slack);
       }
     });
   }
-
-  /* The largest radii at a vertex, whichever thread meets them when. Each goes down from the first place on, takes that of
-   * a smaller one, which goes down from there, and is dropped where there are as many larger ones: values only rise. */
-  class Largest_of_all_threads {
-  public:
-    bool is_below(float radius) const { return largest_.back().load(std::memory_order_relaxed) < radius; }
-    void insert(float radius) {
-      for (std::atomic<float>& place : largest_) {
-        float there = place.load(std::memory_order_relaxed);
-        while (there < radius)
-          if (place.compare_exchange_weak(there, radius, std::memory_order_relaxed)) {
-            std::swap(there, radius);
-            break;
-          }
-      }
-    }
-    std::array<float, witnesses> values() const {
-      std::array<float, witnesses> result;
-      for (std::size_t k = 0; k < witnesses; ++k)
-        result[k] = largest_[k].load(std::memory_order_relaxed);
-      return result;
-    }
-
-  private:
-    std::array<std::atomic<float>, witnesses> largest_{}; // descending
-  };
 
   /* Each ball counts at all vertices nearby that it touches, about: of those at a vertex the fourth largest remains.
    * What noise, or the steps of an image, make of a ball does not matter where others that touch are larger; and a few
    * that are too large do not either. */
   void filter(double least_cosine) {
     const std::vector<double> nearby = large_nearby();
-    std::vector<Largest_of_all_threads> largest(size());
-    for_each_window([&](Index v, Wall_neighborhood& near, double reach) {
+    std::vector<std::array<float, witnesses>> largest(size(), std::array<float, witnesses>{}); // descending
+    Wall_neighborhood near(wall_, most_near);
+    for (Index v = 0; v < size(); ++v) {
       const double r = radii_[v];
       if (is_spike_[v] || !(r > 0))
-        return;
+        continue;
       const Vector_3d center = wall_.point(v) + r * directions_[v];
-      near.for_each(v, reach, [&](Index w, double) {
-        if (!largest[w].is_below(float(r)))
-          return;
+      near.for_each(v, (std::max)(window * r, 1.01 * longest_edge(v)), [&](Index w, double) {
         const Vector_3d to_center = center - wall_.point(w);
         const double distance = norm(to_center);
         // where the wall turns away, as into the neck of a sac, the ball does not touch it, however near it is
         const bool touches =
             distance < r + touch * (std::min)(r, nearby[w]) && dot(to_center, directions_[w]) > least_cosine * distance;
         if (w == v || is_spike_[w] || touches)
-          largest[w].insert(float(r));
+          insert(float(r), largest[w]);
       });
-    });
+    }
     for (Index v = 0; v < size(); ++v)
-      radii_[v] = last_of(largest[v].values());
+      radii_[v] = last_of(largest[v]);
   }
 
   /* The fourth largest radius among the nearest vertices, as far as neighbours' neighbours: more than what noise makes
@@ -372,7 +328,6 @@ private:
   const Indexed_wall& wall_;
   double orientation_;
   int threads_;
-  std::vector<Index> sweep_; // an order of the vertices in which those chosen are close to each other
   std::vector<char> is_spike_, chosen_;
   std::vector<Vector_3d> directions_;
   std::vector<double> radii_;
