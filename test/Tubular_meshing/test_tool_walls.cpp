@@ -209,7 +209,8 @@ TEST_F(Tool, Walls_are_as_thick_as_an_array_says) {
   // around it has no room, which the report says.
   std::vector<Arguments> types = {{"-n", "16", "--wall-elements", "tetrahedra"},
                                   {"-n", "16", "-t", "hexahedral"},
-                                  {"-n", "14", "-t", "anisotropic"}};
+                                  {"-n", "14", "-t", "anisotropic"},
+                                  {"-n", "16", "-t", "anisotropic"}};
   if (tubular::has_lemon() && tubular::default_volume_mesher() != tubular::Volume_mesher::mesh_3)
     types.push_back({"-n", "16", "-t", "mixed"});
   for (const Arguments& type : types) {
@@ -223,7 +224,8 @@ TEST_F(Tool, Walls_are_as_thick_as_an_array_says) {
     // what is missing for want of room is said
     const double missing = 0.4 * (1 - report["wall"]["min_ratio"].get<double>());
     EXPECT_LT(largest_difference(mesh, linear), 0.03 + missing) << type.back();
-    EXPECT_GT(report["wall"]["mean_ratio"], 0.98);
+    if (type != Arguments{"-n", "16", "-t", "anisotropic"}) // where 7 % are missing
+      EXPECT_GT(report["wall"]["mean_ratio"], 0.98);
   }
 }
 
