@@ -14,11 +14,16 @@
 #include <CGAL/Tubular_meshing/IO/read_surface.h>
 #include <CGAL/Tubular_meshing/Pipelines/make_mesh.h>
 #include <CGAL/Tubular_meshing/Quads/recombine_triangles.h>
+#include <CGAL/Tubular_meshing/Quality/quality_report.h>
 #include <CGAL/Tubular_meshing/Quality/validity_report.h>
+#include <CGAL/Tubular_meshing/base/Vector_3d.h>
+#include <CGAL/Tubular_meshing/base/labels.h>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -156,6 +161,37 @@ TEST(Mesher, Names_places_of_the_model_that_was_given) {
       }
     }
     EXPECT_EQ(e.stage(), "boundary layer");
+  }
+}
+
+/* The largest angle, in degrees, between the normal of a triangle on the wall of a tube along z and the way out. */
+double largest_turn(const Mixed_mesh& mesh) {
+  using tubular::internal::Vector_3d;
+  double least = 1;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const auto& t = mesh.triangles.vertices[i];
+    if (mesh.triangles.label[i] != tubular::labels::wall)
+      continue;
+    const Vector_3d a(mesh.points[t[0]]), b(mesh.points[t[1]]), c(mesh.points[t[2]]), middle = a + b + c;
+    least = (std::min)(least, dot(normalized(cross(b - a, c - a)), normalized(Vector_3d(middle.x, middle.y, 0))));
+  }
+  return std::acos(least) * 180 / CGAL_PI;
+}
+
+// They are long along the edges of a coarse surface, and thin: each of them may slide over such an edge and turn over.
+TEST(Mesher, Triangles_of_an_anisotropic_wall_do_not_turn_over) {
+  if (!keeps_boundary())
+    GTEST_SKIP() << "built with neither TetGen nor CGAL 6.1";
+  const auto skeleton = tubular::straight_tube(6, 1);
+  tubular::Surface surface;
+  tubular::generate_tubular_surface(skeleton, surface, parameters::points_per_circumference(16));
+  Mesher mesher(tubular::make_tubular_model(surface, tubular::centerlines_of(skeleton)),
+                parameters::preserve_volume(false));
+  for (double points : {12, 13, 14, 16, 20, 22}) {
+    mesher.set_points_per_circumference(points);
+    const Mixed_mesh mesh = mesher.anisotropic();
+    EXPECT_LT(largest_turn(mesh), 50) << points;
+    EXPECT_GT(tubular::quality_report(mesh).efficiency, 0.86) << points;
   }
 }
 

@@ -7,6 +7,7 @@
 #include <CGAL/Tubular_meshing/Quality/quality_report.h>
 #include <CGAL/Tubular_meshing/Volume/internal/Speculation.h>
 #include <CGAL/Tubular_meshing/Volume/internal/Tetrahedron_store.h>
+#include <CGAL/Tubular_meshing/Volume/internal/remeshing/Facet_turning.h>
 #include <CGAL/Tubular_meshing/Volume/internal/remeshing/Link_condition.h>
 #include <CGAL/Tubular_meshing/Volume/internal/remeshing/Metric_relocation.h>
 #include <CGAL/Tubular_meshing/Volume/internal/remeshing/metric_quality.h>
@@ -126,6 +127,30 @@ TEST(Metric_frame, Turns_the_metric_into_the_identity) {
   EXPECT_NEAR(norm(frame.vector_out_of(frame.vector_into(v)) - v), 0, 1e-9);
   // gradients go with vectors
   EXPECT_NEAR(dot(frame.covector_into(g), frame.vector_into(v)), dot(g, v), 1e-9);
+}
+
+// By steps of 30 degrees, none of which is far, facets that lie in a plane together stay near it; one that has turned
+// may turn back, and no further.
+TEST(Facet_turning, Does_not_add_up) {
+  const auto normal = [](double degrees) {
+    return 0.1 * Vector_3d(std::sin(degrees * CGAL_PI / 180), 0, std::cos(degrees * CGAL_PI / 180));
+  };
+  const auto allows = [&](double from, double to) {
+    tubular::internal::Facet_turning turning;
+    turning.add(1, 0, normal(from));
+    turning.add(1, 0, Vector_3d(0, 0, 3)); // the others
+    turning.add(2, 0, Vector_3d(5, 0, 0)); // of another patch, and of another region
+    turning.add(1, 7, Vector_3d(0, 0, -9));
+    return turning.allows(1, 0, normal(from), normal(to));
+  };
+  EXPECT_TRUE(allows(0, 30));
+  EXPECT_FALSE(allows(0, 60));
+  EXPECT_FALSE(allows(30, 60));
+  EXPECT_FALSE(allows(60, 90));
+  EXPECT_FALSE(allows(90, 120));
+  EXPECT_TRUE(allows(90, 60));
+  EXPECT_TRUE(allows(60, 30));
+  EXPECT_FALSE(allows(-60, 30));
 }
 
 TEST(Tetrahedron_store, Renumbers_without_the_unused) {

@@ -5,6 +5,7 @@
 #define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REMESHING_EDGE_COLLAPSER_H
 
 #include <CGAL/Tubular_meshing/Volume/internal/remeshing/Cavity.h>
+#include <CGAL/Tubular_meshing/Volume/internal/remeshing/Facet_turning.h>
 #include <CGAL/Tubular_meshing/Volume/internal/remeshing/Link_condition.h>
 
 #include <algorithm>
@@ -55,7 +56,6 @@ public:
 private:
   static constexpr double wanted_quality = 0.5;       // of cones: those above need not be improved
   static constexpr std::size_t most_tetrahedra = 200; // around a vertex; of what is worth the work there are some 24
-  static constexpr double least_cosine = 0.8;         // between a facet of the surface and what becomes of it
   static constexpr double deviation = 0.1;            // of new edges from the surface, in their length
 
   bool can_collapse_onto(Index v, Index w, const Surface_location& edge, const Operation_bounds& bounds) {
@@ -100,14 +100,18 @@ private:
   // What becomes of the labelled facets at v. False where one would turn too far.
   bool add_facets(Index v, Index w) {
     const Store& store = mesh_.store;
-    const Vector_3d from = store.point(v), to = store.point(w);
+    const auto normal = [&](Index apex, Index p, Index q) {
+      return cross(store.point(p) - store.point(apex), store.point(q) - store.point(apex));
+    };
+    const auto region = [&](Index facet) { return store.region(Store::tetrahedron_of(facet)); };
+    Facet_turning turning;
+    for_each_labelled_facet(
+        v, [&](Index facet, Index p, Index q) { turning.add(store.label(facet), region(facet), normal(v, p, q)); });
     bool turns = false;
     for_each_labelled_facet(v, [&](Index facet, Index p, Index q) {
       if (turns || p == w || q == w)
         return;
-      const Vector_3d a = store.point(p), b = store.point(q);
-      const Vector_3d before = cross(a - from, b - from), after = cross(a - to, b - to);
-      turns = dot(before, after) < least_cosine * norm(before) * norm(after);
+      turns = !turning.allows(store.label(facet), region(facet), normal(v, p, q), normal(w, p, q));
       cavity_.facets().push_back({{w, p, q}, store.label(facet)});
     });
     return !turns;

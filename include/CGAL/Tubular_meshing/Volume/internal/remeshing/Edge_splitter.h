@@ -5,9 +5,12 @@
 #define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REMESHING_EDGE_SPLITTER_H
 
 #include <CGAL/Tubular_meshing/Volume/internal/remeshing/Cavity.h>
+#include <CGAL/Tubular_meshing/Volume/internal/remeshing/Facet_turning.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 
 namespace CGAL::Tubular_meshing::internal {
 
@@ -67,6 +70,8 @@ private:
     cavity_.begin(mesh_.at(p), Store::none);
     if (!has_room(bounds.shortest)) // which a larger cavity would not make
       return false;
+    if (on_surface && location_.dimension < 3 && turns_halves(p))
+      return false;
     for (Index t : ring_.tetrahedra) {
       cavity_.add_tetrahedron(t);
       cavity_.add_cone(t, ring_.a);
@@ -87,18 +92,50 @@ private:
     return is_far(ring_.a) && is_far(ring_.b) && std::all_of(ring_.link.begin(), ring_.link.end(), is_far);
   }
 
+  // The labelled facets of t at the edge: visit(facet).
+  template <class Visit> void for_each_labelled_facet(Index t, const Visit& visit) const {
+    const auto& tet = mesh_.store[t];
+    for (int k = 0; k < 4; ++k)
+      if (tet.label[k] != 0 && tet.v[k] != ring_.a && tet.v[k] != ring_.b)
+        visit(Store::facet(t, k));
+  }
+
+  // Whether a half of a labelled facet at the edge would turn too far if the new vertex were at p.
+  bool turns_halves(const Vector_3d& p) const {
+    const Store& store = mesh_.store;
+    const auto normal = [&](Index facet, Index moved) {
+      std::array<Vector_3d, 3> x;
+      const Store::Facet_vertices f = store.vertices(facet);
+      for (std::size_t i = 0; i < 3; ++i)
+        x[i] = f[i] == moved ? p : store.point(f[i]);
+      return cross(x[1] - x[0], x[2] - x[0]);
+    };
+    const auto for_each_of_all = [&](const auto& visit) {
+      for (Index t : ring_.tetrahedra)
+        for_each_labelled_facet(t, [&](Index facet) { visit(facet, store.label(facet), store.region(t)); });
+    };
+    Facet_turning turning;
+    for_each_of_all([&](Index facet, std::int32_t label, std::int32_t region) {
+      turning.add(label, region, normal(facet, Store::none));
+    });
+    bool turns = false;
+    for_each_of_all([&](Index facet, std::int32_t label, std::int32_t region) {
+      const Vector_3d before = normal(facet, Store::none);
+      for (Index end : {ring_.a, ring_.b})
+        turns = turns || !turning.allows(label, region, before, normal(facet, end));
+    });
+    return turns;
+  }
+
   // The halves of the labelled facets of t at the edge; the new vertex is yet without a number.
   void add_facets(Index t) {
-    const auto& tet = mesh_.store[t];
-    for (int k = 0; k < 4; ++k) {
-      if (tet.label[k] == 0 || tet.v[k] == ring_.a || tet.v[k] == ring_.b)
-        continue;
-      for (int c : Store::facet_corners(k))
-        if (tet.v[c] != ring_.a && tet.v[c] != ring_.b) {
-          cavity_.facets().push_back({{ring_.a, Store::none, tet.v[c]}, tet.label[k]});
-          cavity_.facets().push_back({{ring_.b, Store::none, tet.v[c]}, tet.label[k]});
-        }
-    }
+    for_each_labelled_facet(t, [&](Index facet) {
+      for (Index end : {ring_.a, ring_.b}) {
+        Store::Facet_vertices half = mesh_.store.vertices(facet);
+        std::replace(half.begin(), half.end(), end, Store::none);
+        cavity_.facets().push_back({half, mesh_.store.label(facet)});
+      }
+    });
   }
 
   const Metric_mesh& mesh_;

@@ -6,6 +6,7 @@
 
 #include <CGAL/Tubular_meshing/Volume/internal/Colored_stars.h>
 #include <CGAL/Tubular_meshing/Volume/internal/Shape_energy.h>
+#include <CGAL/Tubular_meshing/Volume/internal/remeshing/Facet_turning.h>
 #include <CGAL/Tubular_meshing/Volume/internal/remeshing/Metric_mesh.h>
 
 #include <algorithm>
@@ -299,17 +300,19 @@ private:
     return {normalized(sum.first), normalized(sum.second)};
   }
 
-  // No facet at v may turn far when v comes to p.
+  // No facet at v may turn far when v comes to p, nor come to be far from how those at v lie together.
   bool keeps_surface(Index v, const Vector_3d& p) const {
     if (mesh_.location(v).dimension == 3)
       return true;
+    const auto normal = [this](const Vector_3d& apex, Index a, Index b) {
+      return cross(store_.point(a) - apex, store_.point(b) - apex);
+    };
     bool keeps = true;
     const Vector_3d& x = store_.point(v);
-    for_each_facet(v, [&](Index a, Index b, std::int32_t) {
-      const Vector_3d& q = store_.point(a);
-      const Vector_3d& r = store_.point(b);
-      const Vector_3d before = cross(q - x, r - x), after = cross(q - p, r - p);
-      keeps = keeps && dot(before, after) > 0.8 * norm(before) * norm(after);
+    Facet_turning turning;
+    for_each_facet(v, [&](Index a, Index b, std::int32_t label) { turning.add(label, 0, normal(x, a, b)); });
+    for_each_facet(v, [&](Index a, Index b, std::int32_t label) {
+      keeps = keeps && turning.allows(label, 0, normal(x, a, b), normal(p, a, b));
     });
     return keeps;
   }
