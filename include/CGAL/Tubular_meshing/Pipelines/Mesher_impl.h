@@ -338,12 +338,9 @@ private:
       give_volume_to(kept_);
     Mixed_mesh mesh = fill_within_layers(kept_, [&](const Surface& closed, Face_patch_map patch, Mixed_mesh& filling) {
       stage("tetrahedra");
-      if (keeps) {
-        // hexahedra of subdivided tetrahedra come to a curved wall more often where TetGen has made these
-        Fill_keeping_boundary_options fill = options_.filling;
-        fill.recovers_whole = fill.recovers_whole || coarsening_ != 1;
-        internal::fill_keeping_boundary(closed, patch, size, filling, fill);
-      } else
+      if (keeps)
+        internal::fill_keeping_boundary(closed, patch, size, filling, options_.filling);
+      else
         internal::fill_with_mesh_3(closed, patch, size, filling, options_.mesh_3);
       stage("optimization");
       Optimize_tetrahedra_options optimization = options_.optimization;

@@ -56,8 +56,9 @@ void anisotropic_tetrahedral_remeshing(Mixed_mesh& mesh, const Surface& surface,
  * Labels are kept: regions, patches, the rims at which patches meet, and the corners at which rims meet. Unless it
  * is kept, the boundary is remeshed together with the volume, interfaces between regions too. Its vertices lie on the
  * surface that `mesh` had in the beginning, in the overload with a surface on that surface; edges are kept closer to it
- * than a tenth of their length, where the metric's sizes leave a choice. Sharp edges inside one patch are no rims: give
- * the two sides patches of their own where they matter.
+ * than a tenth of their length, where the metric's sizes leave a choice. No triangle turns by more than 37 degrees from
+ * the normal that those around it have together, however thin it is, or further than it was turned. Sharp edges inside
+ * one patch are no rims: give the two sides patches of their own where they matter.
  *
  * Afterwards the number of tetrahedra is near the integral of \f$ \sqrt{\det M} \f$ over the domain, divided by
  * \f$ \sqrt 2 / 12 \f$, and `mesh` has the point array `metric` (xx, xy, xz, yy, yz, zz): the field at its points.

@@ -19,7 +19,6 @@ struct Fill_keeping_boundary_options {
   bool in_child_process = false;
   double time_limit = 0; ///< 0 stands for the default
   int number_of_threads = 0;
-  bool recovers_whole = false; ///< by the mesher alone, not from the Delaunay triangulation
 
   Fill_keeping_boundary_options() = default;
   template <class NamedParameters> explicit Fill_keeping_boundary_options(const NamedParameters& np) {

@@ -55,8 +55,9 @@ Move_boundary_to_surface_report move_boundary_to_surface(Mixed_mesh& mesh, const
  * so that layers along the wall keep their thickness. Vertices in an opening stay in its plane, and those between two
  * openings where they are.
  *
- * Where facets would meet others than their neighbors, or a cell would lose most of its volume at a corner, vertices
- * move half of the way, a quarter, or not at all. The mesh stays valid.
+ * Where facets would meet others than their neighbors, or a cell would lose 95 % of its volume at a corner, or more, the
+ * vertices there move half of the way, a quarter, or not at all. The mesh stays valid; cells may be flat, and are to be
+ * optimized: see optimize_hexahedra().
  *
  * O(n log n) for n facets and cells; the result does not depend on the number of threads.
  *

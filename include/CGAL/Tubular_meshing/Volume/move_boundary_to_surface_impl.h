@@ -101,7 +101,11 @@ move_boundary_to_surface(Mixed_mesh& mesh, const Surface& input, Face_patch_map 
                            Surface_seeker(boundary, truth).shifts(options.number_of_threads, report.not_found));
   move_without_crossings(boundary.surface, of_boundary);
   Shift_holder shifts = shifts_of_all(mesh, boundary, of_boundary, truth, radius, options.number_of_threads);
-  keep_cells(mesh, shifts);
+  // Cells that are flattened are optimized afterwards, where they can be: they need not be good here.
+  Kept_of_cells kept;
+  kept.volume = 0.05;
+  kept.shape = false;
+  keep_cells(mesh, kept, shifts);
   for (std::size_t i = 0; i < mesh.points.size(); ++i)
     mesh.points[i] = shifts.point(i);
   report.largest_shift = shifts.largest();

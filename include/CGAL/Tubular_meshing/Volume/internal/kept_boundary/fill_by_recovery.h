@@ -34,14 +34,12 @@ struct Filling_limits {
   std::string instead;
   std::size_t most_points = in_memory();
   int threads; // for the points inside
-  bool recovers_whole;
 
   Filling_limits(const Fill_keeping_boundary_options& options, const Surface& surface, std::string instead)
       : in_child_process(options.in_child_process)
       , seconds(options.time_limit > 0 ? options.time_limit : 600 + 0.01 * double(surface.number_of_faces()))
       , instead(std::move(instead))
-      , threads(options.number_of_threads)
-      , recovers_whole(options.recovers_whole) {}
+      , threads(options.number_of_threads) {}
 
   // A point and the tetrahedra around it take about 1 kB while they are made.
   static std::size_t in_memory() {
@@ -107,7 +105,7 @@ inline std::optional<Sentence> recover_boundary(const Surface& surface, const Bo
     return recovery.keeps_inner_facets && recover(cavities, filling).kind == Child_ending::done;
   };
   Recovered_boundary recovered;
-  if (limits.recovers_whole || !recover_in_delaunay(boundary, limits.threads, fill_cavities, recovered)) {
+  if (!recover_in_delaunay(boundary, limits.threads, fill_cavities, recovered)) {
     recovered = {};
     const Child_ending ending = recover(boundary, recovered);
     if (ending.kind != Child_ending::done)

@@ -96,34 +96,40 @@ inline bool spoils_corner(const Shift_holder& shifts, const std::array<std::uint
   return now < fair && now < kept * scaled(shifts.from(t[0]), shifts.from(t[1]), shifts.from(t[2]), shifts.from(t[3]));
 }
 
+/* What cells keep at each of their corners: a part of the volume there, and hexahedra their shape, unless they are
+ * going to be optimized. */
+struct Kept_of_cells {
+  double volume = 0.3;
+  bool shape = true;
+};
+
+/* The points of the corners at fault: a corner's volume is that of its point and the three next to it, and no other
+ * point of the cell could help. */
 template <std::size_t N>
-void add_points_of_crushed_cells(const Element_block<N>& cells, const Shift_holder& shifts, double least,
-                                 std::vector<std::size_t>& points) {
+void add_points_of_crushed_corners(const Element_block<N>& cells, const Shift_holder& shifts, const Kept_of_cells& kept,
+                                   std::vector<std::size_t>& points) {
   for (const auto& c : cells.vertices)
     for (const Corner& corner : Cell_topology<N>::corners()) {
       std::array<std::uint32_t, 4> t;
       for (std::size_t k = 0; k < 4; ++k)
         t[k] = c[std::size_t(corner[k])];
       const double before = signed_volume(shifts.from(t[0]), shifts.from(t[1]), shifts.from(t[2]), shifts.from(t[3]));
-      if (!(signed_volume(shifts[t[0]], shifts[t[1]], shifts[t[2]], shifts[t[3]]) > least * before) ||
-          (N == 8 && spoils_corner(shifts, t))) {
-        points.insert(points.end(), c.begin(), c.end());
-        break;
-      }
+      if (!(signed_volume(shifts[t[0]], shifts[t[1]], shifts[t[2]], shifts[t[3]]) > kept.volume * before) ||
+          (N == 8 && kept.shape && spoils_corner(shifts, t)))
+        points.insert(points.end(), t.begin(), t.end());
     }
 }
 
-/* Cells keep a fair part of their volume at each of their corners, and hexahedra their shape: those at fault hold their points back, and then those
- * around. If that comes to no end nothing moves at all. */
-inline void keep_cells(const Mixed_mesh& mesh, Shift_holder& shifts) {
-  const double least = 0.3; // of the volume
+/* Corners of cells at fault hold their points back, and then those around. If that comes to no end nothing moves at
+ * all. */
+inline void keep_cells(const Mixed_mesh& mesh, const Kept_of_cells& kept, Shift_holder& shifts) {
   constexpr int most_rounds = 60;
   for (int round = 0; round < most_rounds; ++round) {
     std::vector<std::size_t> at_fault;
-    add_points_of_crushed_cells(mesh.tetrahedra, shifts, least, at_fault);
-    add_points_of_crushed_cells(mesh.pyramids, shifts, least, at_fault);
-    add_points_of_crushed_cells(mesh.prisms, shifts, least, at_fault);
-    add_points_of_crushed_cells(mesh.hexahedra, shifts, least, at_fault);
+    add_points_of_crushed_corners(mesh.tetrahedra, shifts, kept, at_fault);
+    add_points_of_crushed_corners(mesh.pyramids, shifts, kept, at_fault);
+    add_points_of_crushed_corners(mesh.prisms, shifts, kept, at_fault);
+    add_points_of_crushed_corners(mesh.hexahedra, shifts, kept, at_fault);
     if (!hold_back(std::move(at_fault), shifts))
       return;
   }

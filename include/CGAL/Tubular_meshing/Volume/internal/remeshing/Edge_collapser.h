@@ -103,18 +103,25 @@ private:
     const auto normal = [&](Index apex, Index p, Index q) {
       return cross(store.point(p) - store.point(apex), store.point(q) - store.point(apex));
     };
-    const auto region = [&](Index facet) { return store.region(Store::tetrahedron_of(facet)); };
+    struct Facet {
+      Index p, q;
+      std::int32_t label, region;
+      Vector_3d normal;
+    };
+    boost::container::small_vector<Facet, 12> facets;
     Facet_turning turning;
-    for_each_labelled_facet(
-        v, [&](Index facet, Index p, Index q) { turning.add(store.label(facet), region(facet), normal(v, p, q)); });
-    bool turns = false;
     for_each_labelled_facet(v, [&](Index facet, Index p, Index q) {
-      if (turns || p == w || q == w)
-        return;
-      turns = !turning.allows(store.label(facet), region(facet), normal(v, p, q), normal(w, p, q));
-      cavity_.facets().push_back({{w, p, q}, store.label(facet)});
+      facets.push_back({p, q, store.label(facet), store.region(Store::tetrahedron_of(facet)), normal(v, p, q)});
+      turning.add(facets.back().label, facets.back().region, facets.back().normal);
     });
-    return !turns;
+    for (const Facet& f : facets) {
+      if (f.p == w || f.q == w)
+        continue;
+      if (!turning.allows(f.label, f.region, f.normal, normal(w, f.p, f.q)))
+        return false;
+      cavity_.facets().push_back({{w, f.p, f.q}, f.label});
+    }
+    return true;
   }
   // Of those at v, the tetrahedra around which are at hand.
   template <class Visit> void for_each_labelled_facet(Index v, const Visit& visit) const {

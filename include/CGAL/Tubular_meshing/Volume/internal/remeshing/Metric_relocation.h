@@ -9,6 +9,8 @@
 #include <CGAL/Tubular_meshing/Volume/internal/remeshing/Facet_turning.h>
 #include <CGAL/Tubular_meshing/Volume/internal/remeshing/Metric_mesh.h>
 
+#include <boost/container/small_vector.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -304,17 +306,23 @@ private:
   bool keeps_surface(Index v, const Vector_3d& p) const {
     if (mesh_.location(v).dimension == 3)
       return true;
+    struct Facet {
+      Index a, b;
+      std::int32_t label;
+      Vector_3d normal;
+    };
+    boost::container::small_vector<Facet, 12> facets;
+    Facet_turning turning;
     const auto normal = [this](const Vector_3d& apex, Index a, Index b) {
       return cross(store_.point(a) - apex, store_.point(b) - apex);
     };
-    bool keeps = true;
     const Vector_3d& x = store_.point(v);
-    Facet_turning turning;
-    for_each_facet(v, [&](Index a, Index b, std::int32_t label) { turning.add(label, 0, normal(x, a, b)); });
     for_each_facet(v, [&](Index a, Index b, std::int32_t label) {
-      keeps = keeps && turning.allows(label, 0, normal(x, a, b), normal(p, a, b));
+      facets.push_back({a, b, label, normal(x, a, b)});
+      turning.add(label, 0, facets.back().normal);
     });
-    return keeps;
+    return std::all_of(facets.begin(), facets.end(),
+                       [&](const Facet& f) { return turning.allows(f.label, 0, f.normal, normal(p, f.a, f.b)); });
   }
 
   Metric_mesh& mesh_;
