@@ -6,8 +6,10 @@
 
 #include <CGAL/Tubular_meshing/Volume/internal/Speculation.h>
 #include <CGAL/Tubular_meshing/Volume/internal/Tetrahedron_store.h>
+#include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/Size_criterion.h>
 #include <CGAL/Tubular_meshing/base/Function_view.h>
 #include <CGAL/Tubular_meshing/base/interruption.h>
+#include <CGAL/Tubular_meshing/base/parallel.h>
 
 #include <algorithm>
 #include <cmath>
@@ -27,29 +29,21 @@ public:
   typedef Tetrahedron_store Store;
   typedef Store::Index Index;
 
-  Delaunay_insertion(const Store& store, Length_function size, double radius_bound)
+  Delaunay_insertion(const Store& store, const Size_criterion& size)
       : store_(store)
-      , size_(size)
-      , radius_bound_(radius_bound) {}
+      , size_(size) {}
 
   /* Whether t is too large. Then is_possible() says whether a point was found. */
   bool find(Index t) {
     seen_.clear();
     is_possible_ = false;
-    if (!store_.is_alive(t))
+    const auto excess = size_.excess(t);
+    if (!excess)
       return false;
-    const auto& w = store_[t].v;
-    const Vector_3d& p = store_.point(w[0]);
-    const Vector_3d a = store_.point(w[1]) - p, b = store_.point(w[2]) - p, c = store_.point(w[3]) - p;
-    const Vector_3d middle = p + 0.25 * (a + b + c);
-    const double h = size_(to_point(middle)), denominator = 2 * dot(a, cross(b, c));
-    if (!(denominator > 0))
-      return false;
-    const Vector_3d to_center = (1 / denominator) * (squared_norm(a) * cross(b, c) + squared_norm(b) * cross(c, a) +
-                                                     squared_norm(c) * cross(a, b));
-    if (squared_norm(to_center) <= radius_bound_ * radius_bound_ * h * h)
-      return false;
-    is_possible_ = try_at(p + to_center, t, 0, h) || try_at(middle, t, least_spacing * h, h);
+    const double h = excess->size;
+    is_possible_ = try_at(excess->circumcenter, t, 0, h) || try_at(excess->middle, t, least_spacing * h, h);
+    if (is_possible_)
+      size_at_point_ = size_.size_at(point_);
     return true;
   }
   bool is_possible() const { return is_possible_; }
@@ -59,7 +53,10 @@ public:
     return std::all_of(seen_.begin(), seen_.end(), [&](Index t) { return store_.is_alive(t) && came[t] <= since; });
   }
 
-  void commit(Store& store, Store::Index_list& come) const { store.replace_by_star(cavity_, facets_, point_, come); }
+  void commit(Store& store, Size_criterion& size, Store::Index_list& come) const {
+    store.replace_by_star(cavity_, facets_, point_, come);
+    size.set_size(store[come.front()].v[0], size_at_point_);
+  }
 
 private:
   // of a new point from vertices and labelled facets, over the size
@@ -180,12 +177,12 @@ private:
   }
 
   const Store& store_;
-  Length_function size_;
-  double radius_bound_;
+  const Size_criterion& size_;
 
   // what was found last
   bool is_possible_ = false;
   Vector_3d point_;
+  double size_at_point_ = 0;
   std::vector<Index> cavity_;
   std::vector<Index> facets_;       // each with its tetrahedron inside
   std::vector<Index> seen_;         // tetrahedra, some more than once
@@ -204,7 +201,9 @@ public:
   // `radius_bound`: the largest circumscribed radius, over the size there.
   Delaunay_refinement(Store& store, Length_function size, double radius_bound, int threads)
       : store_(store)
-      , insertions_(threads, batch, store, size, radius_bound) {}
+      , threads_(threads)
+      , size_(store, size, radius_bound, threads)
+      , insertions_(threads, batch, store, size_) {}
 
   // Returns the number of points added, which is `most` if there was no room for more.
   std::size_t operator()(std::size_t most) {
@@ -214,6 +213,7 @@ public:
     came_.assign(store_.number_of_slots(), now_);
     for (; !todo.empty() && added < most; todo.swap(next)) {
       next.clear();
+      keep_too_large(todo);
       interleave(todo);
       insertions_.run([&] { return added < most ? todo.size() : 0; }, [&] { return now_; },
                       [&](Delaunay_insertion& i, std::size_t k) { return i.find(todo[k]); },
@@ -222,7 +222,7 @@ public:
                         if (!i.is_possible() || added == most)
                           return;
                         check_interruption();
-                        i.commit(store_, come);
+                        i.commit(store_, size_, come);
                         ++added;
                         set_come(come);
                         next.insert(next.end(), come.begin(), come.end());
@@ -234,6 +234,20 @@ public:
 private:
   typedef std::uint32_t Time;
   static constexpr std::size_t batch = 128;
+
+  // Of thirty tetrahedra that come with a point hardly one is.
+  void keep_too_large(std::vector<Index>& list) const {
+    std::vector<char> is_small(list.size());
+    for_each_range(list.size(), threads_, [&](std::size_t first, std::size_t last) {
+      for (std::size_t k = first; k < last; ++k)
+        is_small[k] = !size_.excess(list[k]);
+    });
+    std::size_t kept = 0;
+    for (std::size_t k = 0; k < list.size(); ++k)
+      if (!is_small[k])
+        list[kept++] = list[k];
+    list.resize(kept);
+  }
 
   // Neighbors in the list are neighbors in space, and would be in each other's way: those of a batch come from as many
   // parts of the list.
@@ -255,6 +269,8 @@ private:
   }
 
   Store& store_;
+  int threads_;
+  Size_criterion size_;
   Speculation<Delaunay_insertion> insertions_;
   Time now_ = 0;
   std::vector<Time> came_; // of each tetrahedron
