@@ -591,6 +591,30 @@ TEST(Delaunay_refinement, Gives_the_same_mesh_on_any_number_of_threads) {
   }
 }
 
+// Sizes are known at vertices, and none of those of the wall is near the ball in which they are small.
+TEST_F(Fill_with_tetgen, Finds_small_sizes_far_from_the_wall) {
+  const double sides = 24, coarse = 2 * CGAL_PI / sides;
+  const Labelled_tube tube(int(sides), 2);
+  const Point center(0.02, 0.01, 1);
+  const auto away = [&](const Point& p) { return std::sqrt(CGAL::squared_distance(p, center)); };
+  const auto size = [&](const Point& p) { return (std::min)(coarse, 0.03 + 0.3 * (std::max)(0., away(p) - 0.05)); };
+  Mesh mesh;
+  const tubular::internal::Filling_limits limits({}, tube.surface, "");
+  ASSERT_FALSE(tubular::internal::fill_by_recovery(tube.surface, tube.patch, size, tubular::internal::tetgen_recovery(),
+                                                   limits, mesh));
+  std::size_t checked = 0;
+  for (const auto& t : mesh.tetrahedra.vertices) {
+    const Point &a = mesh.points[t[0]], &b = mesh.points[t[1]], &c = mesh.points[t[2]], &d = mesh.points[t[3]];
+    const Point middle = CGAL::centroid(a, b, c, d);
+    if (away(middle) > 0.6) // where the wall may be in the way
+      continue;
+    ++checked;
+    EXPECT_LE(std::sqrt(CGAL::squared_radius(a, b, c, d)),
+              1.1 * tubular::internal::kept_boundary_radius_bound * size(middle));
+  }
+  EXPECT_GT(checked, 1000u);
+}
+
 TEST(Delaunay_refinement, Refuses_more_points_than_memory_holds) {
   Mesh mesh = fan_in_a_cube(1);
   EXPECT_FALSE(tubular::internal::add_points_inside([](const Point&) { return 0.2; }, 5, 1, mesh));

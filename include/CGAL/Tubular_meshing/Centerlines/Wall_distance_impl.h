@@ -5,19 +5,18 @@
 #define CGAL_TUBULAR_MESHING_CENTERLINES_WALL_DISTANCE_IMPL_H
 
 #include <CGAL/Tubular_meshing/Centerlines/Wall_distance.h>
-#include <CGAL/Tubular_meshing/base/Nearest_tree.h>
+#include <CGAL/Tubular_meshing/base/Corner_tree.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Tubular_meshing {
 
 struct Wall_distance::Impl {
-  internal::Nearest_tree<internal::Double_kernel::Triangle_3> tree;
+  internal::Corner_tree<internal::Double_kernel::Triangle_3> tree;
 };
 
 CGAL_TUBULAR_MESHING_INLINE Wall_distance::Wall_distance(const std::vector<std::array<Point_3, 3>>& triangles) {
@@ -32,7 +31,7 @@ CGAL_TUBULAR_MESHING_INLINE Wall_distance::Wall_distance(const std::vector<std::
   }
   if (shapes.empty())
     throw Input_error("The surface has no wall: none of its faces can be used to measure the radius of the vessel.");
-  impl_ = std::make_shared<const Impl>(Impl{internal::Nearest_tree<Triangle>(std::move(shapes))});
+  impl_ = std::make_shared<const Impl>(Impl{internal::Corner_tree<Triangle>(shapes)});
 }
 
 CGAL_TUBULAR_MESHING_INLINE double Wall_distance::operator()(const Point_3& x) const {
@@ -56,7 +55,7 @@ CGAL_TUBULAR_MESHING_INLINE std::size_t Wall_distance::number_of_triangles() con
 }
 
 CGAL_TUBULAR_MESHING_INLINE std::array<Point_3, 3> Wall_distance::triangle(std::size_t i) const {
-  const auto& t = impl_->tree.shape(i);
+  const auto t = impl_->tree.shape(i);
   const auto point = [&](int k) { return Point_3(t[k].x(), t[k].y(), t[k].z()); };
   return {point(0), point(1), point(2)};
 }

@@ -42,8 +42,9 @@ struct Hexahedral_blocks_options {
  * A place where no blocks would fit, and why. */
 struct Refused_blocks {
   Point_3 place;
-  std::string reason;           ///< a sentence
-  Surface::Vertex_index missed; ///< of the surface: the tip of a vessel without a centerline; else null
+  std::string reason;                        ///< a sentence
+  std::vector<Surface::Vertex_index> missed; ///< of the surface: those of a vessel without a centerline, the farthest
+                                             ///< first; else none
   bool is_junction = false;
   bool can_be_left_out = false; ///< it is a junction, or a vessel's end: the vessels may have blocks up to there
 };

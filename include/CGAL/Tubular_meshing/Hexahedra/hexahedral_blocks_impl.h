@@ -134,7 +134,7 @@ private:
   }
 
   void refuse(Hexahedral_blocks& result, const Vector_3d& place, const std::string& reason) const {
-    result.refused.push_back({as<Point_3>(place), reason, Surface::null_vertex()});
+    result.refused.push_back({as<Point_3>(place), reason, {}});
   }
   void refuse_node(Hexahedral_blocks& result, std::size_t node, const std::string& reason) const {
     refuse(result, network_.nodes[node].point, reason);
@@ -294,14 +294,16 @@ private:
   }
 
   Cover_of_lumen cover() const {
-    return Cover_of_lumen(surface_, wall_, network_, size_, options_.points_per_circumference,
+    return Cover_of_lumen(surface_, wall_, graph_, network_, size_, options_.points_per_circumference,
                           options_.number_of_threads);
   }
 
   // Refuses a mesh that misses parts of the surface.
   void check_cover(const Network_blocks& blocks, Hexahedral_blocks& result) const {
-    for (Vertex tip : cover().missed_parts(blocks.mesh))
-      result.refused.push_back({surface_.point(tip), "a part of the vessel has no centerline", tip});
+    for (std::vector<Vertex>& part : cover().missed_parts(blocks.mesh)) {
+      const Point_3 tip = surface_.point(part.front());
+      result.refused.push_back({tip, "a part of the vessel has no centerline", std::move(part)});
+    }
   }
 
   // Returns the nodes that are refused then.

@@ -29,8 +29,8 @@ namespace CGAL::Tubular_meshing::internal {
  * than d² + reach² are looked at. Where q is far away for their size, as in the middle of a vessel, these are far fewer
  * than those with boxes closer than d, which an AABB tree looks at. Corners that shapes share are one.
  *
- * Of shapes that are equally near the one with the lowest number is found: the answer depends neither on the tree nor on
- * where the search began. Built once in O(n log n); a query is O(log n) for shapes such as surfaces and centerlines,
+ * Of shapes that are equally near, but for rounding, the one with the lowest number is found: the answer depends neither on
+ * the tree, nor on where the search began, nor on the unit, position and direction of it all. Built once in O(n log n); a query is O(log n) for shapes such as surfaces and centerlines,
  * allocates nothing, and is safe from several threads. */
 template <class Shape> class Corner_tree {
 public:
@@ -71,10 +71,10 @@ public:
   /* The same, faster where `hint` is a shape that is likely to be as near. */
   Result nearest_from(std::size_t hint, const Point& q, double squared_bound) const {
     Result best{size(), q, squared_bound};
+    double as_near = squared_bound; // no further than this is as near
     if (hint < size())
-      look_at(Index(hint), from_nearest(shapes_[hint], place(q)), q, best);
-    search(place(q), best.squared_distance,
-           [&](Index shape, const Numbers& corners) { look_at(shape, corners, q, best); });
+      look_at(Index(hint), from_nearest(shapes_[hint], place(q)), q, best, as_near);
+    search(place(q), as_near, [&](Index shape, const Numbers& corners) { look_at(shape, corners, q, best, as_near); });
     return best;
   }
 
@@ -92,6 +92,7 @@ public:
 private:
   typedef Coordinates Place;
   static constexpr Index leaf_size = 12;
+  static constexpr double tie = 1e-10; // of squared distances: shapes are as near
 
   struct Corner {
     Place at;
@@ -308,11 +309,20 @@ private:
       return Shape(corner(c[0]), corner(c[1]), corner(c[2]));
   }
 
-  void look_at(Index shape, const Numbers& corners, const Point& q, Result& best) const {
+  // `as_near`: the bound up to where a shape is as near as the best.
+  void look_at(Index shape, const Numbers& corners, const Point& q, Result& best, double& as_near) const {
     const Point p = projection(at_corners(corners), q);
     const double d2 = CGAL::squared_distance(p, q);
-    if (d2 < best.squared_distance || (d2 == best.squared_distance && best.index < size() && shape < best.index))
+    const bool is_first = best.index == size();
+    if (is_first ? !(d2 < as_near) : !(d2 <= as_near))
+      return;
+    if (is_first || (1 + tie) * d2 < best.squared_distance)
       best = Result{shape, p, d2};
+    else if (shape < best.index)
+      best = Result{shape, p, (std::min)(d2, best.squared_distance)};
+    else
+      best.squared_distance = (std::min)(d2, best.squared_distance);
+    as_near = (1 + tie) * best.squared_distance;
   }
 
   std::vector<Node> nodes_;

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -198,30 +199,57 @@ private:
     });
   }
 
+  /* The largest radii at a vertex, whichever thread meets them when. Each goes down from the first place on, takes that of
+   * a smaller one, which goes down from there, and is dropped where there are as many larger ones: values only rise. */
+  class Largest_of_all_threads {
+  public:
+    bool is_below(float radius) const { return largest_.back().load(std::memory_order_relaxed) < radius; }
+    void insert(float radius) {
+      for (std::atomic<float>& place : largest_) {
+        float there = place.load(std::memory_order_relaxed);
+        while (there < radius)
+          if (place.compare_exchange_weak(there, radius, std::memory_order_relaxed)) {
+            std::swap(there, radius);
+            break;
+          }
+      }
+    }
+    std::array<float, witnesses> values() const {
+      std::array<float, witnesses> result;
+      for (std::size_t k = 0; k < witnesses; ++k)
+        result[k] = largest_[k].load(std::memory_order_relaxed);
+      return result;
+    }
+
+  private:
+    std::array<std::atomic<float>, witnesses> largest_{}; // descending
+  };
+
   /* Each ball counts at all vertices nearby that it touches, about: of those at a vertex the fourth largest remains.
    * What noise, or the steps of an image, make of a ball does not matter where others that touch are larger; and a few
    * that are too large do not either. */
   void filter(double least_cosine) {
     const std::vector<double> nearby = large_nearby();
-    std::vector<std::array<float, witnesses>> largest(size(), std::array<float, witnesses>{}); // descending
-    Wall_neighborhood near(wall_, most_near);
-    for (Index v = 0; v < size(); ++v) {
+    std::vector<Largest_of_all_threads> largest(size());
+    for_each_window([&](Index v, Wall_neighborhood& near, double reach) {
       const double r = radii_[v];
       if (is_spike_[v] || !(r > 0))
-        continue;
+        return;
       const Vector_3d center = wall_.point(v) + r * directions_[v];
-      near.for_each(v, (std::max)(window * r, 1.01 * longest_edge(v)), [&](Index w, double) {
+      near.for_each(v, reach, [&](Index w, double) {
+        if (!largest[w].is_below(float(r)))
+          return;
         const Vector_3d to_center = center - wall_.point(w);
         const double distance = norm(to_center);
         // where the wall turns away, as into the neck of a sac, the ball does not touch it, however near it is
         const bool touches =
             distance < r + touch * (std::min)(r, nearby[w]) && dot(to_center, directions_[w]) > least_cosine * distance;
         if (w == v || is_spike_[w] || touches)
-          insert(float(r), largest[w]);
+          largest[w].insert(float(r));
       });
-    }
+    });
     for (Index v = 0; v < size(); ++v)
-      radii_[v] = last_of(largest[v]);
+      radii_[v] = last_of(largest[v].values());
   }
 
   /* The fourth largest radius among the nearest vertices, as far as neighbours' neighbours: more than what noise makes

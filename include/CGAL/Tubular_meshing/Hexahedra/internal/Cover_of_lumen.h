@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_HEXAHEDRA_INTERNAL_COVER_OF_LUMEN_H
 #define CGAL_TUBULAR_MESHING_HEXAHEDRA_INTERNAL_COVER_OF_LUMEN_H
 
+#include <CGAL/Tubular_meshing/Centerlines/Centerline_field.h>
 #include <CGAL/Tubular_meshing/Centerlines/Wall_distance.h>
 #include <CGAL/Tubular_meshing/Hexahedra/internal/Block_builder.h>
 #include <CGAL/Tubular_meshing/Hexahedra/internal/Hexahedron_overlaps.h>
@@ -31,30 +32,35 @@ namespace CGAL::Tubular_meshing::internal {
 /* Whether hexahedra along vessels fill the lumen, all of it and once. */
 class Cover_of_lumen {
 public:
-  Cover_of_lumen(const Surface& surface, const Wall_of_lumen& wall, const Vessel_network& network, Length_function size,
-                 double points_per_circumference, int threads)
+  Cover_of_lumen(const Surface& surface, const Wall_of_lumen& wall, const Centerline_graph& graph,
+                 const Vessel_network& network, Length_function size, double points_per_circumference, int threads)
       : surface_(surface)
       , wall_(wall)
+      , centerlines_(graph)
       , network_(network)
       , size_(size)
       , size_of_radius_(2 * pi / points_per_circumference)
       , threads_(threads) {}
 
-  /* The farthest vertex of each part of the surface that a mesh misses, by more than a radius of the vessel nearest to
-   * it. */
-  std::vector<Vertex> missed_parts(const Mixed_mesh& mesh) const {
+  /* The parts of the surface that a mesh misses by more than a radius of the vessel nearest to them, the worst first: the
+   * vertices of each, the farthest first. */
+  std::vector<std::vector<Vertex>> missed_parts(const Mixed_mesh& mesh) const {
     constexpr double most = 1;
-    std::vector<double> missed = gaps(mesh).in_radii;
-    std::vector<std::pair<double, std::size_t>> worst;
-    for (std::size_t i = 0; i < missed.size(); ++i)
-      if (missed[i] > most)
-        worst.emplace_back(-missed[i], i);
-    std::sort(worst.begin(), worst.end());
-    std::vector<Vertex> result;
-    for (const auto& [m, i] : worst)
-      if (missed[i] > most) { // no part that has been found already
-        result.push_back(Vertex(Surface::size_type(i)));
-        forget_part(result.back(), most / 2, missed);
+    const std::vector<double> gap = gaps(mesh).in_radii;
+    std::vector<std::size_t> worst;
+    for (std::size_t i = 0; i < gap.size(); ++i)
+      if (gap[i] > most)
+        worst.push_back(i);
+    const auto is_farther = [&](std::size_t i, std::size_t j) {
+      return gap[i] > gap[j] || (gap[i] == gap[j] && i < j);
+    };
+    std::sort(worst.begin(), worst.end(), is_farther);
+    std::vector<std::vector<Vertex>> result;
+    std::vector<bool> known(gap.size(), false);
+    for (std::size_t i : worst)
+      if (!known[i]) {
+        result.push_back(part_from(vertex(i), most / 2, gap, known));
+        std::sort(result.back().begin(), result.back().end(), is_farther);
       }
     return result;
   }
@@ -128,8 +134,9 @@ private:
         const Wall_distance::Place q = distance.closest_place(p);
         const auto t = distance.triangle(q.triangle);
         const double edge = std::pow(CGAL::cross_product(t[1] - t[0], t[2] - t[0]).squared_length(), 0.25);
-        // of a quad and of the size, as that is small where the wall has a pit or a spike
-        const double radius = (std::max)(edge, size_(q.point)) / size_of_radius_;
+        // the size is small where the wall has a pit or a spike, quads on a blind end are, and lines end in tips
+        const double radius =
+            (std::max)((std::max)(edge, size_(q.point)) / size_of_radius_, centerlines_.radius(q.point));
         result.length[i] = std::sqrt(CGAL::squared_distance(p, q.point));
         result.in_radii[i] = result.length[i] / radius;
       }
@@ -137,19 +144,18 @@ private:
     return result;
   }
 
-  // Sets to 0 what is missed by more than a bound, from a vertex on.
-  void forget_part(Vertex from, double bound, std::vector<double>& missed) const {
-    std::vector<Vertex> part{from};
-    missed[from] = 0;
-    while (!part.empty()) {
-      const Vertex v = part.back();
-      part.pop_back();
-      for (Vertex w : CGAL::vertices_around_target(surface_.halfedge(v), surface_))
-        if (missed[w] > bound) {
-          missed[w] = 0;
+  // The vertices round one with gaps above a bound, which are known then.
+  std::vector<Vertex> part_from(Vertex v, double bound, const std::vector<double>& gap,
+                                std::vector<bool>& known) const {
+    std::vector<Vertex> part{v};
+    known[v] = true;
+    for (std::size_t k = 0; k < part.size(); ++k)
+      for (Vertex w : CGAL::vertices_around_target(surface_.halfedge(part[k]), surface_))
+        if (gap[w] > bound && !known[w]) {
+          known[w] = true;
           part.push_back(w);
         }
-    }
+    return part;
   }
 
   template <class Holds> std::vector<std::size_t> junctions_where(const Holds& holds) const {
@@ -195,6 +201,7 @@ private:
 
   const Surface& surface_;
   const Wall_of_lumen& wall_;
+  Centerline_field centerlines_;
   const Vessel_network& network_;
   Length_function size_;
   double size_of_radius_; // the mesh size where the radius is 1

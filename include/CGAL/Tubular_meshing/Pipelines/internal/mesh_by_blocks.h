@@ -187,13 +187,14 @@ private:
     return std::nullopt;
   }
 
-  // Adds lines to the tips that were missed. False if there are none, or no line leads there.
+  /* Adds lines to the tips of parts that were missed: no line leads to some vertices, as on spikes. False if there are
+   * none, or no line leads there. */
   bool add_lines(const Hexahedral_blocks& blocks) {
-    const std::size_t before = tips_.size();
+    const std::size_t before = missed_parts_.size();
     for (const Refused_blocks& r : blocks.refused)
-      if (r.missed != Surface::null_vertex())
-        tips_.push_back(r.missed);
-    if (tips_.size() == before)
+      if (!r.missed.empty())
+        missed_parts_.push_back(r.missed);
+    if (missed_parts_.size() == before)
       return false;
     const Labelled_surface& s = frame_.surface();
     std::vector<std::pair<Point_3, int>> ends;
@@ -208,8 +209,8 @@ private:
       computation.add_end(tip);
     computation.make_graph(graph, merging);
     bool is_longer = false;
-    for (Vertex tip : tips_)
-      is_longer = computation.add_end(tip) || is_longer;
+    for (const std::vector<Vertex>& part : missed_parts_)
+      is_longer = std::any_of(part.begin(), part.end(), [&](Vertex v) { return computation.add_end(v); }) || is_longer;
     if (is_longer) {
       computation.make_graph(graph, merging);
       graph_ = std::move(graph);
@@ -258,7 +259,7 @@ private:
   const Mesher_options& options_;
   Centerline_graph graph_;
   Hexahedral_blocks_options blocks_options_;
-  std::vector<Vertex> tips_;
+  std::vector<std::vector<Vertex>> missed_parts_;
   Block_structure structure_;
   std::vector<Refused_blocks> refused_;
   std::optional<Blocks_round_junctions> round_junctions_; // if some are filled in another way

@@ -38,6 +38,26 @@ public:
   // The facets opposite to v in the tetrahedra around it.
   Range facets(Index v) const { return {star_.data() + star_begin_[v], star_.data() + star_begin_[v + 1]}; }
 
+  /* Lists the vertices of these facets, for movable vertices, in the order in which they are visited: who needs no more
+   * of the tetrahedra reads them from one end of the memory to the other. On all threads. */
+  void list_vertices(const Store& store, int threads) {
+    listed_begin_.assign(store.number_of_vertices(), 0);
+    std::size_t size = 0;
+    for (Index v : by_color_) {
+      listed_begin_[v] = size;
+      size += star_begin_[v + 1] - star_begin_[v];
+    }
+    listed_.resize(size);
+    for_each_range(by_color_.size(), threads, [&](std::size_t first, std::size_t last) {
+      for (std::size_t k = first; k < last; ++k)
+        std::transform(facets(by_color_[k]).begin(), facets(by_color_[k]).end(),
+                       listed_.begin() + std::ptrdiff_t(listed_begin_[by_color_[k]]),
+                       [&](Index facet) { return store.vertices(facet); });
+    });
+  }
+  // In the order of facets(v); after list_vertices(), of a movable vertex.
+  const Store::Facet_vertices* vertices_of_facets(Index v) const { return listed_.data() + listed_begin_[v]; }
+
   /* visit(v) for each movable vertex, color by color, those of a color on `threads` threads; before_color() is called
    * once before each color. */
   template <class Visit, class Before_color>
@@ -103,6 +123,8 @@ private:
   }
 
   std::vector<Index> star_begin_, star_;
+  std::vector<std::size_t> listed_begin_;
+  std::vector<Store::Facet_vertices> listed_;
   std::vector<std::size_t> color_begin_;
   std::vector<Index> by_color_;
 };

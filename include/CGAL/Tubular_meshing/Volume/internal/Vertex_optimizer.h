@@ -37,6 +37,7 @@ public:
       , threads_(threads) {
     locate();
     stars_.build(store, [this](Index v) { return location_[v].dimension != 0; });
+    stars_.list_vertices(store, threads_);
   }
 
   /* Moves the apexes of pyramids, and no other vertices, down the energy of the tetrahedra around them and of the
@@ -47,8 +48,10 @@ public:
       , threads_(threads)
       , pyramids_(&pyramids)
       , location_(store.number_of_vertices()) {
-    if (!pyramids.empty())
-      stars_.build(store_, [this](Index v) { return v >= first_apex() && v - first_apex() < pyramids_->size(); });
+    if (pyramids.empty())
+      return;
+    stars_.build(store_, [this](Index v) { return v >= first_apex() && v - first_apex() < pyramids_->size(); });
+    stars_.list_vertices(store, threads_);
   }
 
   // One visit to each vertex.
@@ -144,22 +147,27 @@ private:
     const Location& at = location_[v];
     if (pyramids_ != nullptr && !add_pyramid(pyramids_->vertices[v - first_apex()], x, with_derivatives, e))
       return false;
-    bool positive = true;
+    const Store::Facet_vertices* f = stars_.vertices_of_facets(v);
     for (Index s : stars_.facets(v)) {
-      const auto f = store_.vertices(s);
-      if (!e.add_tetrahedron(x, store_.point(f[0]), store_.point(f[1]), store_.point(f[2]), with_derivatives))
+      if (!e.add_tetrahedron(x, store_.point((*f)[0]), store_.point((*f)[1]), store_.point((*f)[2]),
+                             with_derivatives) ||
+          (at.dimension < 3 && !add_triangles(s, x, at, normals, with_derivatives, e)))
         return false;
-      if (at.dimension == 3)
-        continue;
-      store_.for_each_labelled_facet(s, [&](Index facet, Index a, Index b) {
-        const Vector_3d& normal = normals[store_.label(facet) != at.patch[0]];
-        positive =
-            positive && e.add_triangle(x, store_.point(a), store_.point(b), normal, triangle_weight, with_derivatives);
-      });
-      if (!positive)
-        return false;
+      ++f;
     }
     return true;
+  }
+
+  // Those of the surface, at a vertex of it.
+  bool add_triangles(Index facet_of_star, const Vector_3d& x, const Location& at, const Normals& normals,
+                     bool with_derivatives, Shape_energy& e) const {
+    bool positive = true;
+    store_.for_each_labelled_facet(facet_of_star, [&](Index facet, Index a, Index b) {
+      const Vector_3d& normal = normals[store_.label(facet) != at.patch[0]];
+      positive =
+          positive && e.add_triangle(x, store_.point(a), store_.point(b), normal, triangle_weight, with_derivatives);
+    });
+    return positive;
   }
 
   Index first_apex() const { return pyramids_->vertices.front()[4]; }

@@ -5,10 +5,12 @@
 #define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_ORDER_IN_SPACE_H
 
 #include <CGAL/Tubular_meshing/base/Kernel.h>
+#include <CGAL/Tubular_meshing/base/parallel.h>
 
 #include <CGAL/Spatial_sort_traits_adapter_3.h>
 #include <CGAL/hilbert_sort.h>
 #include <CGAL/property_map.h>
+#include <CGAL/tags.h>
 
 #include <array>
 #include <cstddef>
@@ -18,10 +20,15 @@
 
 namespace CGAL::Tubular_meshing::internal {
 
-// Sorts the numbers of points along a Hilbert curve through the points. O(n log n).
-inline void order_in_space(const std::vector<Point_3>& points, std::vector<std::size_t>& numbers) {
+/* Sorts the numbers of points along a Hilbert curve through the points, on `threads` threads (0: as many as there are
+ * cores); the order does not depend on them. O(n log n). */
+inline void order_in_space(const std::vector<Point_3>& points, std::vector<std::size_t>& numbers, int threads) {
   const auto point = make_property_map(points);
-  hilbert_sort(numbers.begin(), numbers.end(), Spatial_sort_traits_adapter_3<Kernel, decltype(point)>(point));
+  const Spatial_sort_traits_adapter_3<Kernel, decltype(point)> traits(point);
+  if (threads != 1)
+    run_on(threads, [&] { hilbert_sort<Parallel_if_available_tag>(numbers.begin(), numbers.end(), traits); });
+  else
+    hilbert_sort(numbers.begin(), numbers.end(), traits);
 }
 
 // Value i becomes the one that was number order[i].
@@ -35,7 +42,8 @@ template <class Value> void put_in_order(const std::vector<std::size_t>& order, 
 
 /* Sorts tetrahedra in the same way, by their centers. TetGen lists them in the order of its memory blocks; sorted, they
  * are optimized in two thirds of the time. */
-inline void sort_in_space(const std::vector<Point_3>& points, std::vector<std::array<std::uint32_t, 4>>& tetrahedra) {
+inline void sort_in_space(const std::vector<Point_3>& points, std::vector<std::array<std::uint32_t, 4>>& tetrahedra,
+                          int threads) {
   std::vector<Point_3> centers; // four times them
   centers.reserve(tetrahedra.size());
   for (const auto& t : tetrahedra) {
@@ -44,7 +52,7 @@ inline void sort_in_space(const std::vector<Point_3>& points, std::vector<std::a
   }
   std::vector<std::size_t> order(tetrahedra.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
-  order_in_space(centers, order);
+  order_in_space(centers, order, threads);
   put_in_order(order, tetrahedra);
 }
 

@@ -8,6 +8,7 @@
 #include <CGAL/Tubular_meshing/Volume/internal/Tetrahedron_store.h>
 #include <CGAL/Tubular_meshing/base/Function_view.h>
 #include <CGAL/Tubular_meshing/base/interruption.h>
+#include <CGAL/Tubular_meshing/base/parallel.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,6 +19,44 @@
 
 namespace CGAL::Tubular_meshing::internal {
 
+/* A size at the vertices of tetrahedra, each asked for once, and so known in their middles where it hardly changes: of
+ * thirty tetrahedra that come with a point, hardly one is too large. */
+class Size_at_vertices {
+public:
+  typedef Tetrahedron_store::Index Index;
+
+  Size_at_vertices(const Tetrahedron_store& store, Length_function size, int threads)
+      : size_(size)
+      , at_(store.number_of_vertices()) {
+    for_each_range(at_.size(), threads, [&](std::size_t first, std::size_t last) {
+      for (std::size_t v = first; v < last; ++v)
+        at_[v] = at(store.point(Index(v)));
+    });
+  }
+
+  double at(const Vector_3d& p) const { return size_(Point_3(p.x, p.y, p.z)); }
+
+  // In the middle of a tetrahedron.
+  double inside(const Tetrahedron_store::Vertices& v, const Vector_3d& middle) const {
+    const double a = at_[v[0]], b = at_[v[1]], c = at_[v[2]], d = at_[v[3]];
+    const double least = (std::min)((std::min)(a, b), (std::min)(c, d));
+    const double most = (std::max)((std::max)(a, b), (std::max)(c, d));
+    return most <= alike * least ? 0.25 * (a + b + c + d) : at(middle);
+  }
+
+  void set(Index v, double size) {
+    if (v >= at_.size())
+      at_.resize(v + 1);
+    at_[v] = size;
+  }
+
+private:
+  static constexpr double alike = 1.1;
+
+  Length_function size_;
+  std::vector<double> at_;
+};
+
 /* Looks for a point that splits one tetrahedron that is larger than a size allows: its circumcenter or, where the
  * boundary is in the way and coarser than the inside, its middle. The tetrahedra whose circumscribed spheres contain
  * that point, and which are reached from the first without crossing a labelled facet, make room for those between it and
@@ -27,7 +66,7 @@ public:
   typedef Tetrahedron_store Store;
   typedef Store::Index Index;
 
-  Delaunay_insertion(const Store& store, Length_function size, double radius_bound)
+  Delaunay_insertion(const Store& store, const Size_at_vertices& size, double radius_bound)
       : store_(store)
       , size_(size)
       , radius_bound_(radius_bound) {}
@@ -42,7 +81,7 @@ public:
     const Vector_3d& p = store_.point(w[0]);
     const Vector_3d a = store_.point(w[1]) - p, b = store_.point(w[2]) - p, c = store_.point(w[3]) - p;
     const Vector_3d middle = p + 0.25 * (a + b + c);
-    const double h = size_(to_point(middle)), denominator = 2 * dot(a, cross(b, c));
+    const double h = size_.inside(w, middle), denominator = 2 * dot(a, cross(b, c));
     if (!(denominator > 0))
       return false;
     const Vector_3d to_center = (1 / denominator) * (squared_norm(a) * cross(b, c) + squared_norm(b) * cross(c, a) +
@@ -50,6 +89,8 @@ public:
     if (squared_norm(to_center) <= radius_bound_ * radius_bound_ * h * h)
       return false;
     is_possible_ = try_at(p + to_center, t, 0, h) || try_at(middle, t, least_spacing * h, h);
+    if (is_possible_)
+      size_at_point_ = size_.at(point_);
     return true;
   }
   bool is_possible() const { return is_possible_; }
@@ -59,7 +100,10 @@ public:
     return std::all_of(seen_.begin(), seen_.end(), [&](Index t) { return store_.is_alive(t) && came[t] <= since; });
   }
 
-  void commit(Store& store, Store::Index_list& come) const { store.replace_by_star(cavity_, facets_, point_, come); }
+  void commit(Store& store, Size_at_vertices& size, Store::Index_list& come) const {
+    store.replace_by_star(cavity_, facets_, point_, come);
+    size.set(store[come.front()].v[0], size_at_point_);
+  }
 
 private:
   // of a new point from vertices and labelled facets, over the size
@@ -180,12 +224,13 @@ private:
   }
 
   const Store& store_;
-  Length_function size_;
+  const Size_at_vertices& size_;
   double radius_bound_;
 
   // what was found last
   bool is_possible_ = false;
   Vector_3d point_;
+  double size_at_point_ = 0;
   std::vector<Index> cavity_;
   std::vector<Index> facets_;       // each with its tetrahedron inside
   std::vector<Index> seen_;         // tetrahedra, some more than once
@@ -204,7 +249,8 @@ public:
   // `radius_bound`: the largest circumscribed radius, over the size there.
   Delaunay_refinement(Store& store, Length_function size, double radius_bound, int threads)
       : store_(store)
-      , insertions_(threads, batch, store, size, radius_bound) {}
+      , size_(store, size, threads)
+      , insertions_(threads, batch, store, size_, radius_bound) {}
 
   // Returns the number of points added, which is `most` if there was no room for more.
   std::size_t operator()(std::size_t most) {
@@ -222,7 +268,7 @@ public:
                         if (!i.is_possible() || added == most)
                           return;
                         check_interruption();
-                        i.commit(store_, come);
+                        i.commit(store_, size_, come);
                         ++added;
                         set_come(come);
                         next.insert(next.end(), come.begin(), come.end());
@@ -255,6 +301,7 @@ private:
   }
 
   Store& store_;
+  Size_at_vertices size_;
   Speculation<Delaunay_insertion> insertions_;
   Time now_ = 0;
   std::vector<Time> came_; // of each tetrahedron

@@ -136,7 +136,7 @@ inline bool add_points_inside(Length_function size, std::size_t most_points, int
   if (Delaunay_refinement(store, size, kept_boundary_radius_bound, threads)(most_points) == most_points)
     return false;
   store.write_inside_to(mesh);
-  sort_in_space(mesh.points, mesh.tetrahedra.vertices); // all have the same label
+  sort_in_space(mesh.points, mesh.tetrahedra.vertices, threads); // all have the same label
   return true;
 }
 

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <utility>
@@ -86,41 +87,37 @@ public:
     return found == openings_.end() ? nullptr : &found->second;
   }
 
-  /* The triangles of the wall that may be nearest to points in a ball, for many questions about them. Of use to one thread
-   * at a time. */
+  // Where questions are about: points in a ball, and the wall up to a bound from them.
+  struct Surroundings {
+    Vector_3d center;
+    double radius, bound;
+
+    bool hold(const Surroundings& s) const { return norm(s.center - center) + s.radius <= radius && s.bound <= bound; }
+    Surroundings larger_by(double part) const { return {center, (1 + part) * radius, (1 + part) * bound}; }
+  };
+
+  /* The triangles of the wall that may be nearest to points in some surroundings: found once, they serve for many questions,
+   * also where the points have moved a little. */
   class Wall_nearby {
   public:
-    explicit Wall_nearby(const Input_surface& input)
-        : input_(input) {}
-
-    // Of the wall, up to a bound from points in the ball.
-    void move_to(const Vector_3d& center, double radius, double bound) {
-      center_ = center;
-      triangles_.clear();
-      double reach = bound + radius, reach2 = reach * reach;
-      input_.wall_.for_each_near(
-          to_double_point(center), reach2, [&](std::size_t i, const Double_kernel::Triangle_3& t, double d2) {
-            const double d = std::sqrt(d2);
-            triangles_.push_back({d, i, t});
-            reach = (std::min)(reach, d + 2 * radius); // no further than d from any of its points
-            reach2 = reach * reach;
-          });
-      std::sort(triangles_.begin(), triangles_.end(), [](const Triangle& a, const Triangle& b) {
-        return a.distance < b.distance || (a.distance == b.distance && a.number < b.number);
-      });
+    // Looks for them unless what is known holds here.
+    void move_to(const Surroundings& here, const Input_surface& input) {
+      const double slack = 0.2; // more than facets move by
+      if (!of_.hold(here))
+        find(here.larger_by(slack), input);
     }
 
     /* How far the wall is from x in the ball along the unit vector n, positive in its direction, up to the bound; 0 where
      * it is not found there: what is nearest is another part of the wall then. */
-    double distance(const Vector_3d& x, const Vector_3d& n, double bound) const {
+    double distance(const Vector_3d& x, const Vector_3d& n, double bound, const Input_surface& input) const {
       const Double_kernel::Point_3 q = to_double_point(x);
-      const double away = norm(x - center_);
+      const double away = norm(x - of_.center);
       double nearest = bound;
       Nearest result{q, bound * bound};
-      for (const Triangle& t : triangles_) {
-        if (t.distance - away > nearest)
+      for (const auto& [d, i] : triangles_) {
+        if (d - away > nearest)
           break;
-        const Double_kernel::Point_3 p = projection(t.shape, q);
+        const Double_kernel::Point_3 p = projection(input.wall_.shape(i), q);
         const double d2 = CGAL::squared_distance(p, q);
         if (d2 < result.squared_distance) {
           result = {p, d2};
@@ -131,19 +128,30 @@ public:
     }
 
   private:
-    struct Triangle {
-      double distance; // from the center
-      std::size_t number;
-      Double_kernel::Triangle_3 shape;
-    };
     struct Nearest {
       Double_kernel::Point_3 point;
       double squared_distance;
     };
 
-    const Input_surface& input_;
-    Vector_3d center_;
-    std::vector<Triangle> triangles_; // nearest first
+    void find(const Surroundings& s, const Input_surface& input) {
+      of_ = s;
+      triangles_.clear();
+      double reach = s.bound + s.radius, reach2 = reach * reach;
+      input.wall_.for_each_near(to_double_point(s.center), reach2,
+                                [&](std::size_t i, const Double_kernel::Triangle_3&, double d2) {
+                                  triangles_.emplace_back(std::sqrt(d2), std::uint32_t(i));
+                                  // no further than this from any of its points
+                                  reach = (std::min)(reach, triangles_.back().first + 2 * s.radius);
+                                  reach2 = reach * reach;
+                                });
+      std::sort(triangles_.begin(), triangles_.end());
+      while (!triangles_.empty() && triangles_.back().first > reach)
+        triangles_.pop_back();
+      triangles_.shrink_to_fit();
+    }
+
+    Surroundings of_ = {Vector_3d(), -1, -1};
+    std::vector<std::pair<double, std::uint32_t>> triangles_; // distance from the center and number, nearest first
   };
 
   // The same as Wall_nearby::distance() for the rim of an opening, n in its plane.

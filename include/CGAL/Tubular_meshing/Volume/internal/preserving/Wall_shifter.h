@@ -40,6 +40,7 @@ public:
         add_facet(mesh, f);
       else
         add_rim_edges(mesh, patch, f);
+    around_.resize(facets_.size());
   }
 
   /* The vertices' new places, by their numbers. */
@@ -202,8 +203,9 @@ private:
   /* Of one facet: what is missing at each of its corners, and how much comes for moving it. */
   typedef std::array<Balance, 4> Facet_balance;
 
+  // `wall`: at the facet.
   Facet_balance balance_of(const Facet& f, const std::vector<Vector_3d>& normal,
-                           Input_surface::Wall_nearby& wall) const {
+                           const Input_surface::Wall_nearby& wall) const {
     // six points, exact to the fourth degree (D. A. Dunavant, 1985)
     static const double a = 0.445948490915965, wa = 0.223381589678011, b = 0.091576213509771, wb = 0.109951743655322;
     static const std::array<double, 4> of_triangle[6] = {{1 - 2 * a, a, a, wa}, {a, 1 - 2 * a, a, wa},
@@ -215,7 +217,6 @@ private:
     const bool is_quad = f.corner[3] != none;
     const std::array<double, 4>* rule = is_quad ? of_quad : of_triangle;
     const std::size_t number = is_quad ? 3 : 6;
-    move_to(f, wall);
     Facet_balance result;
     const auto add = [&](Index v, double missing, double area, const Vector_3d& n) {
       for (std::size_t k = 0; k < 4; ++k)
@@ -232,7 +233,7 @@ private:
       std::array<double, 3> missing = {0, 0, 0};
       for (std::size_t i = 0; i < number; ++i) {
         const std::array<double, 4>& q = rule[i];
-        const double d = wall.distance(q[0] * p[0] + q[1] * p[1] + q[2] * p[2], n, bound);
+        const double d = wall.distance(q[0] * p[0] + q[1] * p[1] + q[2] * p[2], n, bound, input_);
         for (std::size_t k = 0; k < 3; ++k)
           missing[k] += q[3] * area * q[k] * d;
       }
@@ -247,33 +248,34 @@ private:
     return std::sqrt((std::max)(squared_norm(triangle[1] - triangle[0]), squared_norm(triangle[2] - triangle[0]))) / 2;
   }
 
-  // To the ball that a facet is in but for its corners: the points that count are not there.
-  void move_to(const Facet& f, Input_surface::Wall_nearby& wall) const {
+  // The ball that a facet is in but for its corners: the points that count are not there.
+  Input_surface::Surroundings surroundings(const Facet& f) const {
     const double part = f.corner[3] == none ? 0.73 : 0.84; // of the way from the middle to a corner
-    Vector_3d middle;
-    double corners = 0, radius = 0, bound = 0;
+    Input_surface::Surroundings result = {Vector_3d(), 0, 0};
+    double corners = 0;
     for (Index v : f.corner)
       if (v != none) {
-        middle += points_[v];
+        result.center += points_[v];
         ++corners;
       }
-    middle = (1 / corners) * middle;
+    result.center = (1 / corners) * result.center;
     for (Index v : f.corner)
       if (v != none)
-        radius = (std::max)(radius, part * norm(points_[v] - middle));
+        result.radius = (std::max)(result.radius, part * norm(points_[v] - result.center));
     for_each_triangle(f, [&](const std::array<Index, 3>&, const std::array<Vector_3d, 3>& p) {
-      bound = (std::max)(bound, bound_of(p));
+      result.bound = (std::max)(result.bound, bound_of(p));
     });
-    wall.move_to(middle, radius, bound);
+    return result;
   }
 
   void move_wall() {
     const std::vector<Vector_3d> normal = wall_normals();
     std::vector<Facet_balance> of_facet(facets_.size());
     for_each_range(facets_.size(), threads_, [&](std::size_t first, std::size_t last) {
-      Input_surface::Wall_nearby wall(input_);
-      for (std::size_t i = first; i < last; ++i)
-        of_facet[i] = balance_of(facets_[i], normal, wall);
+      for (std::size_t i = first; i < last; ++i) {
+        around_[i].move_to(surroundings(facets_[i]), input_);
+        of_facet[i] = balance_of(facets_[i], normal, around_[i]);
+      }
     });
     std::vector<Balance> balance(points_.size());
     for (std::size_t i = 0; i < facets_.size(); ++i)
@@ -310,8 +312,9 @@ private:
   std::vector<Vector_3d> points_;
   std::vector<int> opening_; // of each vertex: the label of the opening that it is on the rim of, or 0
   std::vector<char> is_on_wall_;
-  std::vector<Facet> facets_;   // of the wall
-  std::vector<Rim_edge> edges_; // where it meets openings
+  std::vector<Facet> facets_;                      // of the wall
+  std::vector<Input_surface::Wall_nearby> around_; // of each facet
+  std::vector<Rim_edge> edges_;                    // where it meets openings
 };
 
 } // namespace CGAL::Tubular_meshing::internal

@@ -193,7 +193,7 @@ public:
       if (store.is_used(v))
         order.push_back(v);
     }
-    order_in_space(points, order);
+    order_in_space(points, order, threads);
     put_in_order(order, metric_);
     put_in_order(order, location_);
     put_in_order(order, on_surface_);
