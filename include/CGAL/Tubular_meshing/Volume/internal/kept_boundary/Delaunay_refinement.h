@@ -6,6 +6,7 @@
 
 #include <CGAL/Tubular_meshing/Volume/internal/Speculation.h>
 #include <CGAL/Tubular_meshing/Volume/internal/Tetrahedron_store.h>
+#include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/Size_criterion.h>
 #include <CGAL/Tubular_meshing/base/Function_view.h>
 #include <CGAL/Tubular_meshing/base/interruption.h>
 #include <CGAL/Tubular_meshing/base/parallel.h>
@@ -19,44 +20,6 @@
 
 namespace CGAL::Tubular_meshing::internal {
 
-/* A size at the vertices of tetrahedra, each asked for once, and so known in their middles where it hardly changes: of
- * thirty tetrahedra that come with a point, hardly one is too large. */
-class Size_at_vertices {
-public:
-  typedef Tetrahedron_store::Index Index;
-
-  Size_at_vertices(const Tetrahedron_store& store, Length_function size, int threads)
-      : size_(size)
-      , at_(store.number_of_vertices()) {
-    for_each_range(at_.size(), threads, [&](std::size_t first, std::size_t last) {
-      for (std::size_t v = first; v < last; ++v)
-        at_[v] = at(store.point(Index(v)));
-    });
-  }
-
-  double at(const Vector_3d& p) const { return size_(Point_3(p.x, p.y, p.z)); }
-
-  // In the middle of a tetrahedron.
-  double inside(const Tetrahedron_store::Vertices& v, const Vector_3d& middle) const {
-    const double a = at_[v[0]], b = at_[v[1]], c = at_[v[2]], d = at_[v[3]];
-    const double least = (std::min)((std::min)(a, b), (std::min)(c, d));
-    const double most = (std::max)((std::max)(a, b), (std::max)(c, d));
-    return most <= alike * least ? 0.25 * (a + b + c + d) : at(middle);
-  }
-
-  void set(Index v, double size) {
-    if (v >= at_.size())
-      at_.resize(v + 1);
-    at_[v] = size;
-  }
-
-private:
-  static constexpr double alike = 1.1;
-
-  Length_function size_;
-  std::vector<double> at_;
-};
-
 /* Looks for a point that splits one tetrahedron that is larger than a size allows: its circumcenter or, where the
  * boundary is in the way and coarser than the inside, its middle. The tetrahedra whose circumscribed spheres contain
  * that point, and which are reached from the first without crossing a labelled facet, make room for those between it and
@@ -66,31 +29,21 @@ public:
   typedef Tetrahedron_store Store;
   typedef Store::Index Index;
 
-  Delaunay_insertion(const Store& store, const Size_at_vertices& size, double radius_bound)
+  Delaunay_insertion(const Store& store, const Size_criterion& size)
       : store_(store)
-      , size_(size)
-      , radius_bound_(radius_bound) {}
+      , size_(size) {}
 
   /* Whether t is too large. Then is_possible() says whether a point was found. */
   bool find(Index t) {
     seen_.clear();
     is_possible_ = false;
-    if (!store_.is_alive(t))
+    const auto excess = size_.excess(t);
+    if (!excess)
       return false;
-    const auto& w = store_[t].v;
-    const Vector_3d& p = store_.point(w[0]);
-    const Vector_3d a = store_.point(w[1]) - p, b = store_.point(w[2]) - p, c = store_.point(w[3]) - p;
-    const Vector_3d middle = p + 0.25 * (a + b + c);
-    const double h = size_.inside(w, middle), denominator = 2 * dot(a, cross(b, c));
-    if (!(denominator > 0))
-      return false;
-    const Vector_3d to_center = (1 / denominator) * (squared_norm(a) * cross(b, c) + squared_norm(b) * cross(c, a) +
-                                                     squared_norm(c) * cross(a, b));
-    if (squared_norm(to_center) <= radius_bound_ * radius_bound_ * h * h)
-      return false;
-    is_possible_ = try_at(p + to_center, t, 0, h) || try_at(middle, t, least_spacing * h, h);
+    const double h = excess->size;
+    is_possible_ = try_at(excess->circumcenter, t, 0, h) || try_at(excess->middle, t, least_spacing * h, h);
     if (is_possible_)
-      size_at_point_ = size_.at(point_);
+      size_at_point_ = size_.size_at(point_);
     return true;
   }
   bool is_possible() const { return is_possible_; }
@@ -100,9 +53,9 @@ public:
     return std::all_of(seen_.begin(), seen_.end(), [&](Index t) { return store_.is_alive(t) && came[t] <= since; });
   }
 
-  void commit(Store& store, Size_at_vertices& size, Store::Index_list& come) const {
+  void commit(Store& store, Size_criterion& size, Store::Index_list& come) const {
     store.replace_by_star(cavity_, facets_, point_, come);
-    size.set(store[come.front()].v[0], size_at_point_);
+    size.set_size(store[come.front()].v[0], size_at_point_);
   }
 
 private:
@@ -224,8 +177,7 @@ private:
   }
 
   const Store& store_;
-  const Size_at_vertices& size_;
-  double radius_bound_;
+  const Size_criterion& size_;
 
   // what was found last
   bool is_possible_ = false;
@@ -249,8 +201,9 @@ public:
   // `radius_bound`: the largest circumscribed radius, over the size there.
   Delaunay_refinement(Store& store, Length_function size, double radius_bound, int threads)
       : store_(store)
-      , size_(store, size, threads)
-      , insertions_(threads, batch, store, size_, radius_bound) {}
+      , threads_(threads)
+      , size_(store, size, radius_bound, threads)
+      , insertions_(threads, batch, store, size_) {}
 
   // Returns the number of points added, which is `most` if there was no room for more.
   std::size_t operator()(std::size_t most) {
@@ -260,6 +213,7 @@ public:
     came_.assign(store_.number_of_slots(), now_);
     for (; !todo.empty() && added < most; todo.swap(next)) {
       next.clear();
+      keep_too_large(todo);
       interleave(todo);
       insertions_.run([&] { return added < most ? todo.size() : 0; }, [&] { return now_; },
                       [&](Delaunay_insertion& i, std::size_t k) { return i.find(todo[k]); },
@@ -281,6 +235,20 @@ private:
   typedef std::uint32_t Time;
   static constexpr std::size_t batch = 128;
 
+  // Of thirty tetrahedra that come with a point hardly one is.
+  void keep_too_large(std::vector<Index>& list) const {
+    std::vector<char> is_small(list.size());
+    for_each_range(list.size(), threads_, [&](std::size_t first, std::size_t last) {
+      for (std::size_t k = first; k < last; ++k)
+        is_small[k] = !size_.excess(list[k]);
+    });
+    std::size_t kept = 0;
+    for (std::size_t k = 0; k < list.size(); ++k)
+      if (!is_small[k])
+        list[kept++] = list[k];
+    list.resize(kept);
+  }
+
   // Neighbors in the list are neighbors in space, and would be in each other's way: those of a batch come from as many
   // parts of the list.
   static void interleave(std::vector<Index>& list) {
@@ -301,7 +269,8 @@ private:
   }
 
   Store& store_;
-  Size_at_vertices size_;
+  int threads_;
+  Size_criterion size_;
   Speculation<Delaunay_insertion> insertions_;
   Time now_ = 0;
   std::vector<Time> came_; // of each tetrahedron

@@ -133,15 +133,18 @@ public:
       double squared_distance;
     };
 
+    static float rounded_down(double d) { return float((1 - 1e-7) * d); }
+
     void find(const Surroundings& s, const Input_surface& input) {
       of_ = s;
       triangles_.clear();
       double reach = s.bound + s.radius, reach2 = reach * reach;
       input.wall_.for_each_near(to_double_point(s.center), reach2,
                                 [&](std::size_t i, const Double_kernel::Triangle_3&, double d2) {
-                                  triangles_.emplace_back(std::sqrt(d2), std::uint32_t(i));
+                                  const double d = std::sqrt(d2);
+                                  triangles_.emplace_back(rounded_down(d), std::uint32_t(i));
                                   // no further than this from any of its points
-                                  reach = (std::min)(reach, triangles_.back().first + 2 * s.radius);
+                                  reach = (std::min)(reach, d + 2 * s.radius);
                                   reach2 = reach * reach;
                                 });
       std::sort(triangles_.begin(), triangles_.end());
@@ -151,7 +154,7 @@ public:
     }
 
     Surroundings of_ = {Vector_3d(), -1, -1};
-    std::vector<std::pair<double, std::uint32_t>> triangles_; // distance from the center and number, nearest first
+    std::vector<std::pair<float, std::uint32_t>> triangles_; // distance from the center and number, nearest first
   };
 
   // The same as Wall_nearby::distance() for the rim of an opening, n in its plane.
