@@ -8,6 +8,8 @@
 #include "solver_meshes.h"
 
 #include <CGAL/Tubular_meshing/IO/hdf5_at_exit.h>
+#include <CGAL/Tubular_meshing/IO/internal/Mesh_nodes.h>
+#include <CGAL/Tubular_meshing/IO/internal/write_nodes.h>
 #include <CGAL/Tubular_meshing/IO/write_cgns.h>
 #include <CGAL/Tubular_meshing/IO/write_exodus.h>
 #include <CGAL/Tubular_meshing/IO/write_mesh.h>
@@ -352,6 +354,38 @@ struct Exodus {
   }
 };
 
+void expect_read_back_equal(const Named_mesh& m, const Exodus& exodus) {
+  EXPECT_TRUE(exodus.points == m.mesh.points);
+  const std::map<std::size_t, std::string> types = {{4, "TETRA4"}, {5, "PYRAMID5"}, {6, "WEDGE6"}, {8, "HEX8"}};
+  std::vector<std::pair<std::string, std::vector<std::size_t>>> elements;
+  for (const auto& r : cells_of(m.mesh)) {
+    for (const auto& c : r.second)
+      elements.emplace_back(types.at(c.size()), c);
+    EXPECT_EQ(exodus.blocks.at(name_of(m.mesh.region_names, r.first, "region_")).id, r.first);
+  }
+  EXPECT_EQ(exodus.elements, elements);
+  const Faces_of_cells faces(m.mesh);
+  std::vector<int> region; // of each element of the file
+  for (const auto& r : cells_of(m.mesh))
+    region.insert(region.end(), r.second.size(), r.first);
+  for (const auto& p : facets_of(m.mesh)) {
+    const auto& set = exodus.sets.at(m.mesh.patch_names.at(p.first));
+    EXPECT_EQ(set.id, p.first);
+    std::set<Corners> facets;
+    for (std::size_t i = 0; i < set.elements.size(); ++i) {
+      const Corners facet = exodus.side(set.elements[i], set.sides[i]);
+      EXPECT_TRUE(facets.insert(facet).second);
+      int highest = 0;
+      for (std::size_t c = 0; c < faces.faces.size(); ++c)
+        if (faces.corners(c).count(facet) != 0)
+          highest = std::max(highest, faces.region[c]);
+      EXPECT_EQ(region.at(std::size_t(set.elements[i] - 1)), highest);
+    }
+    EXPECT_EQ(facets, p.second);
+  }
+  EXPECT_EQ(exodus.sets.size(), facets_of(m.mesh).size());
+}
+
 } // namespace
 
 TEST_F(IO, Exodus_meshes_are_read_back_equal) {
@@ -359,37 +393,27 @@ TEST_F(IO, Exodus_meshes_are_read_back_equal) {
   for (const Named_mesh& m : solver_meshes()) {
     SCOPED_TRACE(m.name);
     TM::IO::write_exodus(path("m.exo"), m.mesh);
-    const Exodus exodus(path("m.exo"));
-    EXPECT_TRUE(exodus.points == m.mesh.points);
-    const std::map<std::size_t, std::string> types = {{4, "TETRA4"}, {5, "PYRAMID5"}, {6, "WEDGE6"}, {8, "HEX8"}};
-    std::vector<std::pair<std::string, std::vector<std::size_t>>> elements;
-    for (const auto& r : cells_of(m.mesh)) {
-      for (const auto& c : r.second)
-        elements.emplace_back(types.at(c.size()), c);
-      EXPECT_EQ(exodus.blocks.at(name_of(m.mesh.region_names, r.first, "region_")).id, r.first);
-    }
-    EXPECT_EQ(exodus.elements, elements);
-    const Faces_of_cells faces(m.mesh);
-    std::vector<int> region; // of each element of the file
-    for (const auto& r : cells_of(m.mesh))
-      region.insert(region.end(), r.second.size(), r.first);
-    for (const auto& p : facets_of(m.mesh)) {
-      const auto& set = exodus.sets.at(m.mesh.patch_names.at(p.first));
-      EXPECT_EQ(set.id, p.first);
-      std::set<Corners> facets;
-      for (std::size_t i = 0; i < set.elements.size(); ++i) {
-        const Corners facet = exodus.side(set.elements[i], set.sides[i]);
-        EXPECT_TRUE(facets.insert(facet).second);
-        int highest = 0;
-        for (std::size_t c = 0; c < faces.faces.size(); ++c)
-          if (faces.corners(c).count(facet) != 0)
-            highest = std::max(highest, faces.region[c]);
-        EXPECT_EQ(region.at(std::size_t(set.elements[i] - 1)), highest);
-      }
-      EXPECT_EQ(facets, p.second);
-    }
-    EXPECT_EQ(exodus.sets.size(), facets_of(m.mesh).size());
+    expect_read_back_equal(m, Exodus(path("m.exo")));
+    EXPECT_EQ(bytes_of(path("m.exo")).substr(0, 4), "CDF\2"); // classic, of 64-bit offsets
     EXPECT_EQ(number_of_files(), 1u);
+  }
+}
+
+// As those are whose blocks take more than 4 GiB: here, more than three bytes.
+TEST_F(IO, Exodus_meshes_too_large_for_classic_files_are_read_back_equal) {
+  for (const Named_mesh& m : solver_meshes()) {
+    SCOPED_TRACE(m.name);
+    TM::IO::Output_file out(path("m.exo"));
+    TM::IO::internal::write_exodus(out, m.mesh, 3);
+    out.commit();
+    expect_read_back_equal(m, Exodus(path("m.exo")));
+    EXPECT_EQ(bytes_of(path("m.exo")).substr(0, 4), "\x89HDF");
+    EXPECT_EQ(number_of_files(), 1u);
+    TM::IO::Output_file again(path("n.exo"));
+    TM::IO::internal::write_exodus(again, m.mesh, 3);
+    again.commit();
+    EXPECT_EQ(bytes_of(path("m.exo")), bytes_of(path("n.exo")));
+    fs::remove(path("n.exo"));
   }
 }
 

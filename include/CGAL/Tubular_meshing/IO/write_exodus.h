@@ -35,6 +35,9 @@ void write_exodus(Output_file& file, const Mixed_mesh& mesh);
  *   Where it lies between two regions, that is the side of the higher one, the wall.
  * - A name that is there twice gets a number. Names may be longer than the 32 bytes that older programs read.
  * - Coordinates are kept to the last bit. Point arrays are not written, nor are points that no cell has.
+ * - The file is a classic one of netCDF, with 64-bit offsets, which all programs read. Where a block's corners, or
+ *   the coordinates, take more than 4 GiB, as those of 268 million tetrahedra or of 40 million hexahedra of 27 nodes, which
+ *   such a file cannot hold, it is one of netCDF-4. Points and cells are at most 2,147,483,647 each.
  *
  * It is there where the package was built with the Exodus II library, see has_exodus(). O(n log n).
  *

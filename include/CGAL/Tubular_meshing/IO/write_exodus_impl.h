@@ -23,6 +23,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <set>
 #include <string>
@@ -36,7 +37,7 @@ namespace internal {
 
 class Exodus_writer {
 public:
-  Exodus_writer(Output_file& file, const Mesh_nodes& nodes)
+  Exodus_writer(Output_file& file, const Mesh_nodes& nodes, std::uint64_t largest_variable)
       : file_(file)
       , nodes_(nodes)
       , mesh_(nodes.mesh())
@@ -44,7 +45,8 @@ public:
       , facets_(cells_, file.name())
       , points_(nodes, &any_region)
       , order_(cells_)
-      , blocks_(order_.blocks()) {}
+      , blocks_(order_.blocks())
+      , largest_variable_(largest_variable) {}
   Exodus_writer(const Exodus_writer&) = delete;
   ~Exodus_writer() {
     if (exodus_ >= 0)
@@ -54,12 +56,17 @@ public:
   void write() {
     if (blocks_.empty())
       refuse(file_.name(), "its format is for meshes with cells, and this one has none", write_vtu_instead);
+    if ((std::max)(points_.size(), cells_.size()) > std::size_t((std::numeric_limits<int>::max)()))
+      refuse(file_.name(), "it has more points or cells than numbers of 32 bits, which it is written with, can count",
+             write_vtu_instead);
     name_blocks();
     name_variables();
     patch_names_ = patch_names_in_file(mesh_, Mesh_format::exodus);
     ex_opts(0); // errors become exceptions, not text
     int of_program = sizeof(double), of_file = sizeof(double);
-    exodus_ = ex_create(file_.name_for_library().c_str(), EX_CLOBBER | EX_LARGE_MODEL, &of_program, &of_file);
+    // Classic files have no larger variables; but all programs read them, so those of netCDF-4 are for what needs them.
+    const int model = size_of_largest_variable() > largest_variable_ ? EX_NETCDF4 : EX_LARGE_MODEL;
+    exodus_ = ex_create(file_.name_for_library().c_str(), EX_CLOBBER | model, &of_program, &of_file);
     check(exodus_);
     allow_long_names();
     check(ex_put_init(exodus_, "Tubular_meshing", 3, std::int64_t(points_.size()), std::int64_t(cells_.size()),
@@ -78,6 +85,15 @@ private:
     if (status < 0)
       refuse(file_.name(), "the Exodus II library failed to write it",
              "check its directory, its permissions and the free space");
+  }
+
+  // In bytes: a coordinate, the corners of a block, or values of its cells. Side sets are smaller than blocks.
+  std::uint64_t size_of_largest_variable() const {
+    std::uint64_t largest = sizeof(double) * std::uint64_t(points_.size());
+    for (const Cells_of_region& b : blocks_)
+      largest =
+          (std::max)(largest, std::uint64_t(b.size) * (std::max)(sizeof(int) * nodes_.number(b.kind), sizeof(double)));
+    return largest;
   }
 
   // The numbers of labels that are there twice, or that the format has not, are the next ones above all of them.
@@ -242,6 +258,7 @@ private:
   const Used_points points_;
   const Cells_by_region order_;
   const std::vector<Cells_of_region>& blocks_;
+  const std::uint64_t largest_variable_;
   std::vector<std::string> block_names_;
   std::vector<int> block_ids_;
   std::vector<std::string> variable_names_;
@@ -263,11 +280,13 @@ CGAL_TUBULAR_MESHING_INLINE bool has_exodus() {
 
 namespace internal {
 
-CGAL_TUBULAR_MESHING_INLINE void write_exodus(Output_file& file, const Mesh_nodes& nodes) {
+CGAL_TUBULAR_MESHING_INLINE void write_exodus(Output_file& file, const Mesh_nodes& nodes,
+                                              std::uint64_t largest_variable) {
   check_mesh(nodes.mesh(), file.name());
 #ifdef CGAL_TUBULAR_MESHING_WITH_EXODUS
-  Exodus_writer(file, nodes).write();
+  Exodus_writer(file, nodes, largest_variable).write();
 #else
+  (void)largest_variable;
   throw Output_error(why_not_built_in(Mesh_format::exodus));
 #endif
 }

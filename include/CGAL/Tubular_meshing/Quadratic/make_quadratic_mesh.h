@@ -63,8 +63,10 @@ Quadratic_report make_quadratic_mesh(Mixed_mesh linear, const Surface& input, Fa
  * was made from.
  *
  * The smooth surface is a cubic patch over each of the input's triangles, as PN triangles are \cgalCite{vlachos2001},
- * with sides that are arcs of circles where the input's vertices are on one; normals are those of the wall alone. The
- * rims of openings are smooth curves in their planes. Corners of the mesh's wall go to this surface, and so do
+ * with sides that are arcs of circles where the input's vertices are on one; normals are those of the wall alone. At
+ * creases and pointed ends, where a vertex's normal does not fit its edges, sides go by the normal at the other end, or are
+ * straight; the wall's corner next to a pointed end that the mesh has cut off goes to it. The rims of openings are smooth
+ * curves in their planes. Corners of the mesh's wall go to this surface, and so do
  * the nodes of its edges and, in complete elements, of its quads; a displacement that gave a linear mesh the volume of
  * the surface is undone thereby, see preserve_volume(). What lies in openings stays in their planes. Nodes inside follow
  * those of the wall, so that layers along it curve with it, less and less, and not beyond half the local radius; so do

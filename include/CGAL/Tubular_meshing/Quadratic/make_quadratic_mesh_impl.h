@@ -10,13 +10,18 @@
 #include <CGAL/Tubular_meshing/Quadratic/internal/Smooth_wall.h>
 #include <CGAL/Tubular_meshing/Quadratic/internal/Wall_follower.h>
 #include <CGAL/Tubular_meshing/Quadratic/make_quadratic_mesh.h>
+#include <CGAL/Tubular_meshing/base/Nearest_tree.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
+#include <CGAL/Tubular_meshing/base/labels.h>
 #include <CGAL/Tubular_meshing/base/parallel.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -116,6 +121,53 @@ private:
       }
     });
     lost_ += std::size_t(std::count(is_lost.begin(), is_lost.end(), 1));
+    if (!wall_.tips().empty())
+      move_corners_to_tips();
+  }
+
+  /* A tip of the wall that the mesh has cut off gets the next corner. Those that are as good as on the mesh's wall do
+   * not: they are no more than roughness. */
+  void move_corners_to_tips() {
+    constexpr double least_gap = 0.05; // of an edge's length
+    std::vector<std::array<std::uint32_t, 3>> facets;
+    std::vector<Double_kernel::Triangle_3> triangles;
+    for_each_triangle_of_wall([&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+      facets.push_back({a, b, c});
+      triangles.emplace_back(to_double_point(corners_[a]), to_double_point(corners_[b]), to_double_point(corners_[c]));
+    });
+    const Nearest_tree<Double_kernel::Triangle_3> tree(std::move(triangles));
+    std::map<std::uint32_t, std::pair<double, Vector_3d>> tip_of; // of a corner the nearest one
+    for (const Smooth_wall::Place& tip : wall_.tips()) {
+      const auto found = tree.nearest(to_double_point(tip.point), (std::numeric_limits<double>::infinity)());
+      if (found.index >= facets.size())
+        continue;
+      const auto& f = facets[found.index];
+      const std::uint32_t corner = *std::min_element(f.begin(), f.end(), [&](std::uint32_t a, std::uint32_t b) {
+        return squared_norm(corners_[a] - tip.point) < squared_norm(corners_[b] - tip.point);
+      });
+      const double reach = sites_.reach(corner), gap = std::sqrt(found.squared_distance);
+      const double way = norm(corners_[corner] - tip.point);
+      if (sites_.corner(corner).rim != 0 || sites_.corner(corner).plane != 0 || gap < least_gap * reach ||
+          way > reach || !(dot(sites_.normal(corner), tip.normal) > 0))
+        continue;
+      const auto place = tip_of.emplace(corner, std::make_pair(way, tip.point)).first;
+      if (way < place->second.first)
+        place->second = {way, tip.point};
+    }
+    for (const auto& t : tip_of)
+      corners_[t.first] = t.second.second;
+  }
+
+  template <class F> void for_each_triangle_of_wall(const F& f) const {
+    const auto& triangles = mesh_.linear.triangles;
+    for (std::size_t i = 0; i < triangles.size(); ++i)
+      if (triangles.label[i] == labels::wall)
+        f(triangles.vertices[i][0], triangles.vertices[i][1], triangles.vertices[i][2]);
+    const auto& quads = mesh_.linear.quads;
+    for (std::size_t i = 0; i < quads.size(); ++i)
+      if (quads.label[i] == labels::wall)
+        for (std::size_t k = 1; k < 3; ++k)
+          f(quads.vertices[i][0], quads.vertices[i][k], quads.vertices[i][k + 1]);
   }
 
   void move_edges_of_wall() {

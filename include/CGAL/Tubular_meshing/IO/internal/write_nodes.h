@@ -12,6 +12,7 @@
 #include <CGAL/Tubular_meshing/base/Cell_array.h>
 #include <CGAL/Tubular_meshing/base/config.h>
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -22,7 +23,8 @@ namespace CGAL::Tubular_meshing::IO::internal {
 void write_svmultiphysics(Output_folder& folder, const Mesh_nodes& nodes);
 void write_febio(Output_file& file, const Mesh_nodes& nodes);
 void write_xdmf(Output_file& file, const Mesh_nodes& nodes);
-void write_exodus(Output_file& file, const Mesh_nodes& nodes);
+// A file with a variable of more bytes than those that classic netCDF files have at most is one of netCDF-4.
+void write_exodus(Output_file& file, const Mesh_nodes& nodes, std::uint64_t largest_variable = 0xfffffffc);
 
 // The same of a mesh in parts.
 void write_parts(Output& output, const Mesh_nodes& nodes, const Cell_partition& partition, Mesh_format format);

@@ -30,11 +30,15 @@ namespace CGAL::Tubular_meshing::internal {
  * its angle. Normals are those of the wall alone, not of the caps beyond a rim. A rim has a curve of its own, in the
  * plane of its opening, and the patches next to it end there.
  *
- * Where the surface has a crease, so that a side would leave its edge at too large an angle, the side is straight. */
+ * At a crease, and at the tip of a vessel that ends in a point, the normal of a vertex is the mean of normals that have
+ * nothing in common. Sides that it does not fit would leave their edge there at a large angle, or at a much larger one
+ * than at the other end, as no arc does. They are arcs by the normal at the other end, and straight where that does not
+ * fit either, or where one end is such a tip: there the surface is that of the triangles. */
 class Smooth_wall {
 public:
   Smooth_wall(const Surface& surface, Face_patch_map patch, int threads) {
     add_vertices(surface, patch, threads);
+    find_tips(surface, patch);
     add_rims(surface, patch);
     add_triangles(surface, patch);
   }
@@ -69,6 +73,9 @@ public:
     return place;
   }
 
+  // The points that the wall comes to, each with its normal.
+  const std::vector<Place>& tips() const { return tips_; }
+
   bool has_rim(int opening) const { return rims_.count(opening) != 0; }
 
   /* The point of the rim of an opening next to x, no further than a bound. */
@@ -102,7 +109,9 @@ public:
 private:
   static constexpr int most_rounds = 6;
   static constexpr double squared_tolerance = 1e-20;
-  static constexpr double least_cosine = 0.766; // of 40 degrees, between an edge and the surface at its end
+  // Of the angle between an edge and the surface at its end: at most 40 degrees; and 15 where the other end has none,
+  // which puts a side off its edge by a twenty-fifth of its length.
+  static constexpr double least_cosine = 0.766, largest_sine = 0.643, sine_alone = 0.259;
   typedef std::uint32_t Index;
 
   struct Patch {
@@ -168,9 +177,58 @@ private:
     return p + (2 * length / (3 * (1 + cosine))) * tangent;
   }
 
-  Vector_3d control_by_normal(Index p, Index q) const {
+  // The sine of the angle between the surface at p and the edge to q, positive where the surface is convex.
+  double fall(Index p, Index q) const {
     const Vector_3d chord = points_[q] - points_[p];
-    return control(points_[p], points_[q], normalized(chord - dot(chord, normals_[p]) * normals_[p]));
+    const double length = norm(chord);
+    return length > 0 ? -dot(chord, normals_[p]) / length : 0;
+  }
+
+  // Whether an edge that leaves the surface so at one end may leave it so at the other; on an arc it does alike.
+  static bool fits(double sine, double other) {
+    const double alike = (std::max)(0., sine > 0 ? other : -other);
+    return std::abs(sine) <= (std::min)(largest_sine, sine_alone + 2 * alike);
+  }
+
+  Vector_3d control_by_normal(Index p, Index q) const {
+    const double here = fall(p, q), there = fall(q, p);
+    if (is_tip_[p] || is_tip_[q])
+      return points_[p] + (1. / 3) * (points_[q] - points_[p]);
+    if (fits(here, there))
+      return control(points_[p], points_[q], tangent(p, q));
+    const Vector_3d chord = points_[q] - points_[p], other = tangent(q, p);
+    if (!fits(there, here) || !(squared_norm(chord) > 0))
+      return points_[p] + (1. / 3) * chord;
+    const Vector_3d mirrored = other - (2 * dot(other, chord) / squared_norm(chord)) * chord;
+    return control(points_[p], points_[q], mirrored);
+  }
+
+  // Of the surface at p, towards q.
+  Vector_3d tangent(Index p, Index q) const {
+    const Vector_3d chord = points_[q] - points_[p];
+    return normalized(chord - dot(chord, normals_[p]) * normals_[p]);
+  }
+
+  // Vertices whose normal fits hardly any of their edges: one along a crease fits its two sides of the crease.
+  void find_tips(const Surface& surface, Face_patch_map patch) {
+    const double most = 0.25;
+    is_tip_.assign(points_.size(), 0);
+    for (auto v : surface.vertices()) {
+      const Index p = number_[std::size_t(v)];
+      std::size_t edges = 0, fitting = 0;
+      bool is_of_wall = true;
+      for (auto h : surface.halfedges_around_target(surface.halfedge(v))) {
+        const auto f = surface.face(h);
+        is_of_wall = is_of_wall && f != Surface::null_face() && patch[f] == labels::wall;
+        const Index q = number_[std::size_t(surface.source(h))];
+        ++edges;
+        fitting += fits(fall(p, q), fall(q, p)) ? 1 : 0;
+      }
+      if (!is_of_wall || double(fitting) > most * double(edges))
+        continue;
+      is_tip_[p] = 1;
+      tips_.push_back({points_[p], normals_[p]});
+    }
   }
 
   static std::pair<Index, Index> key(Index a, Index b) { return {(std::min)(a, b), (std::max)(a, b)}; }
@@ -301,6 +359,8 @@ private:
   }
 
   std::vector<Vector_3d> points_, normals_;
+  std::vector<char> is_tip_;
+  std::vector<Place> tips_;
   std::vector<Index> number_;
   std::map<std::pair<Index, Index>, Curve> rim_curve_; // by the edge, from its lower vertex
   std::map<int, Rim> rims_;
