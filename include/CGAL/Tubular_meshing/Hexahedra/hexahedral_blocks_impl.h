@@ -294,7 +294,7 @@ private:
   }
 
   Cover_of_lumen cover() const {
-    return Cover_of_lumen(surface_, wall_, graph_, network_, size_, options_.points_per_circumference,
+    return Cover_of_lumen(surface_, wall_, network_, size_, options_.points_per_circumference,
                           options_.number_of_threads);
   }
 

@@ -4,7 +4,6 @@
 #ifndef CGAL_TUBULAR_MESHING_HEXAHEDRA_INTERNAL_COVER_OF_LUMEN_H
 #define CGAL_TUBULAR_MESHING_HEXAHEDRA_INTERNAL_COVER_OF_LUMEN_H
 
-#include <CGAL/Tubular_meshing/Centerlines/Centerline_field.h>
 #include <CGAL/Tubular_meshing/Centerlines/Wall_distance.h>
 #include <CGAL/Tubular_meshing/Hexahedra/internal/Block_builder.h>
 #include <CGAL/Tubular_meshing/Hexahedra/internal/Hexahedron_overlaps.h>
@@ -32,11 +31,10 @@ namespace CGAL::Tubular_meshing::internal {
 /* Whether hexahedra along vessels fill the lumen, all of it and once. */
 class Cover_of_lumen {
 public:
-  Cover_of_lumen(const Surface& surface, const Wall_of_lumen& wall, const Centerline_graph& graph,
-                 const Vessel_network& network, Length_function size, double points_per_circumference, int threads)
+  Cover_of_lumen(const Surface& surface, const Wall_of_lumen& wall, const Vessel_network& network, Length_function size,
+                 double points_per_circumference, int threads)
       : surface_(surface)
       , wall_(wall)
-      , centerlines_(graph)
       , network_(network)
       , size_(size)
       , size_of_radius_(2 * pi / points_per_circumference)
@@ -134,9 +132,8 @@ private:
         const Wall_distance::Place q = distance.closest_place(p);
         const auto t = distance.triangle(q.triangle);
         const double edge = std::pow(CGAL::cross_product(t[1] - t[0], t[2] - t[0]).squared_length(), 0.25);
-        // the size is small where the wall has a pit or a spike, quads on a blind end are, and lines end in tips
-        const double radius =
-            (std::max)((std::max)(edge, size_(q.point)) / size_of_radius_, centerlines_.radius(q.point));
+        // of a quad and of the size, as that is small where the wall has a pit or a spike
+        const double radius = (std::max)(edge, size_(q.point)) / size_of_radius_;
         result.length[i] = std::sqrt(CGAL::squared_distance(p, q.point));
         result.in_radii[i] = result.length[i] / radius;
       }
@@ -201,7 +198,6 @@ private:
 
   const Surface& surface_;
   const Wall_of_lumen& wall_;
-  Centerline_field centerlines_;
   const Vessel_network& network_;
   Length_function size_;
   double size_of_radius_; // the mesh size where the radius is 1

@@ -4,12 +4,13 @@
 #ifndef CGAL_TUBULAR_MESHING_PIPELINES_INTERNAL_CHECK_REQUESTS_H
 #define CGAL_TUBULAR_MESHING_PIPELINES_INTERNAL_CHECK_REQUESTS_H
 
-#include <CGAL/Tubular_meshing/Centerlines/Centerline_field.h>
 #include <CGAL/Tubular_meshing/Centerlines/Wall_distance.h>
 #include <CGAL/Tubular_meshing/Fields/Size_requests.h>
 #include <CGAL/Tubular_meshing/Pipelines/Tubular_model.h>
+#include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
-#include <CGAL/Tubular_meshing/base/labels.h>
+
+#include <CGAL/Side_of_triangle_mesh.h>
 
 #include <cstddef>
 #include <string>
@@ -25,16 +26,13 @@ inline void check_requests(const Size_requests& requests, const Tubular_model& m
                             std::to_string(branches) + ", counted from 0.");
   if (requests.balls.empty())
     return;
-  const Wall_distance wall(model.surface, model.patch, labels::wall);
-  const Centerline_field centerlines(model.centerlines);
-  for (const Size_requests::Ball& b : requests.balls) {
-    const Point_3 on_wall = wall.closest_point(b.center), on_line = centerlines.descriptors(on_wall).point;
-    const bool outside = squared_distance(b.center, on_line) > squared_distance(on_wall, on_line);
-    if (outside && squared_distance(b.center, on_wall) > b.radius * b.radius)
+  const Wall_distance distance(model.surface);
+  const Side_of_triangle_mesh<Surface, Kernel> side(model.surface);
+  for (const Size_requests::Ball& b : requests.balls)
+    if (side(b.center) == ON_UNBOUNDED_SIDE && distance(b.center) > b.radius)
       throw Parameter_error(Sentence("The ball at ") + place_of(b.center) +
                             " in which the mesh is to be refined does not reach the lumen: check its place and "
                             "radius.");
-  }
 }
 
 } // namespace CGAL::Tubular_meshing::internal
