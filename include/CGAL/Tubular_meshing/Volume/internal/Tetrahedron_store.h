@@ -193,17 +193,18 @@ public:
 
   // The tetrahedra around a vertex, by a walk from neighbor to neighbor.
   template <class List> void star(Index v, List& tetrahedra) const {
-    const std::size_t few = 64; // up to which looking through a list is the quickest
-    std::unordered_set<Index> known;
+    Few_numbers known;
+    std::unordered_set<Index> more; // where they are no longer few
     const auto is_known = [&](Index t) {
-      if (tetrahedra.size() < few)
-        return std::find(tetrahedra.begin(), tetrahedra.end(), t) != tetrahedra.end();
-      if (known.empty())
-        known.insert(tetrahedra.begin(), tetrahedra.end());
-      return !known.insert(t).second;
+      if (more.empty() && !known.is_full())
+        return !known.insert(t);
+      if (more.empty())
+        more.insert(tetrahedra.begin(), tetrahedra.end());
+      return !more.insert(t).second;
     };
     tetrahedra.clear();
     tetrahedra.push_back(at_vertex_[v]);
+    known.insert(at_vertex_[v]);
     for (std::size_t k = 0; k < tetrahedra.size(); ++k) {
       const Tetrahedron& t = tetrahedra_[tetrahedra[k]];
       for (int i = 0; i < 4; ++i)
@@ -273,7 +274,7 @@ public:
     boost::container::small_vector<Side, 64> open;
     const auto label_of = [&facets](const Facet_vertices& k) {
       for (const Labelled_facet& f : facets)
-        if (sorted(f.v) == k)
+        if (are_equal(sorted(f.v), k))
           return f.label;
       return std::int32_t(0);
     };
@@ -297,7 +298,7 @@ public:
       for (int i = 0; i < 4; ++i) {
         at_vertex_[v[i]] = t;
         const Facet_vertices k = key(v, i);
-        const auto other = std::find_if(open.begin(), open.end(), [&](const Side& s) { return s.key == k; });
+        const auto other = std::find_if(open.begin(), open.end(), [&](const Side& s) { return are_equal(s.key, k); });
         if (other == open.end()) {
           open.push_back({k, facet(t, i), label_of(k)});
           continue;
@@ -435,6 +436,32 @@ private:
     return number;
   }
 
+  // A set of up to half of its places, which need no memory but the stack's.
+  class Few_numbers {
+  public:
+    Few_numbers() { place_.fill(none); }
+    bool is_full() const { return 2 * size_ >= place_.size(); }
+    // Whether it was not there yet.
+    bool insert(Index n) {
+      std::size_t i = n * 0x9e3779b1u >> 24;
+      while (place_[i] != none && place_[i] != n)
+        i = (i + 1) % place_.size();
+      if (place_[i] == n)
+        return false;
+      place_[i] = n;
+      ++size_;
+      return true;
+    }
+
+  private:
+    std::array<Index, 256> place_;
+    std::size_t size_ = 0;
+  };
+
+  // Not by the library's comparison, which calls one of memory.
+  static bool are_equal(const Facet_vertices& f, const Facet_vertices& g) {
+    return f[0] == g[0] && f[1] == g[1] && f[2] == g[2];
+  }
   static Facet_vertices sorted(Facet_vertices f) {
     if (f[0] > f[1])
       std::swap(f[0], f[1]);

@@ -55,22 +55,23 @@ public:
     return improve_below(threshold, [](Index) { return true; });
   }
 
-  // The same for those of which `is_of_interest(t)` holds.
-  template <class IsOfInterest> std::size_t improve_below(double threshold, const IsOfInterest& is_of_interest) {
+  // The same for those of which `is_of_interest(t)` holds; `where_worst`: see Flip_search::find().
+  template <class IsOfInterest>
+  std::size_t improve_below(double threshold, const IsOfInterest& is_of_interest, bool where_worst = false) {
     std::vector<Index> candidates =
         store_.tetrahedra([&](Index t) { return quality_[t] < threshold && is_of_interest(t); });
-    return improve_these(candidates, threshold);
+    return improve_these(candidates, threshold, where_worst);
   }
 
   // The same for the tetrahedra listed, and what comes of them; new ones are added to the list.
-  std::size_t improve_these(std::vector<Index>& candidates, double threshold) {
+  std::size_t improve_these(std::vector<Index>& candidates, double threshold, bool where_worst = false) {
     std::size_t flips = 0;
     // each flip raises the worst quality of a cavity, so this ends; the bound is against rounding
     const std::size_t most = 20 * candidates.size() + 100;
     searches_.run([&] { return (std::min)(candidates.size(), most); }, [&] { return now(); },
                   [&](Search& search, std::size_t k) {
                     return store_.is_alive(candidates[k]) && quality_[candidates[k]] < threshold &&
-                           search.find(candidates[k]);
+                           search.find(candidates[k], where_worst);
                   },
                   [&](const Search& search, std::size_t, Time since) {
                     return search.is_fresh([&](Index t) { return is_newer(t, since); });

@@ -31,6 +31,14 @@ struct Listed_edge {
 };
 typedef std::vector<Listed_edge> Edge_list;
 
+inline bool is_longer(const Listed_edge& x, const Listed_edge& y) {
+  return std::make_tuple(-x.length, x.a, x.b, x.t) < std::make_tuple(-y.length, y.a, y.b, y.t);
+}
+
+inline bool have_same_ends(const Listed_edge& x, const Listed_edge& y) {
+  return x.a == y.a && x.b == y.b;
+}
+
 // Edges that are known by their ends, in a hash table.
 class Known_edges {
 public:
@@ -58,13 +66,13 @@ private:
   std::vector<std::uint64_t> table_;
 };
 
-/* The edges of the tetrahedra listed (some may be gone) that have a length of interest, each once, the longest first.
- * O(n + m log m) for n tetrahedra and m edges of interest. */
+/* The edges of the tetrahedra listed (some may be gone) that are of interest, each once, the longest first:
+ * is_of_interest(length, a, b). O(n + m log m) for n tetrahedra and m edges of interest. */
 template <class IsOfInterest>
 Edge_list list_edges(const Metric_mesh& mesh, const std::vector<Tetrahedron_store::Index>& tetrahedra,
                      const IsOfInterest& is_of_interest) {
   // by pieces: what is near in the list is mostly near in space, so that few edges are left that are in two of them
-  const std::size_t piece = 4096, pieces = (tetrahedra.size() + piece - 1) / piece;
+  const std::size_t piece = 1024, pieces = (tetrahedra.size() + piece - 1) / piece;
   std::vector<Edge_list> lists(pieces);
   for_each_task(pieces, mesh.threads, [&](std::size_t p) {
     const std::size_t end = (std::min)((p + 1) * piece, tetrahedra.size());
@@ -80,7 +88,7 @@ Edge_list list_edges(const Metric_mesh& mesh, const std::vector<Tetrahedron_stor
           if (!known.insert(ends.first, ends.second))
             continue;
           const float length = float(mesh.length(ends.first, ends.second));
-          if (is_of_interest(double(length)))
+          if (is_of_interest(double(length), ends.first, ends.second))
             lists[p].push_back({length, t, ends.first, ends.second});
         }
     }
@@ -90,12 +98,8 @@ Edge_list list_edges(const Metric_mesh& mesh, const std::vector<Tetrahedron_stor
     edges.insert(edges.end(), list.begin(), list.end());
     Edge_list().swap(list);
   }
-  std::sort(edges.begin(), edges.end(), [](const Listed_edge& x, const Listed_edge& y) {
-    return std::make_tuple(-x.length, x.a, x.b, x.t) < std::make_tuple(-y.length, y.a, y.b, y.t);
-  });
-  edges.erase(std::unique(edges.begin(), edges.end(),
-                          [](const Listed_edge& x, const Listed_edge& y) { return x.a == y.a && x.b == y.b; }),
-              edges.end());
+  std::sort(edges.begin(), edges.end(), is_longer);
+  edges.erase(std::unique(edges.begin(), edges.end(), have_same_ends), edges.end());
   return edges;
 }
 

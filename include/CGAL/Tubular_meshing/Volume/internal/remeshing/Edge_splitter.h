@@ -32,6 +32,8 @@ public:
     if (location_.dimension < 3 && mesh_.keep_boundary)
       return false;
     const Vector_3d a = mesh_.store.point(ring_.a), b = mesh_.store.point(ring_.b), middle = a + s * (b - a);
+    if (is_crowded(middle, bounds.shortest))
+      return false;
     const Vector_3d on_surface = mesh_.project(middle, location_);
     // where the surface is out of reach for the elements as they are, the edge itself will do
     if (try_at(on_surface, true, bounds))
@@ -56,6 +58,7 @@ public:
 
 private:
   static constexpr double wanted_quality = 0.7; // of cones: those above need not be improved
+  static constexpr double by_far = 0.8;         // of the shortest length that is allowed
 
   static double middle_of(const Metric_point& p, const Metric_point& q) {
     const Vector_3d e = q.position - p.position;
@@ -64,6 +67,14 @@ private:
       return 0.5;
     const double s = (std::pow((std::pow(a, 1.5) + std::pow(b, 1.5)) / 2, 2. / 3) - a) / (b - a);
     return (std::min)((std::max)(s, 0.1), 0.9);
+  }
+
+  /* Whether new edges would be too short by far, as the ends' metrics tell: most of the edges that cannot be split are
+   * refused by this already, and the field need not be asked. */
+  bool is_crowded(const Vector_3d& p, double shortest) const {
+    const Metric_point middle = {p, 0.5 * (mesh_.metric(ring_.a) + mesh_.metric(ring_.b))};
+    return std::any_of(ring_.link.begin(), ring_.link.end(),
+                       [&](Index v) { return metric_length(middle, mesh_.at(v)) < by_far * shortest; });
   }
 
   bool try_at(const Vector_3d& p, bool on_surface, const Operation_bounds& bounds) {

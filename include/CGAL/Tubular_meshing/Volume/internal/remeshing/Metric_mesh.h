@@ -163,8 +163,10 @@ public:
     const std::vector<Index> tetrahedra = store.tetrahedra();
     std::vector<float> of_vertex(store.number_of_vertices()), number(store.number_of_vertices());
     std::vector<float> of_tetrahedron(store.number_of_slots());
-    for (Index t : tetrahedra)
-      of_tetrahedron[t] = float(shape(store[t].v).volume);
+    for_each_range(tetrahedra.size(), threads, [&](std::size_t first, std::size_t last) {
+      for (std::size_t k = first; k < last; ++k)
+        of_tetrahedron[tetrahedra[k]] = float(shape(store[tetrahedra[k]].v).volume);
+    });
     for (int round = 0; round < 2; ++round) {
       std::fill(of_vertex.begin(), of_vertex.end(), 0.f);
       std::fill(number.begin(), number.end(), 0.f);

@@ -129,14 +129,12 @@ public:
   typedef Tetrahedron_store Store;
   typedef Store::Index Index;
 
-  // `heights`: whether those of boundary layers count.
-  Metric_relocation(Metric_mesh& mesh, double size, bool heights = true)
-      : mesh_(mesh)
-      , size2_(size * size)
-      , heights_(heights && !mesh.layer_patches.empty())
-      , store_(mesh.store) {
-    stars_.build(store_, [&](Index v) { return mesh_.location(v).dimension != 0; });
-  }
+  Metric_relocation(Metric_mesh& mesh, double size)
+      : Metric_relocation(mesh, size, !mesh.layer_patches.empty(), [](Index) { return true; }) {}
+  // Of those vertices alone for which is_wanted(v), and heights of boundary layers do not count.
+  template <class IsWanted>
+  Metric_relocation(Metric_mesh& mesh, double size, const IsWanted& is_wanted)
+      : Metric_relocation(mesh, size, false, is_wanted) {}
 
   // One visit to each vertex near which something has changed since the last one.
   void sweep() {
@@ -148,12 +146,9 @@ public:
     });
   }
 
-  // One visit to each of these.
-  void sweep(const std::vector<char>& is_wanted) {
-    for_each_movable([&](Index v) {
-      if (is_wanted[v])
-        relocate(v);
-    });
+  // One visit to each vertex.
+  void sweep_all() {
+    for_each_movable([this](Index v) { relocate(v); });
   }
 
   // Brings vertices that are off the surface, where it was out of reach when they were made, onto it.
@@ -165,10 +160,20 @@ public:
   }
 
 private:
-  static constexpr double least_gain = 1e-4; // of the energy; less is not worth the visit
-  static constexpr double most_loss = 1.5;   // for getting onto the surface
-  static constexpr double negligible = 1e-9; // distance from the surface, in the metric
-  static constexpr double noticeable = 0.05; // a way, in the metric, that is of interest to the neighbors
+  template <class IsWanted>
+  Metric_relocation(Metric_mesh& mesh, double size, bool heights, const IsWanted& is_wanted)
+      : mesh_(mesh)
+      , size2_(size * size)
+      , heights_(heights)
+      , store_(mesh.store) {
+    stars_.build(store_, [&](Index v) { return mesh_.location(v).dimension != 0 && is_wanted(v); });
+  }
+
+  static constexpr double over_relaxation = 1.6; // of steps: neighbors follow, and fewer sweeps do
+  static constexpr double least_gain = 1e-4;     // of the energy; less is not worth the visit
+  static constexpr double most_loss = 1.5;       // for getting onto the surface
+  static constexpr double negligible = 1e-9;     // distance from the surface, in the metric
+  static constexpr double noticeable = 0.05;     // a way, in the metric, that is of interest to the neighbors
 
   // Each color is one step of time.
   template <class Visit> void for_each_movable(const Visit& visit) const {
@@ -184,6 +189,7 @@ private:
     Vector_3d step = newton(v, at, old, here);
     if (-dot(step, here.gradient) < least_gain * here.value)
       return;
+    step = over_relaxation * step;
     const double length2 = old.metric.squared_length(step);
     if (length2 > size2_) // further than to a neighbor
       step = std::sqrt(size2_ / length2) * step;
@@ -194,7 +200,7 @@ private:
         return false;
       const Metric_point there = mesh_.at(p);
       Metric_energy e(size2_);
-      if (!energy(v, there, false, e) || !(e.value < here.value) || !keeps_surface(v, p) || !is_valid(v, p))
+      if (!energy(v, there, false, e, here.value) || !keeps_surface(v, p) || !is_valid(v, p))
         return false;
       move(v, there, true);
       return true;
@@ -222,7 +228,7 @@ private:
       const Vector_3d x = old.position + share * (p - old.position);
       const Metric_point there = mesh_.at(share == 1 ? p : x);
       Metric_energy e(size2_);
-      if (energy(v, there, false, e) && e.value < most_loss * here.value && keeps_surface(v, there.position) &&
+      if (energy(v, there, false, e, most_loss * here.value) && keeps_surface(v, there.position) &&
           is_valid(v, there.position)) {
         move(v, there, share == 1);
         return;
@@ -242,13 +248,14 @@ private:
     return frame.vector_out_of(step_along(h, g, normalized(frame.vector_into(cross(n.first, n.second)))));
   }
 
-  bool energy(Index v, const Metric_point& x, bool with_derivatives, Metric_energy& e) const {
+  // False if a tetrahedron is inverted, or as soon as the energy is not below the bound: it is a sum of positive terms.
+  bool energy(Index v, const Metric_point& x, bool with_derivatives, Metric_energy& e, double bound = 1e300) const {
     for (Index s : stars_.facets(v)) {
       const auto f = store_.vertices(s);
       const Metric_tensor_3 mean = 0.25 * (x.metric + mesh_.metric(f[0]) + mesh_.metric(f[1]) + mesh_.metric(f[2]));
       if (!e.add(store_.point(f[0]) - x.position, store_.point(f[1]) - x.position, store_.point(f[2]) - x.position,
                  mean, with_derivatives) ||
-          (has_layer(s) && !add_height(s, x.position, with_derivatives, e)))
+          (has_layer(s) && !add_height(s, x.position, with_derivatives, e)) || !(e.value < bound))
         return false;
     }
     return true;

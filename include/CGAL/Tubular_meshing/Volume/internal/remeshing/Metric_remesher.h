@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Tubular_meshing::internal {
@@ -22,9 +23,10 @@ namespace CGAL::Tubular_meshing::internal {
  * First sizes are brought about, from coarse to fine: for unit lengths 4, 2 and 1 edges longer than √2 units are split,
  * the longest first, and edges shorter than 1/√2 units are collapsed, with flips and a relocation in between. A mesh
  * that has the metric's shape at a coarse size is cheap to come by, and what is split from it has that shape from the
- * start. Then shapes: relocations, flips, and what they leave to split or collapse in turn, vertices being taken out
- * where they are denser than the metric asks, and put in where there are too few. Each round's work is proportional to
- * what the one before has changed, or a linear sweep.
+ * start. The full size is done when few splits are left to do. Then shapes: relocations, flips, and what they leave to
+ * split or collapse in turn, vertices being taken out where they are denser than the metric asks, and put in where there
+ * are too few. Edges are listed once for all that a round does with them. Each round's work is proportional to what the
+ * one before has changed, or a linear sweep.
  */
 class Metric_remesher {
 public:
@@ -53,7 +55,7 @@ public:
     adapt_by_steps();
     improve(S::rounds_of_improvement);
     for (int round = 0; round < S::rounds_of_repair; ++round) {
-      relocate(2, 1);
+      relocate(1);
       repair_below(S::repaired);
       flip(S::flipped_at_the_end);
     }
@@ -71,28 +73,29 @@ private:
   void adapt_by_steps() {
     for (double size : S::coarse_sizes)
       if (has_edges_above(S::sqrt_2 * size))
-        adapt(size, S::rounds_at_coarse_size);
-    adapt(1, S::rounds_at_full_size);
+        adapt(size);
+    for (int round = 0; round < S::most_rounds_at_full_size && adapt(1) > S::few_splits * store_.number_of_vertices();
+         ++round)
+      ;
   }
 
-  void adapt(double size, int rounds) {
-    for (int round = 0; round < rounds; ++round) {
-      check_interruption();
-      split_above(size);
-      collapse_below(size);
-      flip(S::flipped_while_adapting);
-      renumber();
-      relocate(1, size);
-    }
+  // Returns the number of splits.
+  std::size_t adapt(double size) {
+    check_interruption();
+    const std::size_t splits = fit_lengths(size);
+    flip(S::flipped_while_adapting);
+    renumber();
+    relocate(size);
+    return splits;
   }
 
+  // In the last round no edges are split for their length: what balancing would take out again.
   void improve(int rounds) {
     for (int round = 0; round < rounds; ++round) {
       check_interruption();
-      relocate(2, 1);
+      relocate(1);
       flip(S::flipped_while_improving);
-      split_above(1);
-      collapse_below(1);
+      fit_lengths(1, round + 1 < rounds);
       balance();
     }
   }
@@ -102,7 +105,7 @@ private:
   void find_hidden() {
     std::vector<Index> todo = store_.tetrahedra();
     for (int round = 0; round < 8 && !todo.empty(); ++round) {
-      const Edge_list edges = list_edges(mesh_, todo, [](double) { return true; });
+      const Edge_list edges = list_edges(mesh_, todo, [](double, Index, Index) { return true; });
       std::vector<float> share(edges.size(), 0);
       for_each_range(edges.size(), mesh_.threads, [&](std::size_t first, std::size_t last) {
         for (std::size_t k = first; k < last; ++k)
@@ -132,10 +135,10 @@ private:
   }
 
   bool has_edges_above(double length) const {
-    return !list_edges(mesh_, store_.tetrahedra(), [=](double l) { return l > length; }).empty();
+    return !list_edges(mesh_, store_.tetrahedra(), [=](double l, Index, Index) { return l > length; }).empty();
   }
 
-  void relocate(int sweeps, double size) {
+  void relocate(double size) {
     wake_vertices_of_new_tetrahedra();
     if (size != last_size_)
       mesh_.clock.wake_all();
@@ -143,8 +146,7 @@ private:
     Metric_relocation relocation(mesh_, size);
     if (!mesh_.keep_boundary)
       relocation.pull_to_surface();
-    for (int i = 0; i < sweeps; ++i)
-      relocation.sweep();
+    relocation.sweep();
     flips_.update_all();
   }
 
@@ -154,13 +156,16 @@ private:
 
   // Around bad shapes nothing else counts.
   void relax_below(double quality) {
+    const std::vector<Index> bad = tetrahedra_below(quality);
+    if (bad.empty())
+      return;
     std::vector<char> is_near(store_.number_of_vertices(), 0);
-    for (Index t : tetrahedra_below(quality))
+    for (Index t : bad)
       for (Index v : store_[t].v)
         is_near[v] = 1;
-    Metric_relocation relocation(mesh_, 1, false);
+    Metric_relocation relocation(mesh_, 1, [&](Index v) { return is_near[v] != 0; });
     for (int i = 0; i < 3; ++i)
-      relocation.sweep(is_near);
+      relocation.sweep_all();
     flips_.update_all();
   }
 
@@ -178,7 +183,8 @@ private:
     last_woken_ = flips_.now();
   }
 
-  // Tetrahedra at rest since the last time, with the same threshold, are not tried again.
+  /* Tetrahedra at rest since the last time, with the same threshold, are not tried again, nor are cavities with a worse
+   * one, which is tried itself. */
   void flip(double threshold) {
     std::vector<char> is_stirred(store_.number_of_vertices(), threshold != last_threshold_);
     const Vertex_clock::Time last = last_flips_;
@@ -191,37 +197,72 @@ private:
     last_flips_ = mesh_.clock.now();
     mesh_.clock.tick();
     last_threshold_ = threshold;
-    flips_.improve_below(threshold, [&](Index t) {
-      const auto& v = store_[t].v;
-      return is_stirred[v[0]] || is_stirred[v[1]] || is_stirred[v[2]] || is_stirred[v[3]];
-    });
+    flips_.improve_below(
+        threshold,
+        [&](Index t) {
+          const auto& v = store_[t].v;
+          return is_stirred[v[0]] || is_stirred[v[1]] || is_stirred[v[2]] || is_stirred[v[3]];
+        },
+        true);
+  }
+
+  // Splits edges that are too long, then collapses those that are too short. They are listed once for both.
+  std::size_t fit_lengths(double size, bool split_long = true) {
+    const auto is_long = [=](double l) { return l > S::sqrt_2 * size; };
+    const auto is_short = [=](double l) { return l < size / S::sqrt_2; };
+    Edge_list edges =
+        list_edges(mesh_, store_.tetrahedra(), [&](double l, Index, Index) { return is_long(l) || is_short(l); });
+    const auto first_short =
+        std::find_if(edges.begin(), edges.end(), [&](const Listed_edge& e) { return is_short(e.length); });
+    Edge_list short_edges(first_short, edges.end());
+    edges.erase(first_short, edges.end());
+    const Time listed = flips_.now();
+    const std::size_t splits = split_long ? split(std::move(edges), size, is_long) : 0;
+    collapse(updated(std::move(short_edges), listed, is_short), size, is_short);
+    return splits;
+  }
+
+  /* A list of edges by length as it would be now, if no vertex has moved since that time. What is left of the edges of
+   * tetrahedra that are gone is in those that have come. */
+  template <class IsWanted> Edge_list updated(Edge_list edges, Time since, const IsWanted& is_wanted) const {
+    edges.erase(std::remove_if(edges.begin(), edges.end(),
+                               [&](const Listed_edge& e) {
+                                 int i, j;
+                                 return !e.find(store_, i, j) || flips_.is_newer(e.t, since);
+                               }),
+                edges.end());
+    std::vector<Index> newer;
+    flips_.for_each_newer(since, [&](Index t) { newer.push_back(t); });
+    const Edge_list added = list_edges(mesh_, newer, [&](double l, Index, Index) { return is_wanted(l); });
+    const auto old = std::ptrdiff_t(edges.size());
+    edges.insert(edges.end(), added.begin(), added.end());
+    std::inplace_merge(edges.begin(), edges.begin() + old, edges.end(), is_longer);
+    edges.erase(std::unique(edges.begin(), edges.end(), have_same_ends), edges.end());
+    return edges;
   }
 
   /* The longest edges first, those much shorter in a later round, with flips in between: splits of tetrahedra out of
    * shape would make more of them. */
-  void split_above(double size) {
+  template <class IsLong> std::size_t split(Edge_list edges, double size, const IsLong& is_long) {
     const std::size_t most = most_splits();
     std::size_t n = 0;
     double longest = 1e300;
-    std::vector<Index> todo = store_.tetrahedra(), next, made;
-    for (; !todo.empty() && n < most; todo.swap(next)) {
-      const Edge_list edges = list_edges(mesh_, todo, [=](double l) { return l > S::sqrt_2 * size; });
-      next.clear();
+    std::vector<Index> made;
+    while (!edges.empty() && n < most) {
+      const Time listed = flips_.now();
       made.clear();
-      if (edges.empty())
-        break;
       longest = S::longest_first * (std::min)(longest, double(edges.front().length));
       const auto later =
           std::find_if(edges.begin(), edges.end(), [=](const Listed_edge& e) { return e.length < longest; });
-      for (auto e = later; e != edges.end(); ++e)
-        next.push_back(e->t);
       n += apply(
           splitters_, std::size_t(later - edges.begin()), always,
           [&](Edge_splitter& s, std::size_t k) { return find(s, edges[k], S::split(size, edges[k].length)); },
           [&](const Store::Index_list& come) { made.insert(made.end(), come.begin(), come.end()); });
       flips_.improve_these(made, S::flipped_after_splits);
-      next.insert(next.end(), made.begin(), made.end());
+      edges.erase(edges.begin(), later);
+      edges = updated(std::move(edges), listed, is_long);
     }
+    return n;
   }
 
   // Whether an edge, if it is still there, can be split or collapsed.
@@ -257,16 +298,16 @@ private:
   std::size_t most_splits() const { return 10000 + std::size_t(mesh_.number_of_unit_tetrahedra()); }
 
   // The shortest edges first, again where new ones come about; few rounds do most.
-  void collapse_below(double size) {
-    std::vector<Index> todo = store_.tetrahedra();
-    for (int round = 0; round < S::most_rounds_of_collapses && !todo.empty(); ++round) {
-      Edge_list edges = list_edges(mesh_, todo, [=](double l) { return l < size / S::sqrt_2; });
+  template <class IsShort> void collapse(Edge_list edges, double size, const IsShort& is_short) {
+    std::vector<Index> todo;
+    for (int round = 0; round < S::most_rounds_of_collapses && !edges.empty(); ++round) {
       std::reverse(edges.begin(), edges.end());
       todo.clear();
       apply(
           collapsers_, edges.size(), always,
           [&](Edge_collapser& c, std::size_t k) { return find(c, edges[k], S::collapse(size)); },
           [&](const Store::Index_list& come) { todo.insert(todo.end(), come.begin(), come.end()); });
+      edges = list_edges(mesh_, todo, [&](double l, Index, Index) { return is_short(l); });
     }
   }
 
@@ -282,23 +323,26 @@ private:
           if (v < locked.size())
             locked[v] = 1;
     };
-    const auto is_free = [&](const Listed_edge& e) {
-      return e.a < locked.size() && e.b < locked.size() && !locked[e.a] && !locked[e.b];
+    const auto is_free = [&](const Listed_edge& e) { return !locked[e.a] && !locked[e.b]; };
+    const auto is_dense = [&](double l, Index a, Index b) {
+      return l < S::longest_collapsed && volume[a] < S::dense && volume[b] < S::dense;
     };
-    Edge_list edges = list_edges(mesh_, store_.tetrahedra(), [](double l) { return l < S::longest_collapsed; });
-    std::reverse(edges.begin(), edges.end());
+    const auto is_sparse = [&](double l, Index a, Index b) {
+      return l > S::shortest_split && volume[a] > S::sparse && volume[b] > S::sparse;
+    };
+    // those that a collapse has changed are not free, so that one list will do
+    Edge_list edges = list_edges(mesh_, store_.tetrahedra(),
+                                 [&](double l, Index a, Index b) { return is_dense(l, a, b) || is_sparse(l, a, b); });
+    const auto first_dense =
+        std::find_if(edges.begin(), edges.end(), [](const Listed_edge& e) { return e.length < S::longest_collapsed; });
+    Edge_list dense(first_dense, edges.end());
+    std::reverse(dense.begin(), dense.end());
+    edges.erase(first_dense, edges.end());
     apply(
-        collapsers_, edges.size(),
-        [&](std::size_t k) {
-          return is_free(edges[k]) && volume[edges[k].a] < S::dense && volume[edges[k].b] < S::dense;
-        },
-        [&](Edge_collapser& c, std::size_t k) { return find(c, edges[k], S::collapse_where_dense()); }, lock);
-    edges = list_edges(mesh_, store_.tetrahedra(), [](double l) { return l > S::shortest_split; });
+        collapsers_, dense.size(), [&](std::size_t k) { return is_free(dense[k]); },
+        [&](Edge_collapser& c, std::size_t k) { return find(c, dense[k], S::collapse_where_dense()); }, lock);
     apply(
-        splitters_, edges.size(),
-        [&](std::size_t k) {
-          return is_free(edges[k]) && volume[edges[k].a] > S::sparse && volume[edges[k].b] > S::sparse;
-        },
+        splitters_, edges.size(), [&](std::size_t k) { return is_free(edges[k]); },
         [&](Edge_splitter& s, std::size_t k) { return find(s, edges[k], S::split_where_sparse()); }, lock);
   }
 

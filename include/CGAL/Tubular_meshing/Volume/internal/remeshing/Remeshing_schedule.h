@@ -53,14 +53,14 @@ struct Remeshing_schedule {
 
   // Sizes: edges longer than √2 of the size at hand are split, those shorter than 1/√2 of it collapsed.
   static constexpr double coarse_sizes[2] = {4, 2};
-  static constexpr int rounds_at_coarse_size = 1;
-  static constexpr int rounds_at_full_size = 4;
+  static constexpr int most_rounds_at_full_size = 6;
+  static constexpr double few_splits = 0.15;   // of the number of vertices: the last round of them
   static constexpr double longest_first = 0.6; // a round of splits goes down to this part of the longest edge
   static constexpr int most_rounds_of_collapses = 20;
 
   // Shapes: rounds of relocations and flips.
   static constexpr int rounds_with_limited_ratio = 3;
-  static constexpr int rounds_of_improvement = 6;
+  static constexpr int rounds_of_improvement = 5;
   static constexpr int rounds_of_repair = 3;
   static constexpr int rounds_of_last_repair = 2;
 
@@ -74,7 +74,7 @@ struct Remeshing_schedule {
 
   // The mean volumes of tetrahedra, over the regular one's, at which vertices are too many or too few, and the edges
   // that are collapsed or split there.
-  static constexpr double dense = 0.9, longest_collapsed = 1;
+  static constexpr double dense = 0.9, longest_collapsed = 0.8;
   static constexpr double sparse = 1.08, shortest_split = 1.2;
 
   /* Bad shapes may be split and collapsed as long as it does not make them much worse. Where an edge is many times too
@@ -84,7 +84,7 @@ struct Remeshing_schedule {
     const double excess = (std::max)(1., length / (sqrt_2 * size));
     return Operation_bounds()
         .quality(0.2, 0.8)
-        .lengths(0.65 * size * (std::min)(1., 2 / excess), 1e300)
+        .lengths(0.6 * size * (std::min)(1., 2 / excess), 1e300)
         .urgent_quality(0.002, 0.8 / std::sqrt(excess));
   }
   static Operation_bounds collapse(double size) {
