@@ -385,34 +385,52 @@ public:
 
   /* Renumbers: vertex i of the new numbering is order[i] of the old one, where all used vertices are listed and no
    * others; tetrahedra follow their vertices. What is near in space comes to lie near in memory. */
-  void renumber(const std::vector<Index>& order) {
+  void renumber(const std::vector<Index>& order, int threads = 1) {
     std::vector<Index> number(points_.size(), none);
-    std::vector<Vector_3d> points(order.size());
-    for (Index i = 0; i < order.size(); ++i) {
+    for (Index i = 0; i < order.size(); ++i)
       number[order[i]] = i;
-      points[i] = points_[order[i]];
-    }
-    points_.swap(points);
     std::vector<std::pair<Index, Index>> by_vertex; // lowest vertex, tetrahedron
-    for (Index t = 0; t < tetrahedra_.size(); ++t) {
-      if (!is_alive(t))
-        continue;
-      for (Index& v : tetrahedra_[t].v)
-        v = number[v];
-      by_vertex.emplace_back(*std::min_element(tetrahedra_[t].v.begin(), tetrahedra_[t].v.end()), t);
-    }
+    by_vertex.reserve(tetrahedra_.size());
+    for (Index t = 0; t < tetrahedra_.size(); ++t)
+      if (is_alive(t)) {
+        const Vertices& v = tetrahedra_[t].v;
+        by_vertex.emplace_back((std::min)({number[v[0]], number[v[1]], number[v[2]], number[v[3]]}), t);
+      }
     std::sort(by_vertex.begin(), by_vertex.end());
-    std::vector<Index> place(tetrahedra_.size(), none);
-    for (Index k = 0; k < by_vertex.size(); ++k)
-      place[by_vertex[k].second] = k;
+    std::vector<Index> tetrahedra(by_vertex.size());
+    for (std::size_t k = 0; k < by_vertex.size(); ++k)
+      tetrahedra[k] = by_vertex[k].second;
+    renumber(order, tetrahedra, threads);
+  }
+
+  // The same with an order of the tetrahedra, in which all that there are are listed.
+  void renumber(const std::vector<Index>& order, const std::vector<Index>& order_of_tetrahedra, int threads) {
+    std::vector<Index> number(points_.size(), none), place(tetrahedra_.size(), none);
+    std::vector<Vector_3d> points(order.size());
+    for_each_range(order.size(), threads, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i) {
+        number[order[i]] = Index(i);
+        points[i] = points_[order[i]];
+      }
+    });
+    points_.swap(points);
+    for_each_range(order_of_tetrahedra.size(), threads, [&](std::size_t first, std::size_t last) {
+      for (std::size_t k = first; k < last; ++k)
+        place[order_of_tetrahedra[k]] = Index(k);
+    });
     std::vector<Tetrahedron> tetrahedra;
-    tetrahedra.reserve(by_vertex.size() + by_vertex.size() / 8);
-    for (const auto& entry : by_vertex) {
-      tetrahedra.push_back(tetrahedra_[entry.second]);
-      for (Index& n : tetrahedra.back().neighbor)
-        if (n != none)
-          n = facet(place[tetrahedron_of(n)], opposite_of(n));
-    }
+    tetrahedra.reserve(order_of_tetrahedra.size() + order_of_tetrahedra.size() / 8);
+    tetrahedra.resize(order_of_tetrahedra.size());
+    for_each_range(tetrahedra.size(), threads, [&](std::size_t first, std::size_t last) {
+      for (std::size_t k = first; k < last; ++k) {
+        Tetrahedron& t = tetrahedra[k] = tetrahedra_[order_of_tetrahedra[k]];
+        for (Index& v : t.v)
+          v = number[v];
+        for (Index& n : t.neighbor)
+          if (n != none)
+            n = facet(place[tetrahedron_of(n)], opposite_of(n));
+      }
+    });
     tetrahedra_.swap(tetrahedra);
     free_.clear();
     free_vertices_.clear();

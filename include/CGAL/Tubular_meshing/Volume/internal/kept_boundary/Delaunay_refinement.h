@@ -208,24 +208,25 @@ public:
   // Returns the number of points added, which is `most` if there was no room for more.
   std::size_t operator()(std::size_t most) {
     std::size_t added = 0;
-    std::vector<Index> todo = store_.tetrahedra(), next;
+    std::vector<Index> todo = store_.tetrahedra();
     Store::Index_list come;
+    Lists next;
     came_.assign(store_.number_of_slots(), now_);
-    for (; !todo.empty() && added < most; todo.swap(next)) {
-      next.clear();
+    for (; !todo.empty() && added < most; todo = next.in_order(todo.size())) {
       keep_too_large(todo);
-      interleave(todo);
+      next.clear();
+      const std::vector<Index> order = interleaved(todo.size());
       insertions_.run([&] { return added < most ? todo.size() : 0; }, [&] { return now_; },
-                      [&](Delaunay_insertion& i, std::size_t k) { return i.find(todo[k]); },
+                      [&](Delaunay_insertion& i, std::size_t k) { return i.find(todo[order[k]]); },
                       [&](const Delaunay_insertion& i, std::size_t, Time since) { return i.is_fresh(came_, since); },
-                      [&](Delaunay_insertion& i, std::size_t) {
+                      [&](Delaunay_insertion& i, std::size_t k) {
                         if (!i.is_possible() || added == most)
                           return;
                         check_interruption();
                         i.commit(store_, size_, come);
                         ++added;
                         set_come(come);
-                        next.insert(next.end(), come.begin(), come.end());
+                        next.push_back(order[k], come);
                       });
     }
     return added;
@@ -234,6 +235,40 @@ public:
 private:
   typedef std::uint32_t Time;
   static constexpr std::size_t batch = 128;
+
+  // Lists, each with a number, which come in any order.
+  class Lists {
+  public:
+    void clear() {
+      parts_.clear();
+      values_.clear();
+    }
+    void push_back(Index number, const Store::Index_list& list) {
+      parts_.push_back({number, values_.size(), list.size()});
+      values_.insert(values_.end(), list.begin(), list.end());
+    }
+    // All of them, one after the other, by their numbers, which are below n and all different.
+    std::vector<Index> in_order(std::size_t n) const {
+      std::vector<Index> part(n, Store::none), result;
+      for (std::size_t p = 0; p < parts_.size(); ++p)
+        part[parts_[p].number] = Index(p);
+      result.reserve(values_.size());
+      for (Index p : part)
+        if (p != Store::none) {
+          const auto first = values_.begin() + std::ptrdiff_t(parts_[p].first);
+          result.insert(result.end(), first, first + std::ptrdiff_t(parts_[p].size));
+        }
+      return result;
+    }
+
+  private:
+    struct Part {
+      Index number;
+      std::size_t first, size;
+    };
+    std::vector<Part> parts_;
+    std::vector<Index> values_;
+  };
 
   // Of thirty tetrahedra that come with a point hardly one is.
   void keep_too_large(std::vector<Index>& list) const {
@@ -249,16 +284,16 @@ private:
     list.resize(kept);
   }
 
-  // Neighbors in the list are neighbors in space, and would be in each other's way: those of a batch come from as many
-  // parts of the list.
-  static void interleave(std::vector<Index>& list) {
-    const std::size_t length = (list.size() + batch - 1) / batch;
+  /* Neighbors in a list are neighbors in space, and would be in each other's way: those of a batch come from as many
+   * parts of the list, and those of the next batch are next to them, where memory is still at hand. */
+  static std::vector<Index> interleaved(std::size_t n) {
+    const std::size_t length = (n + batch - 1) / batch;
     std::vector<Index> result;
-    result.reserve(list.size());
+    result.reserve(n);
     for (std::size_t i = 0; i < length; ++i)
-      for (std::size_t k = i; k < list.size(); k += length)
-        result.push_back(list[k]);
-    list.swap(result);
+      for (std::size_t k = i; k < n; k += length)
+        result.push_back(Index(k));
+    return result;
   }
 
   void set_come(const Store::Index_list& come) {

@@ -1,18 +1,15 @@
 // Copyright (c) 2026 The Tubular_meshing authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_KEPT_BOUNDARY_FILL_BY_RECOVERY_H
-#define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_KEPT_BOUNDARY_FILL_BY_RECOVERY_H
+#ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_KEPT_BOUNDARY_RECOVER_BOUNDARY_H
+#define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_KEPT_BOUNDARY_RECOVER_BOUNDARY_H
 
-#include <CGAL/Tubular_meshing/Patches/surface_to_mixed_mesh.h>
 #include <CGAL/Tubular_meshing/Quality/validity_report.h>
 #include <CGAL/Tubular_meshing/Volume/fill_keeping_boundary.h>
-#include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/Delaunay_refinement.h>
 #include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/Unit_frame.h>
 #include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/boundary_recovery.h>
 #include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/failure_sentence.h>
 #include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/recover_in_delaunay.h>
-#include <CGAL/Tubular_meshing/Volume/internal/order_in_space.h>
 #include <CGAL/Tubular_meshing/base/crossing_pairs.h>
 #include <CGAL/Tubular_meshing/base/labels.h>
 
@@ -128,36 +125,6 @@ inline std::optional<Sentence> recover_boundary(const Surface& surface, const Bo
  * slivers. */
 constexpr double kept_boundary_radius_bound = 0.78;
 
-// Returns whether there was room for all points that the size asks for.
-inline bool add_points_inside(Length_function size, std::size_t most_points, int threads, Mixed_mesh& mesh) {
-  Tetrahedron_store store(mesh, threads);
-  if (Delaunay_refinement(store, size, kept_boundary_radius_bound, threads)(most_points) == most_points)
-    return false;
-  store.write_inside_to(mesh);
-  sort_in_space(mesh.points, mesh.tetrahedra.vertices, threads); // all have the same label
-  return true;
-}
-
-/* Fills a closed surface, which stays as it is. Returns an empty string or, `result` being as it was, what went wrong,
- * as a sentence. */
-inline std::optional<Sentence> fill_by_recovery(const Surface& surface, Face_patch_map patch, Length_function size,
-                                                const Boundary_recovery& recovery, const Filling_limits& limits,
-                                                Mixed_mesh& result) {
-  Mixed_mesh mesh;
-  surface_to_mixed_mesh(surface, patch, mesh);
-  if (!mesh.quads.empty())
-    throw Input_error("Only a surface of triangles can be filled with tetrahedra; this one has quads.");
-  const std::optional<Sentence> failure = recover_boundary(surface, recovery, limits, mesh);
-  if (failure)
-    return failure;
-  if (!add_points_inside(size, limits.most_points, limits.threads, mesh))
-    return "A mesh this fine would have more than " + std::to_string(limits.most_points) +
-           " points inside, more than the memory of this machine holds: make it coarser.";
-  mesh.region_names = {{labels::lumen, "lumen"}};
-  result = std::move(mesh);
-  return std::nullopt;
-}
-
 } // namespace CGAL::Tubular_meshing::internal
 
-#endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_KEPT_BOUNDARY_FILL_BY_RECOVERY_H
+#endif // CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_KEPT_BOUNDARY_RECOVER_BOUNDARY_H
