@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_QUALITY_INTERNAL_FINITE_VOLUMES_H
 #define CGAL_TUBULAR_MESHING_QUALITY_INTERNAL_FINITE_VOLUMES_H
 
+#include <CGAL/Tubular_meshing/Quality/internal/Matched_faces.h>
 #include <CGAL/Tubular_meshing/base/Face_buckets.h>
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/base/Numbered_cells.h>
@@ -26,10 +27,13 @@ namespace CGAL::Tubular_meshing::internal {
 class Finite_volumes {
 public:
   explicit Finite_volumes(const Mixed_mesh& mesh, const int* region = nullptr, int threads = 1)
-      : mesh_(mesh)
-      , cells_(mesh)
-      , faces_(cells_, cells::Face_buckets::without_facets, threads, region)
-      , region_(region)
+      : Finite_volumes(Matched_faces(mesh, cells::Face_buckets::without_facets, threads, region), threads) {}
+  // Facets among the faces make no difference.
+  Finite_volumes(const Matched_faces& matched, int threads)
+      : mesh_(matched.cells.mesh())
+      , cells_(matched.cells)
+      , faces_(matched.faces)
+      , region_(matched.region)
       , threads_(threads) {
     measure_cells();
     measure_faces();
@@ -134,10 +138,13 @@ private:
     drop_nothing(skewness_);
   }
 
+  // Cells come before facets.
   void measure_face(std::size_t first, std::size_t last) {
     const Face& f = faces_[first];
+    if (f.is_facet())
+      return;
     const Polygon face = polygon(cells_.face(f.owner(), f.number()));
-    if (last - first > 1)
+    if (last - first > 1 && !faces_[first + 1].is_facet())
       measure_between(face, centers_[f.owner()], centers_[faces_[first + 1].owner()], non_orthogonality_[first],
                       skewness_[first]);
     else
@@ -179,8 +186,8 @@ private:
   }
 
   const Mixed_mesh& mesh_;
-  const cells::Numbered_cells cells_;
-  const cells::Face_buckets faces_;
+  const cells::Numbered_cells& cells_;
+  const cells::Face_buckets& faces_;
   const int* region_; // null: all
   int threads_;
   std::vector<Vector_3d> centers_; // of the cells
