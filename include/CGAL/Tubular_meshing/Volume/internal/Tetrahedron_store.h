@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -117,6 +118,9 @@ public:
     mesh.triangles = std::move(triangles);
   }
 
+  // Whether the mesh that was read had a face of more than two cells, or of two on the same side.
+  bool has_overlaps() const { return has_overlaps_; }
+
   Index number_of_vertices() const { return Index(points_.size()); }
   Index number_of_slots() const { return Index(tetrahedra_.size()); } // some may not be alive
 
@@ -184,6 +188,16 @@ public:
         labels.push_back(edges[k].second);
       visit(ends, labels);
     }
+  }
+
+  // Labels become label_of(label).
+  template <class Label_of> void relabel(const Label_of& label_of, int threads) {
+    for_each_range(tetrahedra_.size(), threads, [&](std::size_t first, std::size_t last) {
+      for (std::size_t t = first; t < last; ++t)
+        for (std::int32_t& label : tetrahedra_[t].label)
+          if (label != 0)
+            label = label_of(label);
+    });
   }
 
   int corner(Index t, Index v) const {
@@ -403,7 +417,7 @@ public:
     renumber(order, tetrahedra, threads);
   }
 
-  // The same with an order of the tetrahedra, in which all that there are are listed.
+  // The same with an order of the tetrahedra; those that are not listed are taken away.
   void renumber(const std::vector<Index>& order, const std::vector<Index>& order_of_tetrahedra, int threads) {
     std::vector<Index> number(points_.size(), none), place(tetrahedra_.size(), none);
     std::vector<Vector_3d> points(order.size());
@@ -428,7 +442,7 @@ public:
           v = number[v];
         for (Index& n : t.neighbor)
           if (n != none)
-            n = facet(place[tetrahedron_of(n)], opposite_of(n));
+            n = place[tetrahedron_of(n)] == none ? none : facet(place[tetrahedron_of(n)], opposite_of(n));
       }
     });
     tetrahedra_.swap(tetrahedra);
@@ -502,11 +516,16 @@ private:
   void connect(const Mixed_mesh& mesh, int threads) {
     const cells::Numbered_cells cells(mesh);
     const cells::Face_buckets faces(cells, cells::Face_buckets::with_facets, threads);
+    std::atomic<bool> has_overlaps{false};
     for_each_range(points_.size(), threads, [&](std::size_t begin, std::size_t end) {
       for (std::size_t v = begin; v < end; ++v)
-        faces.for_each_group(
-            v, [&](std::size_t first, std::size_t last) { connect_equal(faces, first, last, mesh.triangles.label); });
+        faces.for_each_group(v, [&](std::size_t first, std::size_t last) {
+          connect_equal(faces, first, last, mesh.triangles.label);
+          if (overlap(faces, first, last))
+            has_overlaps.store(true, std::memory_order_relaxed);
+        });
     });
+    has_overlaps_ = has_overlaps;
     visited_.assign(tetrahedra_.size(), 0);
     collect_vertices();
   }
@@ -525,6 +544,14 @@ private:
       link(code(first), first + 1 < last ? code(first + 1) : none, label);
   }
 
+  // Whether a face has more than two cells, or two on the same side.
+  static bool overlap(const cells::Face_buckets& faces, std::size_t first, std::size_t last) {
+    std::size_t n = 0;
+    while (first + n < last && !faces[first + n].is_facet())
+      ++n;
+    return n > 2 || (n == 2 && faces[first].is_reversed() == faces[first + 1].is_reversed());
+  }
+
   void collect_vertices() {
     at_vertex_.assign(points_.size(), none);
     for (Index t = 0; t < tetrahedra_.size(); ++t)
@@ -538,6 +565,7 @@ private:
   std::vector<Index> free_, free_vertices_;
   std::vector<std::uint32_t> visited_; // per tetrahedron: the last replace() that it went by
   std::uint32_t stamp_ = 0;
+  bool has_overlaps_ = false;
 };
 
 // The quality (13) of a tetrahedron of vertices of a store.

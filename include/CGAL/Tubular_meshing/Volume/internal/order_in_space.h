@@ -14,9 +14,7 @@
 #include <CGAL/property_map.h>
 #include <CGAL/tags.h>
 
-#include <array>
 #include <cstddef>
-#include <cstdint>
 #include <numeric>
 #include <vector>
 
@@ -42,44 +40,30 @@ template <class Value> void put_in_order(const std::vector<std::size_t>& order, 
   values.swap(result);
 }
 
-/* The order of tetrahedra along such a curve through their centers; corners(i): the points of number i. Sorted, they are
- * refined in four fifths of the time, and optimized in two thirds. */
-template <class Corners> std::vector<std::size_t> order_by_centers(std::size_t n, const Corners& corners, int threads) {
-  std::vector<Point_3> centers(n); // four times them
-  for_each_range(n, threads, [&](std::size_t first, std::size_t last) {
+/* The order of some tetrahedra along such a curve through their centers. Sorted, they are refined in four fifths of the
+ * time, and optimized in two thirds. */
+inline std::vector<std::size_t> order_by_centers(const Tetrahedron_store& store,
+                                                 const std::vector<Tetrahedron_store::Index>& tetrahedra, int threads) {
+  std::vector<Point_3> centers(tetrahedra.size()); // four times them
+  for_each_range(tetrahedra.size(), threads, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
-      Vector_3d sum;
-      for (const Vector_3d& p : corners(i))
-        sum += p;
+      const auto& v = store[tetrahedra[i]].v;
+      const Vector_3d sum = store.point(v[0]) + store.point(v[1]) + store.point(v[2]) + store.point(v[3]);
       centers[i] = Point_3(sum.x, sum.y, sum.z);
     }
   });
-  std::vector<std::size_t> order(n);
+  std::vector<std::size_t> order(tetrahedra.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
   order_in_space(centers, order, threads);
   return order;
 }
 
-inline void sort_in_space(const std::vector<Point_3>& points, std::vector<std::array<std::uint32_t, 4>>& tetrahedra,
-                          int threads) {
-  const auto corners = [&](std::size_t i) {
-    const auto& t = tetrahedra[i];
-    return std::array<Vector_3d, 4>{Vector_3d(points[t[0]]), Vector_3d(points[t[1]]), Vector_3d(points[t[2]]),
-                                    Vector_3d(points[t[3]])};
-  };
-  put_in_order(order_by_centers(tetrahedra.size(), corners, threads), tetrahedra);
-}
-
-/* Sorts those of a store, and its vertices from number `first` on as these tetrahedra have them, one after the other;
- * vertices below stay where they are. */
+/* Sorts the tetrahedra of a store, and its vertices from number `first` on as these tetrahedra have them, one after the
+ * other; vertices below stay where they are. */
 inline void sort_in_space(Tetrahedron_store& store, Tetrahedron_store::Index first, int threads) {
   typedef Tetrahedron_store::Index Index;
   std::vector<Index> tetrahedra = store.tetrahedra(), vertices(first);
-  const auto corners = [&](std::size_t i) {
-    const auto& v = store[tetrahedra[i]].v;
-    return std::array<Vector_3d, 4>{store.point(v[0]), store.point(v[1]), store.point(v[2]), store.point(v[3])};
-  };
-  put_in_order(order_by_centers(tetrahedra.size(), corners, threads), tetrahedra);
+  put_in_order(order_by_centers(store, tetrahedra, threads), tetrahedra);
   std::iota(vertices.begin(), vertices.end(), Index(0));
   std::vector<char> is_listed(store.number_of_vertices(), 0);
   for (Index t : tetrahedra)

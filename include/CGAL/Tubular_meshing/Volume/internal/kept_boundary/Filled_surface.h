@@ -35,19 +35,17 @@ public:
     if (!mesh.quads.empty())
       throw Input_error("Only a surface of triangles can be filled with tetrahedra; this one has quads.");
     const auto surface_points = Tetrahedron_store::Index(mesh.points.size());
-    std::optional<Sentence> failure = recover_boundary(surface, recovery, limits, mesh);
-    if (failure)
+    std::optional<Tetrahedron_store> store;
+    if (std::optional<Sentence> failure = recover_boundary(surface, recovery, limits, mesh, store))
       return failure;
-    sort_in_space(mesh.points, mesh.tetrahedra.vertices, limits.threads); // all have the same label
-    Tetrahedron_store store(mesh, limits.threads);
     Element_block<3> triangles = std::move(mesh.triangles);
     mesh = Mixed_mesh();
-    if (Delaunay_refinement(store, size, radius_bound, limits.threads)(limits.most_points) == limits.most_points)
+    if (Delaunay_refinement(*store, size, radius_bound, limits.threads)(limits.most_points) == limits.most_points)
       return "A mesh this fine would have more than " + std::to_string(limits.most_points) +
              " points inside, more than the memory of this machine holds: make it coarser.";
-    sort_in_space(store, surface_points, limits.threads);
+    sort_in_space(*store, surface_points, limits.threads);
     triangles_ = std::move(triangles);
-    store_.emplace(std::move(store));
+    store_ = std::move(store);
     return std::nullopt;
   }
 

@@ -10,6 +10,7 @@
 #include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/boundary_recovery.h>
 #include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/failure_sentence.h>
 #include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/recover_in_delaunay.h>
+#include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/take_inside.h>
 #include <CGAL/Tubular_meshing/base/crossing_pairs.h>
 #include <CGAL/Tubular_meshing/base/labels.h>
 
@@ -84,46 +85,94 @@ inline Child_ending recover_in_this_process(const Boundary_recovery& recovery, c
   return {code == 0 ? Child_ending::done : Child_ending::gave_up, code};
 }
 
-/* Adds the tetrahedra of a recovery to a mesh of nothing but a surface. Returns what went wrong, if anything
- * did. */
-inline std::optional<Sentence> recover_boundary(const Surface& surface, const Boundary_recovery& recovery,
-                                                const Filling_limits& limits, Mixed_mesh& mesh) {
-  const Unit_frame frame(mesh.points);
-  Boundary_arrays boundary;
-  boundary.points.reserve(mesh.points.size());
-  for (const Point_3& p : mesh.points)
-    boundary.points.push_back(frame.to_frame(p));
-  boundary.triangles = mesh.triangles.vertices;
-  const auto recover = [&](const Boundary_arrays& part, Recovered_boundary& result) {
-    return limits.in_child_process ? recover_in_child_process(recovery, part, limits.seconds, result)
-                                   : recover_in_this_process(recovery, surface, part, result);
-  };
-  const auto fill_cavities = [&](const Boundary_arrays& cavities, Recovered_boundary& filling) {
-    return recovery.keeps_inner_facets && recover(cavities, filling).kind == Child_ending::done;
-  };
-  Recovered_boundary recovered;
-  if (!recover_in_delaunay(boundary, limits.threads, fill_cavities, recovered)) {
-    recovered = {};
-    const Child_ending ending = recover(boundary, recovered);
-    if (ending.kind != Child_ending::done)
-      return failure_sentence(recovery.name, ending, surface, limits.instead);
+/* The recoveries of a surface, from the quickest on, in a mesh of nothing but it: its tetrahedra, all of one label, turned
+ * alike, some of them outside, become part of the mesh. */
+class Surface_recovery {
+public:
+  Surface_recovery(const Surface& surface, const Boundary_recovery& recovery, const Filling_limits& limits,
+                   Mixed_mesh& mesh)
+      : surface_(surface)
+      , recovery_(recovery)
+      , limits_(limits)
+      , frame_(mesh.points)
+      , mesh_(mesh)
+      , surface_points_(mesh.points.size()) {
+    boundary_.points.reserve(mesh.points.size());
+    for (const Point_3& p : mesh.points)
+      boundary_.points.push_back(frame_.to_frame(p));
+    boundary_.triangles = mesh.triangles.vertices;
   }
-  for (const Vector_3d& x : recovered.inner_points)
-    mesh.points.push_back(frame.from_frame(x));
-  mesh.tetrahedra.label.assign(recovered.tetrahedra.size(), labels::lumen);
-  mesh.tetrahedra.vertices = std::move(recovered.tetrahedra);
-  orient_tetrahedra(mesh);
 
-  const Validity_report report = validity_report(mesh, parameters::number_of_threads(limits.threads));
-  if (report.unlabelled_faces + report.misplaced_facets + report.overfull_faces > 0)
-    return Sentence(recovery.name + " could not keep this surface (" + report.defects() + "): " + limits.instead + ".");
+  // By the Delaunay triangulation of its points. Whether that could be made to keep it.
+  bool in_delaunay() {
+    const auto fill_cavities = [&](const Boundary_arrays& cavities, Recovered_boundary& filling) {
+      return recovery_.keeps_inner_facets && recover(cavities, filling).kind == Child_ending::done;
+    };
+    Recovered_boundary recovered;
+    if (!recover_in_delaunay(boundary_, limits_.threads, fill_cavities, recovered))
+      return false;
+    take(std::move(recovered));
+    return true;
+  }
+
+  // As a whole. Returns what went wrong, if anything did.
+  std::optional<Sentence> as_a_whole() {
+    Recovered_boundary recovered;
+    const Child_ending ending = recover(boundary_, recovered);
+    if (ending.kind != Child_ending::done)
+      return failure_sentence(recovery_.name, ending, surface_, limits_.instead);
+    take(std::move(recovered));
+    return std::nullopt;
+  }
+
+  // Of what was taken last: why it does not do.
+  Sentence sentence() const {
+    const Validity_report report = validity_report(mesh_, parameters::number_of_threads(limits_.threads));
+    return Sentence(recovery_.name + " could not keep this surface (" + report.defects() + "): " + limits_.instead +
+                    ".");
+  }
+
+private:
+  Child_ending recover(const Boundary_arrays& part, Recovered_boundary& result) const {
+    return limits_.in_child_process ? recover_in_child_process(recovery_, part, limits_.seconds, result)
+                                    : recover_in_this_process(recovery_, surface_, part, result);
+  }
+
+  void take(Recovered_boundary recovered) {
+    mesh_.points.resize(surface_points_);
+    for (const Vector_3d& x : recovered.inner_points)
+      mesh_.points.push_back(frame_.from_frame(x));
+    mesh_.tetrahedra.label.assign(recovered.tetrahedra.size(), labels::lumen);
+    mesh_.tetrahedra.vertices = std::move(recovered.tetrahedra);
+    orient_tetrahedra(mesh_);
+  }
+
+  const Surface& surface_;
+  const Boundary_recovery& recovery_;
+  const Filling_limits& limits_;
+  const Unit_frame frame_;
+  Boundary_arrays boundary_;
+  Mixed_mesh& mesh_;
+  const std::size_t surface_points_;
+};
+
+/* Fills a closed surface with tetrahedra, which get a store: of the points of the surface, in a mesh of nothing but it,
+ * and of as few others as it takes. Returns what went wrong, if anything did. */
+inline std::optional<Sentence> recover_boundary(const Surface& surface, const Boundary_recovery& recovery,
+                                                const Filling_limits& limits, Mixed_mesh& mesh,
+                                                std::optional<Tetrahedron_store>& tetrahedra) {
+  Surface_recovery recoveries(surface, recovery, limits, mesh);
+  if (recoveries.in_delaunay())
+    tetrahedra = take_inside(mesh, limits.threads);
+  if (tetrahedra)
+    return std::nullopt;
+  if (std::optional<Sentence> failure = recoveries.as_a_whole())
+    return failure;
+  tetrahedra = take_inside(mesh, limits.threads);
+  if (!tetrahedra)
+    return recoveries.sentence();
   return std::nullopt;
 }
-
-/* Where the circumscribed radius exceeds this part of h the circumcenter becomes a point: the mean edge inside is 1.05
- * h then, as it is with Mesh_3. Bounds on volume or edges that give as many tetrahedra leave up to twice as many
- * slivers. */
-constexpr double kept_boundary_radius_bound = 0.78;
 
 } // namespace CGAL::Tubular_meshing::internal
 
