@@ -333,18 +333,45 @@ public:
     }
   }
 
-  /* The same with the tetrahedra between a new vertex and the facets around a cavity, all of them, seen from inside. No
-   * facet has both of its sides in the cavity. */
+  /* The facets between the tetrahedra of a star, those between a new vertex and the facets around a cavity: codes of both
+   * sides, where tetrahedron k, of corners (new vertex, corners of facet k), has the number k. */
+  typedef boost::container::small_vector<std::pair<Index, Index>, 96> Star_links;
+  template <class Base_facets> void match_star(const Base_facets& bases, Star_links& links) const {
+    struct Side {
+      std::uint64_t edge; // around the cavity
+      Index code;
+    };
+    boost::container::small_vector<Side, 64> open;
+    links.clear();
+    Index k = 0;
+    for (Index f : bases) {
+      const Facet_vertices v = vertices(f);
+      for (std::size_t i = 0; i < 3; ++i) {
+        const auto ends = std::minmax(v[(i + 1) % 3], v[(i + 2) % 3]);
+        const std::uint64_t edge = std::uint64_t(ends.first) << 32 | ends.second;
+        const Index side = facet(k, int(i) + 1);
+        const auto other = std::find_if(open.begin(), open.end(), [=](const Side& s) { return s.edge == edge; });
+        if (other == open.end()) {
+          open.push_back({edge, side});
+          continue;
+        }
+        links.emplace_back(side, other->code);
+        *other = open.back();
+        open.pop_back();
+      }
+      ++k;
+    }
+  }
+
+  /* The same as replace() with such a star, of all facets around a cavity, seen from inside; no facet has both of its
+   * sides in the cavity. `links`: of match_star(), for these facets. */
   template <class Tetrahedra, class Base_facets>
-  void replace_by_star(const Tetrahedra& gone, const Base_facets& bases, const Vector_3d& p, Index_list& come_numbers) {
+  void replace_by_star(const Tetrahedra& gone, const Base_facets& bases, const Star_links& links, const Vector_3d& p,
+                       Index_list& come_numbers) {
     struct Base {
       Facet_vertices v;
       Index other;
       std::int32_t label;
-    };
-    struct Side { // a facet between two new tetrahedra, by its edge around the cavity
-      std::uint64_t edge;
-      Index code;
     };
     const Index v = add_vertex(p);
     const std::int32_t region = tetrahedra_[gone[0]].region;
@@ -354,7 +381,6 @@ public:
     for (Index t : gone)
       release(t);
     come_numbers.clear();
-    boost::container::small_vector<Side, 64> open;
     for (const Base& base : around) {
       const Index t = allocate();
       come_numbers.push_back(t);
@@ -362,20 +388,10 @@ public:
       for (Index w : tetrahedra_[t].v)
         at_vertex_[w] = t;
       link(facet(t, 0), base.other, base.label);
-      for (std::size_t i = 0; i < 3; ++i) {
-        const auto ends = std::minmax(base.v[(i + 1) % 3], base.v[(i + 2) % 3]);
-        const std::uint64_t edge = std::uint64_t(ends.first) << 32 | ends.second;
-        const Index side = facet(t, int(i) + 1);
-        const auto other = std::find_if(open.begin(), open.end(), [=](const Side& s) { return s.edge == edge; });
-        if (other == open.end()) {
-          open.push_back({edge, side});
-          continue;
-        }
-        link(side, other->code, 0);
-        *other = open.back();
-        open.pop_back();
-      }
     }
+    const auto number = [&](Index code) { return facet(come_numbers[tetrahedron_of(code)], opposite_of(code)); };
+    for (const auto& [f, g] : links)
+      link(number(f), number(g), 0);
   }
 
   // A vertex that replace() can use from now on.

@@ -42,8 +42,10 @@ public:
       return false;
     const double h = excess->size;
     is_possible_ = try_at(excess->circumcenter, t, 0, h) || try_at(excess->middle, t, least_spacing * h, h);
-    if (is_possible_)
+    if (is_possible_) {
       size_at_point_ = size_.size_at(point_);
+      store_.match_star(facets_, links_);
+    }
     return true;
   }
   bool is_possible() const { return is_possible_; }
@@ -54,7 +56,7 @@ public:
   }
 
   void commit(Store& store, Size_criterion& size, Store::Index_list& come) const {
-    store.replace_by_star(cavity_, facets_, point_, come);
+    store.replace_by_star(cavity_, facets_, links_, point_, come);
     size.set_size(store[come.front()].v[0], size_at_point_);
   }
 
@@ -185,6 +187,7 @@ private:
   double size_at_point_ = 0;
   std::vector<Index> cavity_;
   std::vector<Index> facets_;       // each with its tetrahedron inside
+  Store::Star_links links_;
   std::vector<Index> seen_;         // tetrahedra, some more than once
   std::vector<Index> hidden_;       // tetrahedra that are to go
   std::unordered_set<Index> known_; // those of a cavity of more than a few
