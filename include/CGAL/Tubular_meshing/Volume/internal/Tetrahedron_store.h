@@ -368,30 +368,34 @@ public:
   template <class Tetrahedra, class Base_facets>
   void replace_by_star(const Tetrahedra& gone, const Base_facets& bases, const Star_links& links, const Vector_3d& p,
                        Index_list& come_numbers) {
-    struct Base {
-      Facet_vertices v;
-      Index other;
-      std::int32_t label;
-    };
-    const Index v = add_vertex(p);
     const std::int32_t region = tetrahedra_[gone[0]].region;
-    boost::container::small_vector<Base, 64> around;
-    for (Index f : bases)
-      around.push_back({vertices(f), other_side(f), label(f)});
+    const Star_bases around = bases_of(bases);
     for (Index t : gone)
       release(t);
     come_numbers.clear();
-    for (const Base& base : around) {
-      const Index t = allocate();
-      come_numbers.push_back(t);
-      tetrahedra_[t] = {{v, base.v[0], base.v[1], base.v[2]}, {none, none, none, none}, {0, 0, 0, 0}, region};
+    while (come_numbers.size() < around.size())
+      come_numbers.push_back(allocate());
+    put_star(around, links, add_vertex(p), region, come_numbers);
+    for (Index t : come_numbers)
       for (Index w : tetrahedra_[t].v)
         at_vertex_[w] = t;
-      link(facet(t, 0), base.other, base.label);
-    }
-    const auto number = [&](Index code) { return facet(come_numbers[tetrahedron_of(code)], opposite_of(code)); };
-    for (const auto& [f, g] : links)
-      link(number(f), number(g), 0);
+  }
+
+  /* The two parts of that, where more tetrahedra come than go. First, room for them: their numbers, those that go before
+   * others, and that of the new vertex; nothing else has changed then. */
+  template <class Tetrahedra>
+  Index reserve_star(const Tetrahedra& gone, std::size_t number, const Vector_3d& p, Index_list& come_numbers) {
+    come_numbers.assign(gone.begin(), gone.end());
+    while (come_numbers.size() < number)
+      come_numbers.push_back(allocate());
+    return add_vertex(p);
+  }
+  /* Then the star itself. Several whose cavities have no tetrahedron in common may be put there at the same time. What
+   * is known of their vertices' tetrahedra is not up to date until renumber(). */
+  template <class Base_facets>
+  void fill_star(const Base_facets& bases, const Star_links& links, Index v, const Index_list& come_numbers) {
+    const std::int32_t region = tetrahedra_[tetrahedron_of(*bases.begin())].region;
+    put_star(bases_of(bases), links, v, region, come_numbers);
   }
 
   // A vertex that replace() can use from now on.
@@ -526,6 +530,30 @@ private:
   void release(Index t) {
     tetrahedra_[t].v[0] = none;
     free_.push_back(t);
+  }
+
+  struct Star_base {
+    Facet_vertices v;
+    Index other;
+    std::int32_t label;
+  };
+  typedef boost::container::small_vector<Star_base, 64> Star_bases;
+  template <class Base_facets> Star_bases bases_of(const Base_facets& bases) const {
+    Star_bases result;
+    for (Index f : bases)
+      result.push_back({vertices(f), other_side(f), label(f)});
+    return result;
+  }
+  void put_star(const Star_bases& bases, const Star_links& links, Index v, std::int32_t region,
+                const Index_list& numbers) {
+    for (std::size_t k = 0; k < bases.size(); ++k) {
+      const Star_base& b = bases[k];
+      tetrahedra_[numbers[k]] = {{v, b.v[0], b.v[1], b.v[2]}, {none, none, none, none}, {0, 0, 0, 0}, region};
+      link(facet(numbers[k], 0), b.other, b.label);
+    }
+    const auto number = [&](Index code) { return facet(numbers[tetrahedron_of(code)], opposite_of(code)); };
+    for (const auto& [f, g] : links)
+      link(number(f), number(g), 0);
   }
 
   // Neighbors and labels of all tetrahedra at once, by facets with the same vertices.
