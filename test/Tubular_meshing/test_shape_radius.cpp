@@ -19,6 +19,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <functional>
@@ -111,19 +112,55 @@ TEST(Shape_radius, Of_a_flat_vessel_is_half_its_width) {
   EXPECT_LT(shape(Point(4, 0, 4)), 1);
 }
 
-TEST(Shape_radius, Does_not_depend_on_unit_and_rotation) {
-  const Mesh mesh = round_tube(
-      8, [](double z) { return 2 - z / 8; }, 30, 40);
-  const Shape_radius shape{tubular::Wall_distance(mesh)};
-  for (double scale : {1e-6, 1e3})
-    for (double angle : {0., 0.7, 2.}) {
-      const Transformation t = rotation(angle) * Transformation(CGAL::SCALING, scale);
-      const Shape_radius moved{tubular::Wall_distance(transformed(mesh, t))};
-      for (double z = 0.2; z < 8; z += 0.6) {
-        const Point p(1, 0.3, z);
-        EXPECT_NEAR(moved(t(p)) / scale, shape(p), 0.015 * shape(p)) << scale << " " << angle << " " << z;
+Mesh noisy_tube(double noise, int seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> of(1 - noise, 1 + noise);
+  Mesh mesh = round_tube(8, one, 40, 60);
+  for (auto v : mesh.vertices()) {
+    const Point p = mesh.point(v);
+    const double s = of(random);
+    mesh.point(v) = Point(s * p.x(), s * p.y(), p.z());
+  }
+  return mesh;
+}
+
+const double voxel = 0.14;
+
+// A tube of radius 1 through (0, 0, -9) and (2, 3, 9), as an image has it.
+Mesh tube_of_voxels() {
+  const Implicit tube = vessel(Point(0, 0, -9), Point(2, 3, 9), 1);
+  const Implicit steps = [=](const Point& p) { // of the voxel that the point is in
+    const auto middle = [](double x) { return voxel * (std::floor(x / voxel) + 0.5); };
+    return tube(Point(middle(p.x()), middle(p.y()), middle(p.z()))) < 0 ? -1. : 1.;
+  };
+  return implicit_surface(steps, Point(-3, -3, -3), Point(3, 3, 3), 0.07);
+}
+
+Mesh sac_on_a_tube() {
+  const Implicit f =
+      united(vessel(Point(0, 0, -20), Point(0, 0, 20), 1),
+             united(vessel(Point(0, 0, 0), Point(3, 0, 0), 0.5), ball(Point(3.5, 0, 0), 1.4)));
+  return implicit_surface(f, Point(-2, -2, -4), Point(5.5, 2, 4), 0.12);
+}
+
+// But for rounding: at each place of the wall, whether it is regular, so that much is equally far, or not.
+TEST(Shape_radius, Does_not_depend_on_unit_position_and_direction) {
+  const auto taper = [](double z) { return 2 - z / 8; };
+  for (const Mesh& mesh : {round_tube(8, taper, 30, 40), round_tube(12, one, 30, 60), round_tube(12, one, 32, 2),
+                           noisy_tube(0.05, 7), tube_of_voxels(), sac_on_a_tube()}) {
+    const auto balls = Shape_radius{tubular::Wall_distance(mesh)}.balls();
+    for (double scale : {1e-6, 1., 1e3})
+      for (double angle : {0., 0.7, 2.}) {
+        const Transformation turned(0, -1, 0, 5, 0, 0, 1, -2, -1, 0, 0, 7); // axes become others
+        const Transformation t = Transformation(CGAL::SCALING, scale) * rotation(angle) * turned;
+        const auto moved = Shape_radius{tubular::Wall_distance(transformed(mesh, t))}.balls();
+        ASSERT_EQ(moved.size(), balls.size());
+        for (std::size_t i = 0; i < balls.size(); ++i) {
+          ASSERT_NEAR(moved[i].radius / scale, balls[i].radius, 1e-9 * balls[i].radius) << scale << " " << angle;
+          ASSERT_LT(CGAL::squared_distance(moved[i].center, t(balls[i].center)), 1e-18 * scale * scale);
+        }
       }
-    }
+  }
 }
 
 TEST(Shape_radius, Is_the_same_on_any_number_of_threads) {
@@ -153,35 +190,48 @@ TEST(Shape_radius, Is_not_set_by_vertices_out_of_place) {
 }
 
 TEST(Shape_radius, Is_not_set_by_noise) {
-  std::mt19937 random(5);
   for (double noise : {0.02, 0.05}) {
-    std::uniform_real_distribution<double> of(1 - noise, 1 + noise);
-    Mesh mesh = round_tube(8, one, 40, 60);
-    for (auto v : mesh.vertices()) {
-      const Point p = mesh.point(v);
-      const double s = of(random);
-      mesh.point(v) = Point(s * p.x(), s * p.y(), p.z());
-    }
+    const Mesh mesh = noisy_tube(noise, 5);
     const auto r = range(mesh);
     EXPECT_GT(r.first, 1 - 3 * noise) << noise;
     EXPECT_LT(r.second, 1 + 3 * noise) << noise;
   }
 }
 
-TEST(Shape_radius, Is_not_set_by_the_steps_of_a_segmented_image) {
-  const Implicit tube = vessel(Point(0, 0, -9), Point(2, 3, 9), 1);
-  const double voxel = 0.14;
-  const Implicit steps = [&](const Point& p) { // of the voxel that the point is in
-    const auto middle = [&](double x) { return voxel * (std::floor(x / voxel) + 0.5); };
-    return tube(Point(middle(p.x()), middle(p.y()), middle(p.z()))) < 0 ? -1. : 1.;
-  };
-  const Mesh mesh = implicit_surface(steps, Point(-3, -3, -3), Point(3, 3, 3), 0.07);
-  const Shape_radius shape{tubular::Wall_distance(mesh)};
+void expect_steps_to_matter_little(const Shape_radius& shape) {
   for (double z = -2.5; z < 2.6; z += 0.25)
     for (double a = 0; a < 6; a += 0.5) {
       const double t = (z + 9) / 18;
       EXPECT_NEAR(shape(Point(2 * t + std::cos(a), 3 * t + std::sin(a), z)), 1, 0.13) << z << " " << a;
     }
+  std::size_t all = 0, off = 0;
+  for (const auto& b : shape.balls())
+    if (std::abs(b.on_wall.z()) < 2.2) {
+      ++all;
+      off += std::abs(b.radius - 1) > 0.13;
+    }
+  EXPECT_LT(double(off), 1e-3 * double(all));
+}
+
+TEST(Shape_radius, Is_not_set_by_the_steps_of_a_segmented_image) {
+  expect_steps_to_matter_little(Shape_radius{tubular::Wall_distance(tube_of_voxels())});
+}
+
+// The triangles' order decides which places are asked first: it must not decide what is found.
+TEST(Shape_radius, Is_not_set_by_steps_in_any_order_of_the_triangles) {
+  const Mesh mesh = tube_of_voxels();
+  std::vector<std::array<Point, 3>> triangles;
+  for (auto f : mesh.faces()) {
+    triangles.emplace_back();
+    std::size_t k = 0;
+    for (auto v : mesh.vertices_around_face(mesh.halfedge(f)))
+      triangles.back()[k++] = mesh.point(v);
+  }
+  std::mt19937 random(2);
+  for (int i = 0; i < 3; ++i) {
+    std::shuffle(triangles.begin(), triangles.end(), random);
+    expect_steps_to_matter_little(Shape_radius{tubular::Wall_distance(triangles)});
+  }
 }
 
 TEST(Shape_radius, Keeps_a_stenosis) {

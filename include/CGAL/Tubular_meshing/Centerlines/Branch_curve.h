@@ -79,9 +79,9 @@ public:
   /* How far from one of its ends a branch leaves the ball of the given radius about the end; its length, if never. */
   double exit(bool from_source, double ball) const {
     const Vector_3d center = from_source ? at(0) : at(branch_.points.size() - 1);
-    const double step = 0.05 * ball;
+    const double step = 0.05 * ball, least = (1 - 1e-9) * ball; // a straight line leaves right at a step
     for (double s = 0; step > 0 && s < length(); s += step)
-      if (norm(point(from_source ? s : length() - s) - center) >= ball)
+      if (norm(point(from_source ? s : length() - s) - center) >= least)
         return s;
     return length();
   }

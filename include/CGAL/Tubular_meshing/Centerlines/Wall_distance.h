@@ -13,6 +13,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -95,6 +96,13 @@ public:
 
   /// The corners of a triangle, in the order in which they were given.
   std::array<Point_3, 3> triangle(std::size_t i) const;
+
+  /// The number of places where triangles have corners.
+  std::size_t number_of_corners() const;
+
+  /// The numbers of the places of a triangle's corners, in the order in which they were given, from 0 on: triangles that
+  /// meet have some in common. How places are numbered is not said.
+  std::array<std::uint32_t, 3> corners(std::size_t i) const;
 
   /// The box of the wall.
   CGAL::Bbox_3 bbox() const;

@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace CGAL::Tubular_meshing {
@@ -58,6 +59,14 @@ CGAL_TUBULAR_MESHING_INLINE std::array<Point_3, 3> Wall_distance::triangle(std::
   const auto t = impl_->tree.shape(i);
   const auto point = [&](int k) { return Point_3(t[k].x(), t[k].y(), t[k].z()); };
   return {point(0), point(1), point(2)};
+}
+
+CGAL_TUBULAR_MESHING_INLINE std::size_t Wall_distance::number_of_corners() const {
+  return impl_->tree.number_of_corners();
+}
+
+CGAL_TUBULAR_MESHING_INLINE std::array<std::uint32_t, 3> Wall_distance::corners(std::size_t i) const {
+  return impl_->tree.corners(i);
 }
 
 CGAL_TUBULAR_MESHING_INLINE CGAL::Bbox_3 Wall_distance::bbox() const {

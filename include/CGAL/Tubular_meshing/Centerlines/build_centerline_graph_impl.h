@@ -80,11 +80,14 @@ inline double least_radius(const std::vector<double>& radius) {
   return 1e-3 * largest;
 }
 
-// Long lines first, so that the result hardly depends on their order; equal ones as they come.
+// Long lines first, so that the result hardly depends on their order; ones that are equal but for rounding as they come.
 inline void sort_by_length(std::vector<Sampled_line>& lines) {
   std::vector<double> lengths;
   for (const Sampled_line& line : lines)
     lengths.push_back(length(line));
+  const double step = 1e-9 * *std::max_element(lengths.begin(), lengths.end());
+  for (double& l : lengths)
+    l = std::round(l / step);
   std::vector<std::size_t> order(lines.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return lengths[a] > lengths[b]; });

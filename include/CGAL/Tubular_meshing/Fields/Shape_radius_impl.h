@@ -62,24 +62,45 @@ public:
 private:
   typedef std::array<std::uint32_t, 3> Triangle;
 
-  // The triangles with their corners numbered by places, so that they know their neighbours.
+  /* The triangles with their corners numbered as a front meets them that starts at the first triangle and passes over the
+   * wall: by the surface alone, wherever it lies in space, and neighbours are near each other in memory. O(n). */
   static internal::Indexed_triangles welded(const Wall_distance& wall) {
     const std::size_t n = wall.number_of_triangles();
-    std::vector<Point_3> corners;
-    corners.reserve(3 * n);
+    std::vector<Triangle> triangles(n);
+    std::vector<std::size_t> first(wall.number_of_corners() + 1, 0); // of the triangles at each corner
     for (std::size_t i = 0; i < n; ++i)
-      for (const Point_3& p : wall.triangle(i))
-        corners.push_back(p);
-    std::vector<std::uint32_t> order(corners.size());
-    std::iota(order.begin(), order.end(), 0u);
-    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return corners[a] < corners[b]; });
+      for (std::uint32_t c : triangles[i] = wall.corners(i))
+        ++first[c + 1];
+    std::partial_sum(first.begin(), first.end(), first.begin());
+    std::vector<std::uint32_t> around(3 * n);
+    for (std::size_t i = n; i-- > 0;)
+      for (std::uint32_t c : triangles[i])
+        around[--first[c + 1]] = std::uint32_t(i); // first[c + 1] goes down to where those of c begin
     internal::Indexed_triangles result;
-    result.triangles.resize(n);
-    for (std::uint32_t i : order) {
-      if (result.points.empty() || result.points.back() != corners[i])
-        result.points.push_back(corners[i]);
-      result.triangles[i / 3][i % 3] = std::uint32_t(result.points.size() - 1);
-    }
+    result.points.reserve(wall.number_of_corners());
+    const std::uint32_t none = std::uint32_t(-1);
+    std::vector<std::uint32_t> number(wall.number_of_corners(), none), front;
+    const auto meet = [&](std::size_t i) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::uint32_t c = triangles[i][k];
+        if (number[c] != none)
+          continue;
+        number[c] = std::uint32_t(front.size());
+        front.push_back(c);
+        result.points.push_back(wall.triangle(i)[k]);
+      }
+    };
+    for (std::size_t i = 0, next = 0; i < n; ++i)
+      for (meet(i); next < front.size(); ++next) {
+        const std::uint32_t c = front[next];
+        const std::size_t end = c + 2 < first.size() ? first[c + 2] : around.size();
+        for (std::size_t k = first[c + 1]; k < end; ++k)
+          meet(around[k]);
+      }
+    for (Triangle& t : triangles)
+      for (std::uint32_t& c : t)
+        c = number[c];
+    result.triangles = std::move(triangles);
     return result;
   }
 

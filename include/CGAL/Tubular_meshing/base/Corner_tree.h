@@ -56,6 +56,9 @@ public:
   bool empty() const { return shapes_.empty(); }
   std::size_t size() const { return shapes_.size(); }
   Shape shape(std::size_t i) const { return at_corners(shapes_[i]); }
+  /* The numbers of a shape's corners, in its order; those in the same place are one. */
+  const Numbers& corners(std::size_t i) const { return shapes_[i]; }
+  std::size_t number_of_corners() const { return corners_.size(); }
 
   CGAL::Bbox_3 bbox() const {
     if (empty())

@@ -120,39 +120,54 @@ public:
   template <class Visit> void for_each(Indexed_wall::Index center, double radius, const Visit& visit) {
     ++round_;
     found_.clear();
-    insert(center);
+    const Vector_3d middle = wall_.point(center);
     const double radius2 = radius * radius;
+    std::size_t beyond = 0;
+    slot_of(center) = Slot{center, round_};
+    found_.push_back(Found{center, 0});
     for (std::size_t head = 0; head < found_.size(); ++head) {
-      const Indexed_wall::Index v = found_[head];
-      const double x = v == center ? 0 : squared_norm(wall_.point(v) - wall_.point(center)) / radius2;
-      visit(v, (1 - x) * (1 - x));
-      for (const auto *n = wall_.neighbors_begin(v), *end = wall_.neighbors_end(v); n != end; ++n)
-        if (found_.size() < most_ && squared_norm(wall_.point(*n) - wall_.point(center)) < radius2)
-          insert(*n);
+      const Found at = found_[head];
+      const double x = at.squared_distance / radius2;
+      visit(at.vertex, (1 - x) * (1 - x));
+      const auto *n = wall_.neighbors_begin(at.vertex), *end = wall_.neighbors_end(at.vertex);
+      for (; n != end && found_.size() < most_; ++n) {
+        Slot& slot = slot_of(*n);
+        if (slot.round == round_)
+          continue;
+        const double squared_distance = squared_norm(wall_.point(*n) - middle);
+        const bool is_near = squared_distance < radius2;
+        if (is_near || beyond++ < table_size / 2)
+          slot = Slot{*n, round_};
+        if (is_near)
+          found_.push_back(Found{*n, squared_distance});
+      }
     }
   }
 
 private:
-  static constexpr std::size_t table_size = 1024; // a power of two, four times as many as there may be entries
+  static constexpr std::size_t table_size = 1024; // a power of two; a quarter for what is near, half for what is beyond
 
   struct Slot {
     Indexed_wall::Index vertex;
     std::uint32_t round;
   };
+  struct Found {
+    Indexed_wall::Index vertex;
+    double squared_distance; // from the center
+  };
 
-  void insert(Indexed_wall::Index v) {
+  // Where a vertex is, if it was seen in this round, or where it belongs.
+  Slot& slot_of(Indexed_wall::Index v) {
     std::size_t i = (v * 2654435761u) % table_size;
-    for (; seen_[i].round == round_; i = (i + 1) % table_size)
-      if (seen_[i].vertex == v)
-        return;
-    seen_[i] = Slot{v, round_};
-    found_.push_back(v);
+    while (seen_[i].round == round_ && seen_[i].vertex != v)
+      i = (i + 1) % table_size;
+    return seen_[i];
   }
 
   const Indexed_wall& wall_;
   std::size_t most_;
   std::vector<Slot> seen_;
-  std::vector<Indexed_wall::Index> found_;
+  std::vector<Found> found_;
   std::uint32_t round_ = 0;
 };
 

@@ -24,7 +24,7 @@ public:
 
   struct Box {
     Vector_3d low, high;
-    double smallest_value;
+    double half_diagonal, smallest_value;
     Index first, last;         // its points, in the tree's order
     Index left = 0, right = 0; // its children; 0: it has none
 
@@ -105,13 +105,14 @@ private:
   static Box box_of(const std::vector<Vector_3d>& points, const std::vector<double>& values,
                     const std::vector<Index>& order, Index first, Index last) {
     const double infinity = (std::numeric_limits<double>::infinity)();
-    Box box{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}, infinity, first, last};
+    Box box{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}, 0, infinity, first, last};
     for (Index i = first; i < last; ++i) {
       const Vector_3d& p = points[order[i]];
       box.low = {(std::min)(box.low.x, p.x), (std::min)(box.low.y, p.y), (std::min)(box.low.z, p.z)};
       box.high = {(std::max)(box.high.x, p.x), (std::max)(box.high.y, p.y), (std::max)(box.high.z, p.z)};
       box.smallest_value = (std::min)(box.smallest_value, values[order[i]]);
     }
+    box.half_diagonal = 0.5 * (1 + 1e-12) * norm(box.high - box.low); // no less, whatever was rounded
     return box;
   }
 

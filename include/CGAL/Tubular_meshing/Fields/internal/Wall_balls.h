@@ -31,19 +31,21 @@ public:
       : wall_(wall)
       , orientation_(orientation)
       , threads_(threads) {
+    measure_edges();
     find_spikes();
     make_normals();
     // once at some vertices, for an idea of the radius; then at all, against as many obstacles as the radius needs
     chosen_.assign(size(), 1);
     collect_obstacles(false);
-    choose_apart([&](Index v) { return 1.01 * longest_edge(v); });
-    shrink(chosen_, 0.8);
+    choose_apart([&](Index v) { return 1.01 * longest_edge_[v]; });
+    shrink(chosen_, std::vector<double>(size(), 0.));
     spread_to_neighbours();
     filter(touching_at_first);
+    raise_to_medians();
     average_normals();
     choose_apart([&](Index v) { return spacing * radii_[v]; });
     collect_obstacles(true);
-    shrink(std::vector<char>(size(), 1), 0.98);
+    shrink(std::vector<char>(size(), 1), radii_);
     filter(touching);
     give_mouths_to_necks();
     smooth();
@@ -58,6 +60,8 @@ public:
   const std::vector<Vector_3d>& directions() const { return directions_; }
 
 private:
+  // what is as far as something else but for rounding is so in any place, unit and direction
+  static constexpr double as_far = 1 + 1e-9;
   static constexpr double window = 0.5;  // of the radius
   static constexpr double spacing = 0.2; // of obstacles, of the radius
   // how far from its surface a ball touches a vertex, of its radius or that of the fourth largest ball beside the vertex
@@ -88,7 +92,8 @@ private:
       for (const Index* w = wall_.neighbors_begin(v); w != wall_.neighbors_end(v); ++w)
         apart += norm(wall_.point(*w) - middle) / n;
       const Vector_3d d = wall_.point(v) - middle;
-      is_spike_[v] = wall_.is_on_rim(v) ? norm(d) > 1.5 * apart : std::abs(dot(d, normalized(area[v]))) > apart;
+      is_spike_[v] = wall_.is_on_rim(v) ? norm(d) > as_far * 1.5 * apart
+                                       : std::abs(dot(d, normalized(area[v]))) > as_far * apart;
     }
   }
 
@@ -112,6 +117,21 @@ private:
       directions_[v] = normalized(squared_norm(directions_[v]) > 0 ? directions_[v] : all[v]);
   }
 
+  /* On the steps of an image there are vertices whose own normal lies along the wall: no ball but a small one of their own
+   * touches them, and it would have their normal averaged over next to nothing. What half of the vertices say counts. */
+  void raise_to_medians() {
+    const std::vector<double> before = radii_;
+    const auto distance = [&](Index v) { return 2.02 * longest_edge_[v]; };
+    for_each_window(distance, [&](Index v, Wall_neighborhood& near, double reach) {
+      std::array<double, most_near> radii{};
+      std::size_t n = 0;
+      near.for_each(v, reach, [&](Index w, double) { radii[n++] = before[w]; });
+      const auto middle = radii.begin() + std::ptrdiff_t(n / 2);
+      std::nth_element(radii.begin(), middle, radii.begin() + std::ptrdiff_t(n));
+      radii_[v] = (std::max)(before[v], *middle);
+    });
+  }
+
   void average_normals() {
     const std::vector<Vector_3d> before = directions_;
     for_each_window([&](Index v, Wall_neighborhood& near, double radius) {
@@ -130,7 +150,7 @@ private:
     for (Index v = 0; v < size(); ++v)
       if (!covered[v]) {
         chosen_[v] = 1;
-        near.for_each(v, distance(v), [&](Index w, double) { covered[w] = 1; });
+        near.for_each(v, as_far * distance(v), [&](Index w, double) { covered[w] = 1; });
       }
   }
 
@@ -171,11 +191,13 @@ private:
     for (int k = 0; k < 3; ++k)
       length[k] = norm(wall_.point(t[(k + 1) % 3]) - wall_.point(t[(k + 2) % 3]));
     const double longest = *std::max_element(length.begin(), length.end());
-    if (!(radius > 0) || longest <= radius)
+    if (!(radius > 0) || longest <= as_far * radius)
       return;
-    const int apex = int(std::min_element(length.begin(), length.end()) - length.begin());
+    const double shortest = *std::min_element(length.begin(), length.end());
+    const int apex = int(
+        std::find_if(length.begin(), length.end(), [&](double l) { return l <= as_far * shortest; }) - length.begin());
     const Vector_3d &p = wall_.point(t[apex]), &q = wall_.point(t[(apex + 1) % 3]), &r = wall_.point(t[(apex + 2) % 3]);
-    const auto parts = [&](double l) { return (std::max)(1, int((std::min)(64., std::ceil(2 * l / radius)))); };
+    const auto parts = [&](double l) { return (std::max)(1, int((std::min)(64., std::ceil(2 * l / (as_far * radius))))); };
     const int rows = parts(longest);
     for (int i = 1; i <= rows; ++i) {
       const double s = double(i) / rows;
@@ -185,16 +207,17 @@ private:
     }
   }
 
-  /* A ball that is small enough but for a part of its squared radius is left: on a sphere, all of it is near the ball. */
-  void shrink(const std::vector<char>& wanted, double slack) {
+  // `about`: what radius to expect, which has no influence; 0 if unknown; a copy, as it may be that of radii_.
+  void shrink(const std::vector<char>& wanted, const std::vector<double> about) {
     radii_.assign(size(), 0);
-    const Bbox_3 box = wall_bbox();
-    const double largest = norm({box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin()}) / 2;
+    const double extent = extent_of(wall_.points());
     for_each_range(size(), threads_, [&](std::size_t first, std::size_t last) {
       for (std::size_t i = first; i < last; ++i) {
         const Index v = Index(i);
-        if (wanted[v])
-          radii_[v] = opposite_ball(obstacles_, wall_.point(v), directions_[v], 8 * longest_edge(v), largest, slack);
+        if (wanted[v]) {
+          const double bound = about[v] > 0 ? 1.25 * about[v] : 8 * longest_edge_[v];
+          radii_[v] = opposite_ball(obstacles_, wall_.point(v), directions_[v], bound, extent);
+        }
       }
     });
   }
@@ -203,10 +226,10 @@ private:
    * a smaller one, which goes down from there, and is dropped where there are as many larger ones: values only rise. */
   class Largest_of_all_threads {
   public:
-    bool is_below(float radius) const { return largest_.back().load(std::memory_order_relaxed) < radius; }
-    void insert(float radius) {
-      for (std::atomic<float>& place : largest_) {
-        float there = place.load(std::memory_order_relaxed);
+    bool is_below(double radius) const { return largest_.back().load(std::memory_order_relaxed) < radius; }
+    void insert(double radius) {
+      for (std::atomic<double>& place : largest_) {
+        double there = place.load(std::memory_order_relaxed);
         while (there < radius)
           if (place.compare_exchange_weak(there, radius, std::memory_order_relaxed)) {
             std::swap(there, radius);
@@ -214,15 +237,15 @@ private:
           }
       }
     }
-    std::array<float, witnesses> values() const {
-      std::array<float, witnesses> result;
+    std::array<double, witnesses> values() const {
+      std::array<double, witnesses> result;
       for (std::size_t k = 0; k < witnesses; ++k)
         result[k] = largest_[k].load(std::memory_order_relaxed);
       return result;
     }
 
   private:
-    std::array<std::atomic<float>, witnesses> largest_{}; // descending
+    std::array<std::atomic<double>, witnesses> largest_{}; // descending
   };
 
   /* Each ball counts at all vertices nearby that it touches, about: of those at a vertex the fourth largest remains.
@@ -237,7 +260,7 @@ private:
         return;
       const Vector_3d center = wall_.point(v) + r * directions_[v];
       near.for_each(v, reach, [&](Index w, double) {
-        if (!largest[w].is_below(float(r)))
+        if (!largest[w].is_below(r))
           return;
         const Vector_3d to_center = center - wall_.point(w);
         const double distance = norm(to_center);
@@ -245,7 +268,7 @@ private:
         const bool touches =
             distance < r + touch * (std::min)(r, nearby[w]) && dot(to_center, directions_[w]) > least_cosine * distance;
         if (w == v || is_spike_[w] || touches)
-          largest[w].insert(float(r));
+          largest[w].insert(r);
       });
     });
     for (Index v = 0; v < size(); ++v)
@@ -256,26 +279,27 @@ private:
    * of single balls, but not what the balls of a sac, which pass by the vertices of its neck, are. */
   std::vector<double> large_nearby() const {
     std::vector<double> result(size(), 0.);
-    const auto distance = [&](Index v) { return (std::max)(window * radii_[v], 2.02 * longest_edge(v)); };
+    const auto distance = [&](Index v) { return (std::max)(window * radii_[v], 2.02 * longest_edge_[v]); };
     for_each_window(distance, [&](Index v, Wall_neighborhood& near, double reach) {
-      std::array<float, witnesses> largest{};
-      near.for_each(v, reach, [&](Index w, double) { insert(float(radii_[w]), largest); });
+      std::array<double, witnesses> largest{};
+      near.for_each(v, reach, [&](Index w, double) { insert(radii_[w], largest); });
       result[v] = last_of(largest);
     });
     return result;
   }
 
-  static double last_of(const std::array<float, witnesses>& descending) {
+  static double last_of(const std::array<double, witnesses>& descending) {
     std::size_t k = witnesses - 1;
     while (k > 0 && descending[k] == 0)
       --k;
     return descending[k];
   }
 
-  static void insert(float radius, std::array<float, witnesses>& descending) {
-    for (float& r : descending)
-      if (radius > r)
-        std::swap(radius, r);
+  static void insert(double radius, std::array<double, witnesses>& descending) {
+    if (radius > descending.back())
+      for (double& r : descending)
+        if (radius > r)
+          std::swap(radius, r);
   }
 
   double shortest_edge(Index v) const {
@@ -285,11 +309,13 @@ private:
     return result;
   }
 
-  double longest_edge(Index v) const {
-    double result = 0;
-    for (const Index* w = wall_.neighbors_begin(v); w != wall_.neighbors_end(v); ++w)
-      result = (std::max)(result, norm(wall_.point(*w) - wall_.point(v)));
-    return result;
+  void measure_edges() {
+    longest_edge_.assign(size(), 0);
+    for_each_range(size(), threads_, [&](std::size_t first, std::size_t last) {
+      for (std::size_t v = first; v < last; ++v)
+        for (const Index* w = wall_.neighbors_begin(Index(v)); w != wall_.neighbors_end(Index(v)); ++w)
+          longest_edge_[v] = (std::max)(longest_edge_[v], norm(wall_.point(*w) - wall_.point(Index(v))));
+    });
   }
 
   /* Where a neck opens into a sac, balls of either touch the wall, and all sizes between. What is a neck's by half of an
@@ -332,7 +358,7 @@ private:
         [&](std::size_t first, std::size_t last) {
           Wall_neighborhood near(wall_, most_near);
           for (std::size_t i = first; i < last; ++i)
-            visit(Index(i), near, distance(Index(i)));
+            visit(Index(i), near, as_far * distance(Index(i)));
         },
         1024);
   }
@@ -342,22 +368,14 @@ private:
   }
 
   // As far as the neighbours at least.
-  double window_of(Index v) const { return (std::max)(window * radii_[v], 1.01 * longest_edge(v)); }
-
-  Bbox_3 wall_bbox() const {
-    Bbox_3 box;
-    for (Index v = 0; v < size(); ++v) {
-      const Vector_3d& p = wall_.point(v);
-      box += Bbox_3(p.x, p.y, p.z, p.x, p.y, p.z);
-    }
-    return box;
-  }
+  double window_of(Index v) const { return (std::max)(window * radii_[v], 1.01 * longest_edge_[v]); }
 
   const Indexed_wall& wall_;
   double orientation_;
   int threads_;
   std::vector<char> is_spike_, chosen_;
   std::vector<Vector_3d> directions_;
+  std::vector<double> longest_edge_; // at each vertex
   std::vector<double> radii_;
   Point_boxes obstacles_;
 };

@@ -35,13 +35,9 @@ public:
       average_normals();
     std::vector<Vector_3d> points;
     for (Vertex v : surface.vertices())
-      if (is_wall_[v]) {
+      if (is_wall_[v])
         points.emplace_back(surface.point(v));
-        box_.low = {(std::min)(box_.low.x, points.back().x), (std::min)(box_.low.y, points.back().y),
-                    (std::min)(box_.low.z, points.back().z)};
-        box_.high = {(std::max)(box_.high.x, points.back().x), (std::max)(box_.high.y, points.back().y),
-                     (std::max)(box_.high.z, points.back().z)};
-      }
+    extent_ = extent_of(points);
     add_middles(points);
     obstacles_ = Point_boxes(points, std::vector<double>(points.size(), 0.));
   }
@@ -85,10 +81,6 @@ private:
   struct Ball {
     Vector_3d center;
     double radius;
-  };
-
-  struct Box {
-    Vector_3d low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
   };
 
   Vector_3d doubled_area(Face f) const {
@@ -225,12 +217,11 @@ private:
   }
 
   double ball(Vertex v) const {
-    const double slack = 0.98;
     const Vector_3d p(surface_.point(v));
     double edge = 0;
     for (Vertex w : surface_.vertices_around_target(surface_.halfedge(v)))
       edge = (std::max)(edge, norm(Vector_3d(surface_.point(w)) - p));
-    return opposite_ball(obstacles_, p, normals_[v], 8 * edge, norm(box_.high - box_.low) / 2, slack);
+    return opposite_ball(obstacles_, p, normals_[v], 8 * edge, extent_);
   }
 
   const Surface& surface_;
@@ -238,7 +229,7 @@ private:
   int threads_;
   std::vector<Vector_3d> normals_;
   std::vector<char> is_wall_;
-  Box box_;
+  double extent_ = 0;
   double area_ = 0; // of the wall
   Point_boxes obstacles_;
 };

@@ -9,31 +9,33 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace CGAL::Tubular_meshing::internal {
 
 /* The largest radius, below the bound, of a ball that touches x in the direction n, of unit length, with no obstacle
- * inside that lies opposite, within 36 degrees of n; 0 if there is none in the ball of the bound. A ball that is small
- * enough but for a part of its squared radius, 1 - slack, is left: on a sphere, all of it is near the ball. */
-inline double ball_within(const Point_boxes& obstacles, const Vector_3d& x, const Vector_3d& n, double bound,
-                          double slack) {
-  const double facing = 0.80901699437494742; // the cosine of 36 degrees
+ * inside that lies opposite, within 36 degrees of n; 0 if there is none in the ball of the bound. It is that of the obstacle
+ * whose ball is the smallest, in whatever order they are found, wherever it all lies in space. */
+inline double ball_within(const Point_boxes& obstacles, const Vector_3d& x, const Vector_3d& n, double bound) {
+  // 36 degrees and 1e-7 of one: a regular tube has points right there
+  const double cosine = 0.809016993, sine = 0.587785254;
+  const double as_near = 1 + 1e-12;
   double radius = bound;
   Vector_3d center = x + radius * n;
   obstacles.search(
       center,
       [&](const Point_boxes::Box& box) {
-        if (box.squared_distance(center) >= slack * radius * radius)
+        if (box.squared_distance(center) > as_near * radius * radius)
           return false;
         // the box's own ball against the cone of what lies opposite
         const Vector_3d middle = 0.5 * (box.low + box.high), d = middle - x;
         const double along = dot(d, n), across = std::sqrt((std::max)(0., squared_norm(d) - along * along));
-        return facing * (across - along) <= 0.5 * norm(box.high - box.low);
+        return cosine * across - sine * along <= box.half_diagonal;
       },
       [&](const Vector_3d& q, double) {
         const Vector_3d d = q - x;
         const double along = dot(d, n), length2 = squared_norm(d);
-        if (along > 0 && along * along >= facing * facing * length2 && length2 < 2 * along * radius * slack) {
+        if (along > 0 && along * along >= cosine * cosine * length2 && length2 < 2 * along * radius) {
           radius = length2 / (2 * along);
           center = x + radius * n;
         }
@@ -41,15 +43,27 @@ inline double ball_within(const Point_boxes& obstacles, const Vector_3d& x, cons
   return radius < bound ? radius : 0;
 }
 
-/* The same whatever the radius; 0 if nothing lies opposite. Balls of about `first` are tried first: most need not be
- * shrunk from the size of all. `largest`: half of the extent of all obstacles. */
+/* The same up to four times the extent of all obstacles; 0 if nothing lies opposite. Balls of about `first` are tried first,
+ * which has no influence: most need not be shrunk from the size of all. */
 inline double opposite_ball(const Point_boxes& obstacles, const Vector_3d& x, const Vector_3d& n, double first,
-                            double largest, double slack) {
-  double radius = 0;
-  for (double bound = (std::min)((std::max)(first, largest / 4096), largest); radius == 0 && bound < 5 * largest;
-       bound *= 4)
-    radius = ball_within(obstacles, x, n, bound, slack);
-  return radius;
+                            double extent) {
+  const double largest = 4 * extent;
+  for (double bound = (std::max)(first, extent / 4096);; bound *= 4) {
+    const double radius = ball_within(obstacles, x, n, (std::min)(bound, largest));
+    if (radius > 0 || bound >= largest)
+      return radius;
+  }
+}
+
+/* The largest distance of points from their mean, which is the same in any direction. */
+inline double extent_of(const std::vector<Vector_3d>& points) {
+  Vector_3d mean;
+  for (const Vector_3d& p : points)
+    mean += (1 / double(points.size())) * p;
+  double squared = 0;
+  for (const Vector_3d& p : points)
+    squared = (std::max)(squared, squared_norm(p - mean));
+  return std::sqrt(squared);
 }
 
 } // namespace CGAL::Tubular_meshing::internal
