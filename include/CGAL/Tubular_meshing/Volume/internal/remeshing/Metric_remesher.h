@@ -89,13 +89,13 @@ private:
     return splits;
   }
 
-  // In the last round no edges are split for their length: what balancing would take out again.
+  // In later rounds no edges are split for their length: balancing takes out most of what that puts in.
   void improve(int rounds) {
     for (int round = 0; round < rounds; ++round) {
       check_interruption();
       relocate(1);
       flip(S::flipped_while_improving);
-      fit_lengths(1, round + 1 < rounds);
+      fit_lengths(1, round < S::rounds_with_splits);
       balance();
     }
   }

@@ -61,6 +61,7 @@ struct Remeshing_schedule {
   // Shapes: rounds of relocations and flips.
   static constexpr int rounds_with_limited_ratio = 3;
   static constexpr int rounds_of_improvement = 5;
+  static constexpr int rounds_with_splits = 2; // the first ones
   static constexpr int rounds_of_repair = 3;
   static constexpr int rounds_of_last_repair = 2;
 
