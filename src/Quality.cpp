@@ -4,5 +4,6 @@
 #include <CGAL/Tubular_meshing/Quality/boundary_layer_report_impl.h>
 #include <CGAL/Tubular_meshing/Quality/branch_resolution_impl.h>
 #include <CGAL/Tubular_meshing/Quality/element_quality_impl.h>
+#include <CGAL/Tubular_meshing/Quality/mesh_report_impl.h>
 #include <CGAL/Tubular_meshing/Quality/quality_report_impl.h>
 #include <CGAL/Tubular_meshing/Quality/validity_report_impl.h>

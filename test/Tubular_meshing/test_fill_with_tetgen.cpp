@@ -9,7 +9,7 @@
 #include <CGAL/Tubular_meshing/Quality/quality_report.h>
 #include <CGAL/Tubular_meshing/Quality/validity_report.h>
 #include <CGAL/Tubular_meshing/Volume/fill_keeping_boundary.h>
-#include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/fill_by_recovery.h>
+#include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/Filled_surface.h>
 #include <CGAL/Tubular_meshing/Volume/optimize_tetrahedra.h>
 #include <CGAL/Tubular_meshing/base/parallel.h>
 
@@ -484,13 +484,13 @@ template <class Recovery> std::string sentence_of(const Recovery& recover, bool 
   for (const auto& t : boundary.triangles)
     surface.add_face(Surface::Vertex_index(t[0]), Surface::Vertex_index(t[1]), Surface::Vertex_index(t[2]));
   const Patch_map patch = surface.add_property_map<Surface::Face_index, int>("f:patch", 1).first;
-  Mesh mesh;
   tubular::Fill_keeping_boundary_options options;
   options.in_child_process = in_child_process;
   options.time_limit = 60;
   const tubular::internal::Filling_limits limits(options, surface, "use fill_with_mesh_3()");
-  const auto failure = tubular::internal::fill_by_recovery(
-      surface, patch, [](const Point&) { return 0.5; }, {recover, "Some mesher"}, limits, mesh);
+  tubular::internal::Filled_surface filling;
+  const auto failure = filling.fill(
+      surface, patch, [](const Point&) { return 0.5; }, {recover, "Some mesher"}, limits);
   return failure ? failure->str() : std::string();
 }
 
@@ -529,12 +529,11 @@ TEST_F(Fill_with_tetgen, Refuses_more_points_than_memory_holds) {
   const Labelled_tube tube(12, 2);
   tubular::internal::Filling_limits limits({}, tube.surface, "");
   limits.most_points = 5;
-  Mesh mesh;
-  const auto failure = tubular::internal::fill_by_recovery(
-      tube.surface, tube.patch, [](const Point&) { return 0.2; }, tubular::internal::tetgen_recovery(), limits, mesh);
+  tubular::internal::Filled_surface filling;
+  const auto failure = filling.fill(
+      tube.surface, tube.patch, [](const Point&) { return 0.2; }, tubular::internal::tetgen_recovery(), limits);
   ASSERT_TRUE(failure);
   EXPECT_NE(failure->str().find("more than 5 points"), std::string::npos) << failure->str();
-  EXPECT_TRUE(mesh.points.empty());
 }
 
 TEST(Fill_keeping_boundary, Refuses_a_filling_that_does_not_keep_the_surface) {
@@ -560,12 +559,21 @@ Mesh fan_in_a_cube(double side) {
   return m;
 }
 
+// Whether there was room for all.
+template <class Size> bool add_points_inside(const Size& size, std::size_t most, int threads, Mesh& mesh) {
+  tubular::internal::Tetrahedron_store store(mesh, threads);
+  tubular::internal::Delaunay_refinement refine(store, size, tubular::internal::Filled_surface::radius_bound, threads);
+  const bool is_done = refine(most) < most;
+  store.write_inside_to(mesh);
+  return is_done;
+}
+
 TEST(Delaunay_refinement, Fills_a_cube_and_keeps_its_boundary) {
   for (double side : {1., 1e-7}) {
     Mesh mesh = fan_in_a_cube(side);
     const Mesh before = mesh;
     // not below the size of the boundary's triangles by much: points too near to those are not added
-    ASSERT_TRUE(tubular::internal::add_points_inside([side](const Point&) { return 0.25 * side; }, 100000, 1, mesh));
+    ASSERT_TRUE(add_points_inside([side](const Point&) { return 0.25 * side; }, 100000, 1, mesh));
     const auto report = tubular::validity_report(mesh);
     EXPECT_TRUE(report.is_valid()) << report.defects();
     EXPECT_NEAR(volume(mesh) / (side * side * side), 1, 1e-12);
@@ -580,12 +588,12 @@ TEST(Delaunay_refinement, Gives_the_same_mesh_on_any_number_of_threads) {
   // small near one corner, so that batches get in their own way there
   const auto size = [](const Point& p) { return 0.03 + 0.1 * (p.x() + p.y() + p.z()); };
   Mesh one = fan_in_a_cube(1);
-  ASSERT_TRUE(tubular::internal::add_points_inside(size, 1000000, 1, one));
+  ASSERT_TRUE(add_points_inside(size, 1000000, 1, one));
   EXPECT_GT(one.points.size(), 300u);
   EXPECT_TRUE(tubular::validity_report(one).is_valid());
   for (int threads : {2, 3}) {
     Mesh several = fan_in_a_cube(1);
-    ASSERT_TRUE(tubular::internal::add_points_inside(size, 1000000, threads, several));
+    ASSERT_TRUE(add_points_inside(size, 1000000, threads, several));
     EXPECT_EQ(several.points, one.points);
     EXPECT_EQ(several.tetrahedra.vertices, one.tetrahedra.vertices);
   }
@@ -600,8 +608,9 @@ TEST_F(Fill_with_tetgen, Finds_small_sizes_far_from_the_wall) {
   const auto size = [&](const Point& p) { return (std::min)(coarse, 0.03 + 0.3 * (std::max)(0., away(p) - 0.05)); };
   Mesh mesh;
   const tubular::internal::Filling_limits limits({}, tube.surface, "");
-  ASSERT_FALSE(tubular::internal::fill_by_recovery(tube.surface, tube.patch, size, tubular::internal::tetgen_recovery(),
-                                                   limits, mesh));
+  tubular::internal::Filled_surface filling;
+  ASSERT_FALSE(filling.fill(tube.surface, tube.patch, size, tubular::internal::tetgen_recovery(), limits));
+  filling.write_to(mesh);
   std::size_t checked = 0;
   for (const auto& t : mesh.tetrahedra.vertices) {
     const Point &a = mesh.points[t[0]], &b = mesh.points[t[1]], &c = mesh.points[t[2]], &d = mesh.points[t[3]];
@@ -610,14 +619,14 @@ TEST_F(Fill_with_tetgen, Finds_small_sizes_far_from_the_wall) {
       continue;
     ++checked;
     EXPECT_LE(std::sqrt(CGAL::squared_radius(a, b, c, d)),
-              1.1 * tubular::internal::kept_boundary_radius_bound * size(middle));
+              1.1 * tubular::internal::Filled_surface::radius_bound * size(middle));
   }
   EXPECT_GT(checked, 1000u);
 }
 
 TEST(Delaunay_refinement, Refuses_more_points_than_memory_holds) {
   Mesh mesh = fan_in_a_cube(1);
-  EXPECT_FALSE(tubular::internal::add_points_inside([](const Point&) { return 0.2; }, 5, 1, mesh));
+  EXPECT_FALSE(add_points_inside([](const Point&) { return 0.2; }, 5, 1, mesh));
 }
 
 TEST(Unit_frame, Brings_points_to_unit_extent_and_back) {

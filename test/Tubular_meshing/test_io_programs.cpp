@@ -76,8 +76,10 @@ TEST(Lz4_block, Literals_and_overlapping_copies) {
   using TM::IO::internal::Compression;
   using TM::IO::internal::decompress;
   const auto unpacked = [](const std::string& packed, std::size_t bytes) {
-    std::string out = "before";
-    return decompress(Compression::lz4, packed, bytes, out) ? out.substr(6) : std::string("damaged");
+    std::string out = "before" + std::string(bytes, '?') + "after";
+    const bool sound = decompress(Compression::lz4, packed, &out[6], bytes);
+    EXPECT_EQ(out.substr(0, 6) + out.substr(6 + bytes), "beforeafter");
+    return sound ? out.substr(6, bytes) : std::string("damaged");
   };
   EXPECT_EQ(unpacked(std::string("\x30") + "abc", 3), "abc");
   // "ab", then eleven bytes from two before, then "xyzvw"
@@ -95,21 +97,19 @@ TEST(Lz4_block, Damage_is_found) {
   using TM::IO::internal::Compression;
   using TM::IO::internal::decompress;
   const std::string good = std::string("\x27") + "ab" + std::string("\x02\x00", 2) + "\x50" + "xyzvw";
-  std::string out;
-  EXPECT_TRUE(decompress(Compression::lz4, good, 18, out));
-  for (std::size_t n = 0; n < good.size(); ++n) {
-    out.clear();
-    EXPECT_FALSE(decompress(Compression::lz4, good.substr(0, n), 18, out)) << n;
-  }
-  for (std::size_t bytes : {0u, 1u, 17u, 19u, 1000u}) {
-    out.clear();
-    EXPECT_FALSE(decompress(Compression::lz4, good, bytes, out)) << bytes;
-  }
+  const auto is_sound = [](const std::string& packed, std::size_t bytes) {
+    std::string out(bytes, '?');
+    return decompress(Compression::lz4, packed, &out[0], bytes);
+  };
+  EXPECT_TRUE(is_sound(good, 18));
+  for (std::size_t n = 0; n < good.size(); ++n)
+    EXPECT_FALSE(is_sound(good.substr(0, n), 18)) << n;
+  for (std::size_t bytes : {0u, 1u, 17u, 19u, 1000u})
+    EXPECT_FALSE(is_sound(good, bytes)) << bytes;
   for (char offset : {'\x00', '\x03', '\x7f'}) { // nothing, or what is not there
     std::string bad = good;
     bad[3] = offset;
-    out.clear();
-    EXPECT_FALSE(decompress(Compression::lz4, bad, 18, out)) << int(offset);
+    EXPECT_FALSE(is_sound(bad, 18)) << int(offset);
   }
 }
 

@@ -7,6 +7,7 @@
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 #include <CGAL/Tubular_meshing/Quality/element_quality.h>
+#include <CGAL/Tubular_meshing/Quality/mesh_report.h>
 #include <CGAL/Tubular_meshing/Quality/quality_report.h>
 #include <CGAL/Tubular_meshing/Quality/shape_measures.h>
 #include <CGAL/Tubular_meshing/Quality/validity_report.h>
@@ -373,6 +374,36 @@ TEST(Quality_report, Efficiency_of_a_unit_mesh) {
 }
 
 // Cells of different shapes in a row: the values are theirs, in their order.
+// Facets on the boundary, between cells and of no cell make no difference to the measures of cells.
+TEST(Mesh_report, Tells_what_both_reports_tell) {
+  Mesh sound = mixed_cells(), defective;
+  sound.prisms.vertices[0] = {1, 5, 8, 2, 6, 9};
+  sound.quads.push_back({4, 5, 6, 7}, 2); // between the hexahedron and the pyramid
+  defective = sound;
+  defective.triangles.push_back({0, 1, 8}, 1);
+  defective.quads.vertices.erase(defective.quads.vertices.begin());
+  defective.quads.label.erase(defective.quads.label.begin());
+  defective.points.push_back(Point(9, 9, 9));
+  for (const Mesh* m : {&sound, &defective})
+    for (int threads : {1, 3}) {
+      const auto np = tubular::parameters::number_of_threads(threads);
+      const tubular::Mesh_report both = tubular::mesh_report(*m, np);
+      EXPECT_EQ(both.validity.is_valid(), m == &sound);
+      EXPECT_EQ(both.validity.defects(), tubular::validity_report(*m, np).defects());
+      EXPECT_EQ(both.validity.boundary_euler, tubular::validity_report(*m, np).boundary_euler);
+      const tubular::Quality_report quality = tubular::quality_report(*m, np);
+      for (auto measure :
+           {&tubular::Quality_report::gamma_T, &tubular::Quality_report::eta_q, &tubular::Quality_report::zeta_H,
+            &tubular::Quality_report::pyramid_jacobian, &tubular::Quality_report::aspect,
+            &tubular::Quality_report::non_orthogonality, &tubular::Quality_report::skewness}) {
+        EXPECT_GT((both.quality.*measure).count(), 0u);
+        EXPECT_EQ((both.quality.*measure).count(), (quality.*measure).count());
+        EXPECT_EQ((both.quality.*measure).mean(), (quality.*measure).mean());
+        EXPECT_EQ((both.quality.*measure).max(), (quality.*measure).max());
+      }
+    }
+}
+
 TEST(Element_quality, Is_in_the_order_of_the_elements) {
   const Mesh m = moved_cubes({4, 1, 1}, [](double x, double y, double z) { return Point(x + z * x / 4, y, z); });
   const std::vector<double> values = tubular::element_quality(m, "scaled_jacobian");

@@ -6,6 +6,8 @@
 #include <CGAL/Tubular_meshing/Volume/fill_keeping_boundary.h>
 #include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/boundary_recovery.h>
 #include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/recover_in_delaunay.h>
+#include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/take_inside.h>
+#include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/base/cell_topology.h>
 
 #include "schoenhardt.h"
@@ -109,6 +111,31 @@ void expect_filled(const Boundary_arrays& boundary, const Recovered_boundary& re
     EXPECT_EQ(facets.count(f), boundary_facets.count(f) > 0 ? 1u : 2u);
 }
 
+// Whether a surface could be filled; `recovered` is what is inside then.
+template <class Recover>
+bool fill(const Boundary_arrays& boundary, int threads, const Recover& recover, Recovered_boundary& recovered) {
+  if (!tubular::internal::recover_in_delaunay(boundary, threads, recover, recovered))
+    return false;
+  tubular::Mixed_mesh mesh;
+  for (const Vector_3d& p : all_points(boundary, recovered))
+    mesh.points.emplace_back(p.x, p.y, p.z);
+  for (const auto& t : recovered.tetrahedra)
+    mesh.tetrahedra.push_back(t, 1);
+  for (const Triangle& t : boundary.triangles)
+    mesh.triangles.push_back(t, 7);
+  const auto store = tubular::internal::take_inside(mesh, threads);
+  EXPECT_EQ(mesh.triangles.label, std::vector<int>(boundary.triangles.size(), 7));
+  if (!store)
+    return false;
+  recovered.tetrahedra.clear();
+  for (std::uint32_t t : store->tetrahedra()) {
+    recovered.tetrahedra.push_back((*store)[t].v);
+    for (std::uint32_t i = 0; i < 4; ++i)
+      EXPECT_EQ((*store)[t].label[i], (*store)[t].neighbor[i] == store->none ? 7 : 0);
+  }
+  return true;
+}
+
 const auto no_recovery = [](const Boundary_arrays&, Recovered_boundary&) {
   ADD_FAILURE() << "nothing is missing";
   return false;
@@ -136,7 +163,7 @@ TEST(Recover_in_delaunay, Needs_no_recovery_where_all_triangles_are_facets) {
     Boundary_arrays boundary;
     add_cylinder(n, 2 * n, 0, boundary);
     Recovered_boundary recovered;
-    ASSERT_TRUE(tubular::internal::recover_in_delaunay(boundary, 1, no_recovery, recovered));
+    ASSERT_TRUE(fill(boundary, 1, no_recovery, recovered));
     EXPECT_TRUE(recovered.inner_points.empty());
     expect_filled(boundary, recovered);
   }
@@ -147,7 +174,7 @@ TEST(Recover_in_delaunay, Leaves_room_between_vessels) {
   for (double x : {0., 2.2, 10.})
     add_cylinder(24, 20, x, boundary);
   Recovered_boundary recovered;
-  ASSERT_TRUE(tubular::internal::recover_in_delaunay(boundary, 1, no_recovery, recovered));
+  ASSERT_TRUE(fill(boundary, 1, no_recovery, recovered));
   expect_filled(boundary, recovered);
 }
 
@@ -155,8 +182,8 @@ TEST(Recover_in_delaunay, Does_not_depend_on_threads) {
   Boundary_arrays boundary;
   add_cylinder(40, 60, 0, boundary);
   Recovered_boundary one, two;
-  ASSERT_TRUE(tubular::internal::recover_in_delaunay(boundary, 1, no_recovery, one));
-  ASSERT_TRUE(tubular::internal::recover_in_delaunay(boundary, 2, no_recovery, two));
+  ASSERT_TRUE(fill(boundary, 1, no_recovery, one));
+  ASSERT_TRUE(fill(boundary, 2, no_recovery, two));
   EXPECT_EQ(one.tetrahedra, two.tetrahedra);
 }
 
@@ -170,7 +197,7 @@ TEST_F(Recover_in_delaunay_by_tetgen, Recovers_the_few_triangles_that_are_missin
       flip(boundary, f);
     std::vector<std::size_t> triangles;
     Recovered_boundary recovered;
-    ASSERT_TRUE(tubular::internal::recover_in_delaunay(boundary, 1, Tetgen{&triangles}, recovered));
+    ASSERT_TRUE(fill(boundary, 1, Tetgen{&triangles}, recovered));
     ASSERT_EQ(triangles.size(), 1u); // all cavities at once
     EXPECT_LT(triangles[0], boundary.triangles.size() / 2);
     expect_filled(boundary, recovered);
@@ -180,7 +207,7 @@ TEST_F(Recover_in_delaunay_by_tetgen, Recovers_the_few_triangles_that_are_missin
 TEST(Recover_in_delaunay, Leaves_to_others_what_it_cannot_do) {
   const auto fills = [](const Boundary_arrays& boundary, const auto& recover) {
     Recovered_boundary recovered;
-    return tubular::internal::recover_in_delaunay(boundary, 1, recover, recovered);
+    return fill(boundary, 1, recover, recovered);
   };
   Boundary_arrays twice, flat, flipped;
   add_cylinder(12, 5, 0, twice);

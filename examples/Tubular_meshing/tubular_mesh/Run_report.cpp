@@ -17,8 +17,7 @@
 #include <CGAL/Tubular_meshing/Partition/partition_report.h>
 #include <CGAL/Tubular_meshing/Quadratic/quadratic_quality.h>
 #include <CGAL/Tubular_meshing/Quality/lumen_measures.h>
-#include <CGAL/Tubular_meshing/Quality/quality_report.h>
-#include <CGAL/Tubular_meshing/Quality/validity_report.h>
+#include <CGAL/Tubular_meshing/Quality/mesh_report.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -32,13 +31,13 @@ namespace {
 Json description_of(const Run& run) {
   const tubular::Mixed_mesh& mesh = run.cells();
   const auto threads = tubular::parameters::number_of_threads(run.options.threads);
-  tubular::Validity_report validity = tubular::validity_report(mesh, threads);
+  const tubular::Mesh_report report = tubular::mesh_report(mesh, threads);
+  tubular::Validity_report validity = report.validity;
   if (run.options.is_quadratic()) // whose cells are judged as they are curved
     validity.inverted_cells = 0;
   if (!run.options.material_array.empty()) // which may be in several places, and part the wall
     validity.region_components.erase(validity.region_components.lower_bound(tubular::labels::wall_region),
                                      validity.region_components.end());
-  const tubular::Quality_report quality = tubular::quality_report(mesh, threads);
   const std::size_t openings_of_all = run.model.openings.size();
   const tubular::Lumen_measures measures = run.options.is_quadratic()
                                                ? tubular::lumen_measures(run.quadratic, openings_of_all)
@@ -60,7 +59,7 @@ Json description_of(const Run& run) {
       {"facets", facets_by_kind(mesh.triangles.size(), mesh.quads.size())},
       {"valid", validity.is_valid_in((std::max)(run.openings_of_parts.size(), std::size_t(1)))},
       {"boundary_euler", validity.boundary_euler},
-      {"quality", qualities_of(quality)},
+      {"quality", qualities_of(report.quality)},
       {"volume", volumes_of(run, measures)},
       {"openings", openings_of(run, measures)},
       {"branches", branches_of(run)}};

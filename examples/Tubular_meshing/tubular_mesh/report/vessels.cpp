@@ -106,8 +106,8 @@ Json openings_of(const Run& run, const tubular::Lumen_measures& measures) {
 
 Json branches_of(const Run& run) {
   const auto& graph = run.model.centerlines;
-  const std::vector<double> points =
-      tubular::points_per_circumference(run.cells(), tubular::Centerline_field(graph), graph.branches().size());
+  const std::vector<double> points = tubular::points_per_circumference(run.cells(), tubular::Centerline_field(graph),
+                                                                       graph.branches().size(), run.options.threads);
   Json list = Json::array();
   for (std::size_t b = 0; b < graph.branches().size(); ++b) {
     const auto& branch = graph.branches()[b];

@@ -6,6 +6,7 @@
 
 #include <CGAL/Tubular_meshing/Centerlines/Centerline_graph.h>
 #include <CGAL/Tubular_meshing/Centerlines/build_centerline_graph.h>
+#include <CGAL/Tubular_meshing/base/Function_view.h>
 #include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/base/Opening.h>
 #include <CGAL/Tubular_meshing/base/config.h>
@@ -43,10 +44,11 @@ namespace internal {
 class Centerline_computation {
 public:
   /* `ends` are points, each with the label of the faces around it, two at least. Further ends can be added if
-   * `everywhere`; then one will do. `threads`: 0 for all. */
-  Centerline_computation(const Surface& surface, const Face_patch_map& patch,
-                         const std::vector<std::pair<Point_3, int>>& ends, bool loops, bool everywhere,
-                         int threads = 0);
+   * `everywhere`; then one will do. `threads`: 0 for all. `beside` is done when there is work for one thread only, so
+   * that it may take no time; what it throws is thrown. */
+  Centerline_computation(
+      const Surface& surface, const Face_patch_map& patch, const std::vector<std::pair<Point_3, int>>& ends, bool loops,
+      bool everywhere, int threads = 0, Function_view<void()> beside = [] {});
   ~Centerline_computation();
 
   /* Adds a line to a vertex of the wall; false if none leads there. */

@@ -13,6 +13,7 @@
 #include <CGAL/Tubular_meshing/base/Corner_tree.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 #include <CGAL/Tubular_meshing/base/labels.h>
+#include <CGAL/Tubular_meshing/base/Task_beside.h>
 #include <CGAL/Tubular_meshing/base/parallel.h>
 
 #include <CGAL/boost/graph/helpers.h>
@@ -80,12 +81,7 @@ struct Centerline_computation::Impl {
       , root(ends.front().first) {
     Sampled_surface samples(surface, patch, frame, number_of_threads);
     wall_triangles = std::move(samples.wall_triangles);
-    for_each_task(2, number_of_threads, [&](std::size_t task) {
-      if (task == 0)
-        tracer = std::make_unique<Centerline_tracer>(std::move(samples), canonical(ends), number_of_threads);
-      else
-        wall = Corner_tree<Double_kernel::Triangle_3>(wall_triangles);
-    });
+    tracer = std::make_unique<Centerline_tracer>(std::move(samples), canonical(ends), number_of_threads);
   }
 
   static std::vector<Double_kernel::Point_3> points_of(const Surface& surface, std::size_t number_of_ends,
@@ -181,7 +177,7 @@ struct Centerline_computation::Impl {
 CGAL_TUBULAR_MESHING_INLINE
 Centerline_computation::Centerline_computation(const Surface& surface, const Face_patch_map& patch,
                                                const std::vector<std::pair<Point_3, int>>& ends, bool loops,
-                                               bool everywhere, int threads) {
+                                               bool everywhere, int threads, Function_view<void()> beside) {
   if (ends.empty()) // before one is taken for the root
     throw Input_error("Centerlines lead from an inlet to outlets, but the surface has no opening; name its ends, by "
                       "points.");
@@ -190,11 +186,19 @@ Centerline_computation::Centerline_computation(const Surface& surface, const Fac
   if (loops)
     on_surface = impl_->loops_on(surface);
   impl_->loops = on_surface.size() / 2;
-  std::vector<Double_kernel::Triangle_3> triangles = std::move(impl_->wall_triangles);
-  Essential_meetings::Wall crossed; // of use for loops only
-  if (!on_surface.empty())
-    crossed = Essential_meetings::Wall(std::move(triangles));
-  impl_->tracer->trace(on_surface, crossed, everywhere);
+  const std::vector<Double_kernel::Triangle_3> triangles = std::move(impl_->wall_triangles);
+  run_on(threads, [&] {
+    Task_beside others; // the front is the work of one thread
+    others.run([&] {
+      impl_->wall = Corner_tree<Double_kernel::Triangle_3>(triangles);
+      beside();
+    });
+    Essential_meetings::Wall crossed; // of use for loops only
+    if (!on_surface.empty())
+      crossed = Essential_meetings::Wall(triangles);
+    impl_->tracer->trace(on_surface, crossed, everywhere);
+    others.wait();
+  });
 }
 
 CGAL_TUBULAR_MESHING_INLINE Centerline_computation::~Centerline_computation() = default;

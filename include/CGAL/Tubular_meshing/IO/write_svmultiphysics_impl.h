@@ -78,7 +78,7 @@ private:
 
   // A file of facets before it is written: what begins with the same patches begins with the same values.
   struct Facets_file {
-    Facets_file(const Patches& facets, const std::shared_ptr<Block_packer>& packer)
+    Facets_file(const Patches& facets, const std::shared_ptr<Window_packer>& packer)
         : patches(facets)
         , out("PolyData", packer) {}
     const Patches& patches;
@@ -432,7 +432,7 @@ private:
   const Wall_patches walls_;
   const Label_names file_names_;
   const std::map<int, std::int32_t> model_face_;
-  const std::shared_ptr<Block_packer> packer_ = std::make_shared<Block_packer>();
+  const std::shared_ptr<Window_packer> packer_ = std::make_shared<Window_packer>();
   std::vector<std::uint32_t> local_; // of points on the file that is written, where they are there
 };
 

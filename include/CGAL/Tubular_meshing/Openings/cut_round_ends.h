@@ -6,10 +6,12 @@
 
 #include <CGAL/Tubular_meshing/Openings/Round_end_report.h>
 #include <CGAL/Tubular_meshing/base/Kernel.h>
+#include <CGAL/Tubular_meshing/base/Opening.h>
 #include <CGAL/Tubular_meshing/base/config.h>
 #include <CGAL/Tubular_meshing/base/convert_surface.h>
 #include <CGAL/Tubular_meshing/base/parameters.h>
 
+#include <optional>
 #include <vector>
 
 namespace CGAL::Tubular_meshing {
@@ -19,9 +21,10 @@ namespace internal {
 std::vector<Round_end_report> cut_round_ends(Surface& surface, const Cut_round_ends_options& options);
 
 /* Cuts the ends at the points; all of them, where there are no points, and the surface has no opening or is closed and
- * has ends behind creases. */
+ * has ends behind creases. `openings` becomes those that find_unordered_openings() has found, unless ends were to be cut. */
 std::vector<Round_end_report> open_round_ends(Surface& surface, const std::vector<Point_3>& points,
-                                              const std::vector<Point_3>& blind_ends);
+                                              const std::vector<Point_3>& blind_ends,
+                                              std::optional<std::vector<Opening>>& openings);
 
 } // namespace internal
 
@@ -110,7 +113,8 @@ std::vector<Round_end_report> cut_round_ends(TriangleMesh& surface,
  * make_tubular_model() does all this by itself. */
 inline std::vector<Round_end_report> open_round_ends(Surface& surface, const std::vector<Point_3>& points = {},
                                                      const std::vector<Point_3>& blind_ends = {}) {
-  return internal::open_round_ends(surface, points, blind_ends);
+  std::optional<std::vector<Opening>> openings;
+  return internal::open_round_ends(surface, points, blind_ends, openings);
 }
 
 } // namespace CGAL::Tubular_meshing

@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <optional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -85,11 +86,10 @@ inline bool has_creased_ends(const Surface& surface, const std::vector<Opening>&
   return false;
 }
 
-CGAL_TUBULAR_MESHING_INLINE std::vector<Round_end_report>
-open_round_ends(Surface& surface, const std::vector<Point_3>& points, const std::vector<Point_3>& blind_ends) {
-  Find_openings_options but_for_blind_ends;
-  but_for_blind_ends.blind_ends = blind_ends;
-  const std::vector<Opening> openings = find_any_openings(surface, but_for_blind_ends);
+// What is to be cut of a surface with these openings.
+inline Cut_round_ends_options ends_to_open(const Surface& surface, const std::vector<Point_3>& points,
+                                           const std::vector<Point_3>& blind_ends,
+                                           const std::vector<Opening>& openings) {
   Cut_round_ends_options options;
   options.blind_ends = blind_ends;
   options.all_round_ends = points.empty() && (openings.empty() || has_creased_ends(surface, openings));
@@ -97,9 +97,20 @@ open_round_ends(Surface& surface, const std::vector<Point_3>& points, const std:
     if (std::none_of(openings.begin(), openings.end(),
                      [&](const Opening& o) { return point_distance(p, o.center) <= 1.5 * o.radius; }))
       options.ends_to_cut.push_back(p);
-  if (options.all_round_ends || !options.ends_to_cut.empty())
-    return cut_round_ends(surface, options);
-  return kept_caps(surface, blind_ends); // of every surface with openings
+  return options;
+}
+
+CGAL_TUBULAR_MESHING_INLINE std::vector<Round_end_report>
+open_round_ends(Surface& surface, const std::vector<Point_3>& points, const std::vector<Point_3>& blind_ends,
+                std::optional<std::vector<Opening>>& openings) {
+  Find_openings_options but_for_blind_ends;
+  but_for_blind_ends.blind_ends = blind_ends;
+  openings = find_unordered_openings(surface, but_for_blind_ends);
+  const Cut_round_ends_options options = ends_to_open(surface, points, blind_ends, *openings);
+  if (!options.all_round_ends && options.ends_to_cut.empty())
+    return kept_caps(surface, blind_ends); // of every surface with openings
+  openings.reset();
+  return cut_round_ends(surface, options);
 }
 
 } // namespace CGAL::Tubular_meshing::internal

@@ -54,6 +54,12 @@ std::vector<Opening> find_openings(const Surface& surface, const Find_openings_o
 /* None, where the surface is closed and has no flat ends, nor any that a crease bounds. */
 std::vector<Opening> find_any_openings(const Surface& surface, const Find_openings_options& options);
 
+/* Its two steps: finds them, and chooses the inlet, by which they are ordered and labelled. */
+std::vector<Opening> find_unordered_openings(const Surface& surface, const Find_openings_options& options);
+void order_from_inlet(std::vector<Opening>& openings, const Find_openings_options& options);
+
+void check_not_closed(const std::vector<Opening>& openings);
+
 } // namespace internal
 
 /*!

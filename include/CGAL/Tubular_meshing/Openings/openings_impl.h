@@ -118,8 +118,8 @@ inline void leave_blind_ends(const std::vector<Point_3>& blind_ends, const Surfa
   }
 }
 
-CGAL_TUBULAR_MESHING_INLINE std::vector<Opening> find_any_openings(const Surface& surface,
-                                                                   const Find_openings_options& options) {
+CGAL_TUBULAR_MESHING_INLINE std::vector<Opening> find_unordered_openings(const Surface& surface,
+                                                                         const Find_openings_options& options) {
   check_tubular_surface(surface);
   std::vector<Opening_site> sites = border_loops(surface);
   const bool inside_out = is_inside_out(surface, sites);
@@ -136,8 +136,6 @@ CGAL_TUBULAR_MESHING_INLINE std::vector<Opening> find_any_openings(const Surface
       sites.push_back(std::move(creased_end));
     leave_blind_ends(options.blind_ends, surface, sites);
   }
-  if (sites.empty())
-    return {};
 
   std::vector<Opening> openings(sites.size());
   for (std::size_t i = 0; i < sites.size(); ++i)
@@ -147,17 +145,33 @@ CGAL_TUBULAR_MESHING_INLINE std::vector<Opening> find_any_openings(const Surface
       openings[end.site].branch = end.branch;
       openings[end.site].node = end.node;
     }
-  order_openings(openings, choose_inlet(openings, options));
   return openings;
+}
+
+CGAL_TUBULAR_MESHING_INLINE void order_from_inlet(std::vector<Opening>& openings,
+                                                  const Find_openings_options& options) {
+  if (!openings.empty())
+    order_openings(openings, choose_inlet(openings, options));
+}
+
+CGAL_TUBULAR_MESHING_INLINE std::vector<Opening> find_any_openings(const Surface& surface,
+                                                                   const Find_openings_options& options) {
+  std::vector<Opening> openings = find_unordered_openings(surface, options);
+  order_from_inlet(openings, options);
+  return openings;
+}
+
+CGAL_TUBULAR_MESHING_INLINE void check_not_closed(const std::vector<Opening>& openings) {
+  if (openings.empty())
+    throw Input_error("The surface is closed and has no flat ends, so that nothing can flow through it: open it where "
+                      "vessels begin and end, cap these ends flat, have round ends cut open, or give the points "
+                      "(seeds) at which they are.");
 }
 
 CGAL_TUBULAR_MESHING_INLINE std::vector<Opening> find_openings(const Surface& surface,
                                                                const Find_openings_options& options) {
   std::vector<Opening> openings = find_any_openings(surface, options);
-  if (openings.empty())
-    throw Input_error("The surface is closed and has no flat ends, so that nothing can flow through it: open it where "
-                      "vessels begin and end, cap these ends flat, have round ends cut open, or give the points "
-                      "(seeds) at which they are.");
+  check_not_closed(openings);
   return openings;
 }
 

@@ -18,9 +18,10 @@ namespace CGAL::Tubular_meshing::internal {
 
 // Where centerlines begin and end: at openings, and at points (seeds) that stand for vessels' ends without one.
 
-/* The openings, that nearest to the first seed being the inlet. A surface without any must have seeds. */
-std::vector<Opening> find_openings_or_seeds(const Surface& surface, const std::vector<Point_3>& seeds,
-                                            Find_openings_options options);
+/* Orders the openings that were found, that nearest to the first seed being the inlet. A surface without any must have
+ * seeds. */
+void order_openings_or_seeds(std::vector<Opening>& openings, const std::vector<Point_3>& seeds,
+                             Find_openings_options options);
 
 /* The ends of the lines, each with the label of the faces around it; the source comes first: the first seed, or what it
  * stands for, else the inlet. One end is an error, unless it will do. */

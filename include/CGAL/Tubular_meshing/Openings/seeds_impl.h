@@ -19,15 +19,17 @@
 
 namespace CGAL::Tubular_meshing::internal {
 
-CGAL_TUBULAR_MESHING_INLINE std::vector<Opening>
-find_openings_or_seeds(const Surface& surface, const std::vector<Point_3>& seeds, Find_openings_options options) {
+CGAL_TUBULAR_MESHING_INLINE void order_openings_or_seeds(std::vector<Opening>& openings,
+                                                         const std::vector<Point_3>& seeds,
+                                                         Find_openings_options options) {
   if (seeds.empty())
-    return find_openings(surface, options);
+    check_not_closed(openings);
+  else
+    options.inlet = seeds.front();
   for (const Point_3& p : seeds)
     if (!std::isfinite(p.x()) || !std::isfinite(p.y()) || !std::isfinite(p.z()))
       throw Parameter_error("The seed " + coordinates(p) + " has to have finite coordinates.");
-  options.inlet = seeds.front();
-  return find_any_openings(surface, options);
+  order_from_inlet(openings, options);
 }
 
 // Within an opening's rim, also where that is an ellipse, or the point was picked a little outside.

@@ -338,14 +338,16 @@ private:
       give_volume_to(kept_);
     Mixed_mesh mesh = fill_within_layers(kept_, [&](const Surface& closed, Face_patch_map patch, Mixed_mesh& filling) {
       stage("tetrahedra");
-      if (keeps)
-        internal::fill_keeping_boundary(closed, patch, size, filling, options_.filling);
-      else
-        internal::fill_with_mesh_3(closed, patch, size, filling, options_.mesh_3);
-      stage("optimization");
-      Optimize_tetrahedra_options optimization = options_.optimization;
-      optimization.keep_boundary = keeps;
-      internal::optimize_tetrahedra(filling, wall.surface, wall.patch, optimization);
+      const auto optimization = [this] { stage("optimization"); };
+      if (keeps) {
+        Fill_keeping_boundary_options filling_options = options_.filling;
+        filling_options.optimization_passes = options_.optimization.optimization_passes;
+        internal::fill_keeping_boundary(closed, patch, size, filling, filling_options, optimization);
+        return;
+      }
+      internal::fill_with_mesh_3(closed, patch, size, filling, options_.mesh_3);
+      optimization();
+      internal::optimize_tetrahedra(filling, wall.surface, wall.patch, options_.optimization);
     });
     check(mesh);
     if (!keeps)

@@ -18,9 +18,12 @@
 #include <CGAL/Tubular_meshing/Pipelines/Tubular_model.h>
 #include <CGAL/Tubular_meshing/Pipelines/internal/check_meshable.h>
 #include <CGAL/Tubular_meshing/Rims/Opening_site.h>
+#include <CGAL/Tubular_meshing/base/exceptions.h>
 #include <CGAL/Tubular_meshing/base/labels.h>
 
 #include <cstddef>
+#include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -109,8 +112,11 @@ CGAL_TUBULAR_MESHING_INLINE void prepare(Tubular_model& model, const Centerline_
 // A surface that is closed, with its openings, and where lines are to lead to.
 inline std::vector<std::pair<Point_3, int>> close(Tubular_model& model, const Tubular_model_options& options) {
   check_surface(model);
-  model.round_ends = open_round_ends(model.surface, options.seeds, options.blind_ends);
-  model.openings = find_openings_or_seeds(model.surface, options.seeds, opening_options(options, nullptr));
+  std::optional<std::vector<Opening>> known;
+  model.round_ends = open_round_ends(model.surface, options.seeds, options.blind_ends, known);
+  const Find_openings_options finding = opening_options(options, nullptr);
+  model.openings = known ? std::move(*known) : find_unordered_openings(model.surface, finding);
+  order_openings_or_seeds(model.openings, options.seeds, finding);
   name_patches(model, options.labelled_ends);
   close_openings(model.surface, model.openings, model.patch);
   return ends_of_lines(model.openings, {}, options.single_opening);
@@ -123,12 +129,24 @@ CGAL_TUBULAR_MESHING_INLINE void prepare_without_centerlines(Tubular_model& mode
 
 CGAL_TUBULAR_MESHING_INLINE void prepare(Tubular_model& model, const Tubular_model_options& options) {
   std::vector<std::pair<Point_3, int>> ends = close(model, options);
-  check_no_crossings(model.surface);
   const Build_centerline_graph_options merging = graph_options(options);
   if (ends.size() == 1)
     ends.emplace_back(farthest_point(model.surface, model.patch, ends.front().second), int(labels::wall));
-  Centerline_computation computation(model.surface, model.patch, ends, options.loops, options.blind_vessels,
-                                     options.number_of_threads);
+  bool is_checked = false;
+  const auto check = [&] {
+    check_no_crossings(model.surface);
+    is_checked = true;
+  };
+  std::unique_ptr<Centerline_computation> lines;
+  try {
+    lines = std::make_unique<Centerline_computation>(model.surface, model.patch, ends, options.loops,
+                                                     options.blind_vessels, options.number_of_threads, check);
+  } catch (const Input_error&) {
+    if (!is_checked)
+      check(); // that the surface crosses itself explains what else is wrong
+    throw;
+  }
+  Centerline_computation& computation = *lines;
   computation.make_graph(model.centerlines, merging);
   if (options.blind_vessels)
     follow_blind_vessels(model.surface, model.patch, computation, model.centerlines, merging);

@@ -21,11 +21,12 @@ namespace CGAL::Tubular_meshing {
  * \param mesh a mesh with triangles of patch labels::wall
  * \param centerlines the field of the graph
  * \param number_of_branches of that graph
+ * \param number_of_threads 0: all cores. The result does not depend on it
  *
  * O(n log n).
  */
 std::vector<double> points_per_circumference(const Mixed_mesh& mesh, const Centerline_field& centerlines,
-                                             std::size_t number_of_branches);
+                                             std::size_t number_of_branches, int number_of_threads = 0);
 
 } // namespace CGAL::Tubular_meshing
 

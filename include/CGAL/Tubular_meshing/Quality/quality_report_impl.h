@@ -64,6 +64,11 @@ public:
       , threads_(threads) {}
 
   Quality_report report() const {
+    Finite_volumes volumes(mesh_, region_, threads_);
+    return report(volumes);
+  }
+  // The measures of `volumes` are taken out of it.
+  Quality_report report(Finite_volumes& volumes) const {
     Quality_report r;
     std::vector<std::function<void()>> sorts; // several at a time
     const auto take = [&](Measure_statistics& measure, std::vector<double> values) {
@@ -82,7 +87,6 @@ public:
     take(r.Q_tau, Q_tau());
     if (const Point_array* metric = metric_array())
       r.efficiency = efficiency(*metric);
-    Finite_volumes volumes(mesh_, region_, threads_);
     take(r.aspect, std::move(volumes.aspect()));
     take(r.non_orthogonality, std::move(volumes.non_orthogonality()));
     take(r.skewness, std::move(volumes.skewness()));

@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_QUALITY_VALIDITY_REPORT_IMPL_H
 #define CGAL_TUBULAR_MESHING_QUALITY_VALIDITY_REPORT_IMPL_H
 
+#include <CGAL/Tubular_meshing/Quality/internal/Matched_faces.h>
 #include <CGAL/Tubular_meshing/Quality/validity_report.h>
 #include <CGAL/Tubular_meshing/base/Face_buckets.h>
 #include <CGAL/Tubular_meshing/base/Numbered_cells.h>
@@ -59,19 +60,18 @@ CGAL_TUBULAR_MESHING_INLINE std::string Validity_report::defects() const {
 
 namespace internal {
 
-/* Faces are matched in buckets, see Face_buckets, which are filled on all threads. */
 class Validity_checker {
 public:
-  explicit Validity_checker(const Mixed_mesh& mesh, int threads)
-      : mesh_(mesh)
-      , cells_(mesh)
-      , faces_(cells_, cells::Face_buckets::with_facets, threads)
+  // Of all cells, and facets.
+  Validity_checker(const Matched_faces& matched, int threads)
+      : mesh_(matched.cells.mesh())
+      , faces_(matched.faces)
       , threads_(threads) {
-    report_.cells = cells_.size();
-    check_cells(mesh.tetrahedra);
-    check_cells(mesh.pyramids);
-    check_cells(mesh.prisms);
-    check_cells(mesh.hexahedra);
+    report_.cells = matched.cells.size();
+    check_cells(mesh_.tetrahedra);
+    check_cells(mesh_.pyramids);
+    check_cells(mesh_.prisms);
+    check_cells(mesh_.hexahedra);
     match_faces();
     check_boundary();
     count_unused_points();
@@ -186,8 +186,7 @@ private:
   }
 
   const Mixed_mesh& mesh_;
-  const cells::Numbered_cells cells_;
-  const cells::Face_buckets faces_;
+  const cells::Face_buckets& faces_;
   int threads_;
   std::vector<int> region_;                         // of the cells
   std::vector<std::pair<Index, Index>> interfaces_; // cells on both sides
@@ -197,7 +196,7 @@ private:
 };
 
 CGAL_TUBULAR_MESHING_INLINE Validity_report validity_report_on(int threads, const Mixed_mesh& mesh) {
-  return Validity_checker(mesh, threads).report();
+  return Validity_checker(Matched_faces(mesh, cells::Face_buckets::with_facets, threads), threads).report();
 }
 
 } // namespace internal

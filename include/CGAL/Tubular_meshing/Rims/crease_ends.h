@@ -39,9 +39,10 @@ public:
       : mesh_(mesh)
       , inwards_(inside_out ? 1 : -1)
       , normals_(unit_normals(mesh))
+      , areas_(mesh.num_faces(), 0)
       , taken_(mesh.num_faces(), false) {
     for (Face f : mesh.faces())
-      area_ += std::sqrt(area_vector(mesh.halfedge(f), mesh).squared_length());
+      area_ += areas_[std::size_t(f)] = std::sqrt(area_vector(mesh.halfedge(f), mesh).squared_length());
   }
 
   /* Ends that have been found already: their caps are not looked at. */
@@ -88,7 +89,7 @@ private:
     visited_[std::size_t(first)] = true;
     region = {first};
     for (std::size_t i = 0; i < region.size(); ++i) {
-      area += std::sqrt(area_vector(mesh_.halfedge(region[i]), mesh_).squared_length());
+      area += areas_[std::size_t(region[i])];
       for (Halfedge h : CGAL::halfedges_around_face(mesh_.halfedge(region[i]), mesh_)) {
         const Face g = mesh_.face(mesh_.opposite(h));
         if (g == Surface::null_face() || taken_[std::size_t(g)])
@@ -123,6 +124,7 @@ private:
   const Surface& mesh_;
   const double inwards_;          // the direction into the lumen along a face's normal
   std::vector<Vector_3> normals_; // by face, unit; zero for a degenerate face
+  std::vector<double> areas_;     // likewise
   std::vector<bool> taken_, visited_;
   double area_ = 0, min_cosine_ = 0;
 };

@@ -18,6 +18,7 @@ struct Fill_keeping_boundary_options {
   Volume_mesher volume_mesher = default_volume_mesher();
   bool in_child_process = false;
   double time_limit = 0; ///< 0 stands for the default
+  int optimization_passes = 0;
   int number_of_threads = 0;
 
   Fill_keeping_boundary_options() = default;
@@ -25,14 +26,17 @@ struct Fill_keeping_boundary_options {
     volume_mesher = internal::choose(np, internal_np::volume_mesher, volume_mesher);
     in_child_process = internal::choose(np, internal_np::in_child_process, in_child_process);
     time_limit = internal::choose(np, internal_np::time_limit, time_limit);
+    optimization_passes = internal::choose(np, internal_np::optimization_passes, optimization_passes);
     number_of_threads = internal::choose(np, internal_np::number_of_threads, number_of_threads);
   }
 };
 
 namespace internal {
 
-void fill_keeping_boundary(const Surface& surface, Face_patch_map patch, Length_function size, Mixed_mesh& mesh,
-                           const Fill_keeping_boundary_options& options);
+// before_optimization() is called when the surface is full.
+void fill_keeping_boundary(
+    const Surface& surface, Face_patch_map patch, Length_function size, Mixed_mesh& mesh,
+    const Fill_keeping_boundary_options& options, Function_view<void()> before_optimization = [] {});
 
 } // namespace internal
 
@@ -43,7 +47,8 @@ void fill_keeping_boundary(const Surface& surface, Face_patch_map patch, Length_
  * TetGen (\cgalCite{si2015}), or the whole surface is, by TetGen or by \cgal's own
  * `Conforming_constrained_Delaunay_triangulation_3`; where the latter needs points on the surface they are brought
  * inside again. Delaunay refinement adds points inside, as many as
- * the field asks for. What makes the mesh good is optimize_tetrahedra() with `keep_boundary(true)`.
+ * the field asks for. What makes the mesh good is optimize_tetrahedra() with `keep_boundary(true)`, or
+ * `optimization_passes` here, which does the same and is quicker, as neighbors are known.
  *
  * The surface is handed over in a frame of unit extent: units and distance from the origin make no difference. The
  * surface's points are connected by one thread, points inside are added by several: the result is the same for any
@@ -81,6 +86,11 @@ void fill_keeping_boundary(const Surface& surface, Face_patch_map patch, Length_
  *     \cgalParamType{`double`}
  *     \cgalParamDefault{ten minutes, and a hundredth of a second for each triangle: a hundred times what it should
  *       take}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{optimization_passes}
+ *     \cgalParamDescription{rounds of optimize_tetrahedra() inside; two are enough}
+ *     \cgalParamType{`int`}
+ *     \cgalParamDefault{`0`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{number_of_threads}
  *     \cgalParamDescription{of those that add points inside; 0: all cores. `size` must be safe to call from several

@@ -5,7 +5,7 @@
 #define CGAL_TUBULAR_MESHING_VOLUME_FILL_WITH_PYRAMIDS_AND_TETRAHEDRA_IMPL_H
 
 #include <CGAL/Tubular_meshing/Volume/fill_with_pyramids_and_tetrahedra.h>
-#include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/fill_by_recovery.h>
+#include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/Filled_surface.h>
 #include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/optimize_inside.h>
 #include <CGAL/Tubular_meshing/Volume/internal/pyramids/Size_near_surface.h>
 #include <CGAL/Tubular_meshing/Volume/internal/pyramids/crown_quads.h>
@@ -36,8 +36,8 @@ inline Element_block<5> pyramids_on(const Element_block<4>& quads, std::size_t f
 // Fills what the pyramids leave with tetrahedra. Where pyramids meet, which make_room() leaves to chance in the
 // narrowest gaps only, they make way for each other, and it is tried again.
 inline void fill_between_pyramids(Crowned_surface& crowned, Length_function size, const Boundary_recovery& recovery,
-                                  const Filling_limits& limits, Mixed_mesh& mesh) {
-  const auto fill = [&] { return fill_by_recovery(crowned.surface(), crowned.patch(), size, recovery, limits, mesh); };
+                                  const Filling_limits& limits, Filled_surface& result) {
+  const auto fill = [&] { return result.fill(crowned.surface(), crowned.patch(), size, recovery, limits); };
   std::optional<Sentence> failure = fill();
   if (failure && crowned.make_way())
     failure = fill();
@@ -54,11 +54,14 @@ fill_with_pyramids_and_tetrahedra(const Surface& surface, Face_patch_map patch, 
   Crowned_surface crowned = crown_quads(boundary, options.split_quads);
 
   const Filling_limits limits(options, crowned.surface(), "repair the surface, or mesh it finer");
-  Mixed_mesh result;
+  Filled_surface filling;
   const Size_near_surface graded(size, boundary);
-  fill_between_pyramids(crowned, graded, recovery_by(options.volume_mesher), limits, result);
-  result.pyramids = pyramids_on(boundary.quads, boundary.points.size());
-  optimize_inside(result, options.optimization_passes, options.number_of_threads, result.pyramids);
+  fill_between_pyramids(crowned, graded, recovery_by(options.volume_mesher), limits, filling);
+  Element_block<5> pyramids = pyramids_on(boundary.quads, boundary.points.size());
+  optimize_inside(filling.tetrahedra(), options.optimization_passes, options.number_of_threads, pyramids);
+  Mixed_mesh result;
+  filling.write_to(result);
+  result.pyramids = std::move(pyramids);
   result.triangles = std::move(boundary.triangles);
   result.quads = std::move(boundary.quads);
   mesh = std::move(result);

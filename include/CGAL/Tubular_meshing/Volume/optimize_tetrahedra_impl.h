@@ -22,16 +22,17 @@ inline void optimize_with_surface(Mixed_mesh& mesh, const Surface& surface, Face
     if (pass + 1 == passes)
       Deviation_reducer(surface, patch, store, vertices, threads).run();
   };
-  optimize_in_passes(store, guard, passes, move_vertices, [] {});
+  optimize_in_passes(store, guard, passes, threads, move_vertices, [] {});
   store.write_to(mesh);
 }
 
 CGAL_TUBULAR_MESHING_INLINE void optimize_tetrahedra(Mixed_mesh& mesh, const Surface& surface, Face_patch_map patch,
                                                      const Optimize_tetrahedra_options& options) {
-  if (options.keep_boundary)
-    optimize_inside(mesh, options.optimization_passes, options.number_of_threads);
-  else
-    optimize_with_surface(mesh, surface, patch, options.optimization_passes, options.number_of_threads);
+  if (!options.keep_boundary)
+    return optimize_with_surface(mesh, surface, patch, options.optimization_passes, options.number_of_threads);
+  Tetrahedron_store store(mesh, options.number_of_threads);
+  optimize_inside(store, options.optimization_passes, options.number_of_threads);
+  store.write_inside_to(mesh);
 }
 
 } // namespace CGAL::Tubular_meshing::internal

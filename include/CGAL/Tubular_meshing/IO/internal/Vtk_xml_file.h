@@ -8,6 +8,7 @@
 #include <CGAL/Tubular_meshing/IO/internal/Encoded_stream.h>
 #include <CGAL/Tubular_meshing/IO/internal/Text_cursor.h>
 #include <CGAL/Tubular_meshing/IO/internal/decompress.h>
+#include <CGAL/Tubular_meshing/base/parallel.h>
 
 #include <pugixml.hpp>
 
@@ -178,11 +179,43 @@ private:
     for (std::uint64_t& n : packed_bytes)
       n = header(in);
     std::string out;
-    for (std::size_t b = 0; b < packed_bytes.size(); ++b) {
-      const bool last = b + 1 == packed_bytes.size() && last_block_bytes != 0;
-      inflate_block(in, packed_bytes[b], last ? last_block_bytes : block_bytes, out);
+    for (std::size_t first = 0; first < packed_bytes.size(); first += blocks_in_window) {
+      const std::size_t end = (std::min)(first + blocks_in_window, packed_bytes.size());
+      std::vector<Packed_block> window;
+      for (std::size_t b = first; b < end; ++b) {
+        const bool last = b + 1 == packed_bytes.size() && last_block_bytes != 0;
+        window.push_back(packed_block(in, packed_bytes[b], last ? last_block_bytes : block_bytes));
+      }
+      if (!inflate(window, out))
+        in.fail();
     }
     return out;
+  }
+
+  // Blocks are independent, and inflated on all threads, a window of them at a time.
+  struct Packed_block {
+    std::string packed;
+    std::size_t bytes; // that are packed in it
+  };
+  static constexpr std::size_t blocks_in_window = 64;
+
+  Packed_block packed_block(Encoded_stream& in, std::uint64_t packed_bytes, std::uint64_t bytes) const {
+    if (packed_bytes > in.most_bytes() || bytes > best_ratio(compression_) * packed_bytes)
+      in.fail();
+    return {in.read(static_cast<std::size_t>(packed_bytes)), static_cast<std::size_t>(bytes)};
+  }
+
+  // Appends the bytes of the blocks; false if one is damaged.
+  bool inflate(const std::vector<Packed_block>& blocks, std::string& out) const {
+    std::vector<std::size_t> begin(1, out.size());
+    for (const Packed_block& b : blocks)
+      begin.push_back(begin.back() + b.bytes);
+    out.resize(begin.back());
+    std::vector<char> sound(blocks.size());
+    Tubular_meshing::internal::for_each_task(blocks.size(), 0, [&](std::size_t b) {
+      sound[b] = decompress(compression_, blocks[b].packed, &out[begin[b]], blocks[b].bytes);
+    });
+    return std::find(sound.begin(), sound.end(), 0) == sound.end();
   }
 
   // Arrays that all point at the same data would multiply it.
@@ -191,14 +224,6 @@ private:
     if (decoded_bytes_ / best_ratio(compression_) > file_.bytes.size())
       file_.fail("cannot be used: its data arrays hold more than fits into it, as several have the same data; it is "
                  "damaged");
-  }
-
-  void inflate_block(Encoded_stream& in, std::uint64_t packed_bytes, std::uint64_t bytes, std::string& out) const {
-    if (packed_bytes > in.most_bytes() || bytes > best_ratio(compression_) * packed_bytes)
-      in.fail();
-    if (!decompress(compression_, in.read(static_cast<std::size_t>(packed_bytes)), static_cast<std::size_t>(bytes),
-                    out))
-      in.fail();
   }
 
   const Input_file& file_;

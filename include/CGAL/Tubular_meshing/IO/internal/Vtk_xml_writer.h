@@ -4,20 +4,20 @@
 #ifndef CGAL_TUBULAR_MESHING_IO_INTERNAL_VTK_XML_WRITER_H
 #define CGAL_TUBULAR_MESHING_IO_INTERNAL_VTK_XML_WRITER_H
 
+#include <CGAL/Tubular_meshing/IO/internal/Block_packer.h>
 #include <CGAL/Tubular_meshing/IO/internal/Number_writer.h>
+#include <CGAL/Tubular_meshing/base/Task_beside.h>
 #include <CGAL/Tubular_meshing/base/escaped_for_xml.h>
+#include <CGAL/Tubular_meshing/base/parallel.h>
 
 #include <CGAL/double.h>
 #include <CGAL/number_utils.h>
-
-#include <zlib.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <memory>
-#include <new>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -32,41 +32,6 @@ template <class T> std::string vtk_xml_type_name() {
   const std::string bits = std::to_string(8 * sizeof(T));
   return (std::is_floating_point<T>::value ? "Float" : std::is_signed<T>::value ? "Int" : "UInt") + bits;
 }
-
-// Compresses block after block, as compress2() does, but keeps its tables, which are larger than the blocks.
-class Block_packer {
-public:
-  // The fastest level: coordinates gain little from more, and indices nothing worth the time.
-  Block_packer()
-      : stream_(new z_stream()) {
-    if (deflateInit(stream_.get(), Z_BEST_SPEED) != Z_OK) {
-      delete stream_.release(); // there is nothing to be ended
-      throw std::bad_alloc();
-    }
-  }
-
-  // The result stays until the next call.
-  std::string_view pack(const char* bytes, std::size_t size) {
-    deflateReset(stream_.get());
-    packed_.resize(compressBound(static_cast<uLong>(size)));
-    stream_->next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes));
-    stream_->avail_in = static_cast<uInt>(size);
-    stream_->next_out = reinterpret_cast<Bytef*>(packed_.data());
-    stream_->avail_out = static_cast<uInt>(packed_.size());
-    deflate(stream_.get(), Z_FINISH);
-    return {packed_.data(), packed_.size() - stream_->avail_out};
-  }
-
-private:
-  struct End {
-    void operator()(z_stream* s) const {
-      deflateEnd(s);
-      delete s;
-    }
-  };
-  std::unique_ptr<z_stream, End> stream_; // its tables know where it is
-  std::vector<char> packed_;
-};
 
 class Vtk_xml_writer;
 
@@ -86,7 +51,7 @@ public:
 
   // Files that are written one after the other may share a packer, whose tables are larger than a small file.
   explicit Vtk_xml_writer(const std::string& dataset,
-                          std::shared_ptr<Block_packer> packer = std::make_shared<Block_packer>())
+                          std::shared_ptr<Window_packer> packer = std::make_shared<Window_packer>())
       : dataset_(dataset)
       , packer_(std::move(packer)) {
     xml_ = "<VTKFile type=\"" + dataset + "\" version=\"1.0\" byte_order=\"" +
@@ -101,9 +66,10 @@ public:
   template <class T> void array(const std::string& name, std::size_t components, const std::vector<T>& values) {
     declare<T>(name, components, values.size());
     begin_compressed(values.size() * sizeof(T));
-    const char* const bytes = reinterpret_cast<const char*>(values.data());
-    for (std::size_t i = 0, size = values.size() * sizeof(T); i < size; i += block_size)
-      append_block(bytes + i, (std::min)(block_size, size - i));
+    for (std::size_t i = 0, window = in_window<T>; i < values.size(); i += window) {
+      packer_->pack(bytes_of(values.data() + i, (std::min)(window, values.size() - i)));
+      append_packed_window();
+    }
   }
 
   // The same of values that are made one after the other, and not kept: for_each(put) calls put(value) for each.
@@ -116,23 +82,9 @@ public:
     const std::size_t blocks = shared.file == nullptr ? 0 : (std::min)(shared.values, number) / in_block;
     if (blocks > 0)
       copy_blocks(*shared.file, shared.array, blocks);
-    std::size_t passed_over = blocks * in_block, n = 0;
-    std::vector<T> block((std::min)(in_block, number));
-    const auto append = [&] {
-      append_block(reinterpret_cast<const char*>(block.data()), n * sizeof(T));
-      n = 0;
-    };
-    for_each([&](T value) {
-      if (passed_over > 0) {
-        --passed_over;
-        return;
-      }
-      block[n] = value;
-      if (++n == in_block)
-        append();
-    });
-    if (n > 0)
-      append();
+    const std::size_t passed_over = blocks * in_block;
+    if (number > passed_over)
+      append_made<T>(passed_over, number - passed_over, for_each);
   }
 
   // The same of values of which f() gives the next.
@@ -156,7 +108,12 @@ public:
   }
 
 private:
-  static constexpr std::size_t block_size = 32768, piece_size = std::size_t(1) << 18;
+  static constexpr std::size_t block_size = Window_packer::block_size, piece_size = std::size_t(1) << 18;
+  template <class T> static constexpr std::size_t in_window = Window_packer::blocks_in_window* block_size / sizeof(T);
+
+  template <class T> static std::string_view bytes_of(const T* values, std::size_t number) {
+    return {reinterpret_cast<const char*>(values), number * sizeof(T)};
+  }
 
   template <class T> void declare(const std::string& name, std::size_t components, std::size_t number) {
     xml_ += "<DataArray type=\"" + vtk_xml_type_name<T>() + "\" Name=\"" + escaped_for_xml(name) + "\"";
@@ -185,7 +142,38 @@ private:
     arrays_.back().sizes = next_size_;
   }
 
-  void append_block(const char* bytes, std::size_t size) { append_packed(packer_->pack(bytes, size)); }
+  // Of the values that for_each() makes, `number` after the first ones: while a window of them is packed, the next is
+  // made.
+  template <class T, class For_each>
+  void append_made(std::size_t passed_over, std::size_t number, const For_each& for_each) {
+    Tubular_meshing::internal::run_on(0, [&] {
+      std::vector<T> made((std::min)(in_window<T>, number)), packed(number > made.size() ? made.size() : 0);
+      Tubular_meshing::internal::Task_beside packing;
+      std::size_t n = 0;
+      for_each([&](T value) {
+        if (passed_over > 0) {
+          --passed_over;
+          return;
+        }
+        if (n == made.size()) {
+          packing.wait();
+          append_packed_window();
+          made.swap(packed);
+          packing.run([&] { packer_->pack(bytes_of(packed.data(), packed.size())); });
+          n = 0;
+        }
+        made[n++] = value;
+      });
+      packing.wait();
+      append_packed_window();
+      packer_->pack(bytes_of(made.data(), n));
+      append_packed_window();
+    });
+  }
+
+  void append_packed_window() {
+    packer_->take([&](std::string_view block) { append_packed(block); });
+  }
 
   void append_packed(std::string_view packed) {
     const std::uint64_t size = packed.size();
@@ -233,7 +221,7 @@ private:
   std::size_t data_size_ = 0;
   Place next_size_ = {0, 0}; // where the size of the next block goes
   std::vector<Array> arrays_;
-  std::shared_ptr<Block_packer> packer_;
+  std::shared_ptr<Window_packer> packer_;
 };
 
 template <class Point> std::vector<double> coordinates_of(const std::vector<Point>& points) {

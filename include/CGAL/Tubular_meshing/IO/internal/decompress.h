@@ -10,9 +10,9 @@
 #include <lzma.h>
 #endif
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <string>
 #include <string_view>
 
 namespace CGAL::Tubular_meshing::IO::internal {
@@ -45,20 +45,19 @@ inline std::uint64_t best_ratio(Compression c) {
 // a copy of bytes before it.
 class Lz4_block {
 public:
-  Lz4_block(std::string_view packed, std::string& out, std::size_t begin)
+  Lz4_block(std::string_view packed, char* out, std::size_t bytes)
       : packed_(packed)
       , out_(out)
-      , write_(begin)
-      , begin_(begin) {}
+      , bytes_(bytes) {}
 
   // False if the block is damaged, or does not fill `out` exactly.
   bool decode() {
     while (read_ < packed_.size()) {
       const unsigned token = byte();
       std::size_t literals = token >> 4, copied = token & 15;
-      if (!extend(literals) || literals > packed_.size() - read_ || literals > out_.size() - write_)
+      if (!extend(literals) || literals > packed_.size() - read_ || literals > bytes_ - write_)
         return false;
-      out_.replace(write_, literals, packed_.substr(read_, literals));
+      std::copy_n(packed_.data() + read_, literals, out_ + write_);
       read_ += literals;
       write_ += literals;
       if (read_ == packed_.size())
@@ -66,15 +65,15 @@ public:
       if (packed_.size() - read_ < 2)
         return false;
       const std::size_t low = byte(), offset = low | std::size_t(byte()) << 8;
-      if (offset == 0 || offset > write_ - begin_ || !extend(copied))
+      if (offset == 0 || offset > write_ || !extend(copied))
         return false;
       copied += 4;
-      if (copied > out_.size() - write_)
+      if (copied > bytes_ - write_)
         return false;
       for (; copied > 0; --copied, ++write_) // which may copy what it has just written
         out_[write_] = out_[write_ - offset];
     }
-    return write_ == out_.size();
+    return write_ == bytes_;
   }
 
 private:
@@ -93,9 +92,9 @@ private:
   }
 
   std::string_view packed_;
-  std::string& out_;
-  std::size_t read_ = 0, write_;
-  const std::size_t begin_;
+  char* const out_;
+  const std::size_t bytes_;
+  std::size_t read_ = 0, write_ = 0;
 };
 
 inline bool decompress_zlib(std::string_view packed, char* out, std::size_t bytes) {
@@ -120,13 +119,11 @@ inline bool decompress_lzma(std::string_view packed, char* out, std::size_t byte
 #endif
 }
 
-// Appends the bytes of a block; false if it is damaged, or holds another number of them.
-inline bool decompress(Compression c, std::string_view packed, std::size_t bytes, std::string& out) {
-  const std::size_t begin = out.size();
-  out.resize(begin + bytes);
-  return c == Compression::zlib   ? decompress_zlib(packed, &out[begin], bytes)
-         : c == Compression::lz4  ? Lz4_block(packed, out, begin).decode()
-         : c == Compression::lzma ? decompress_lzma(packed, &out[begin], bytes)
+// Writes the bytes of a block to `out`; false if it is damaged, or holds another number of them.
+inline bool decompress(Compression c, std::string_view packed, char* out, std::size_t bytes) {
+  return c == Compression::zlib   ? decompress_zlib(packed, out, bytes)
+         : c == Compression::lz4  ? Lz4_block(packed, out, bytes).decode()
+         : c == Compression::lzma ? decompress_lzma(packed, out, bytes)
                                   : false;
 }
 

@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_QUALITY_INTERNAL_FINITE_VOLUMES_H
 #define CGAL_TUBULAR_MESHING_QUALITY_INTERNAL_FINITE_VOLUMES_H
 
+#include <CGAL/Tubular_meshing/Quality/internal/Matched_faces.h>
 #include <CGAL/Tubular_meshing/base/Face_buckets.h>
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/base/Numbered_cells.h>
@@ -26,10 +27,13 @@ namespace CGAL::Tubular_meshing::internal {
 class Finite_volumes {
 public:
   explicit Finite_volumes(const Mixed_mesh& mesh, const int* region = nullptr, int threads = 1)
-      : mesh_(mesh)
-      , cells_(mesh)
-      , faces_(cells_, cells::Face_buckets::without_facets, threads, region)
-      , region_(region)
+      : Finite_volumes(Matched_faces(mesh, cells::Face_buckets::without_facets, threads, region), threads) {}
+  // Facets among the faces make no difference.
+  Finite_volumes(const Matched_faces& matched, int threads)
+      : mesh_(matched.cells.mesh())
+      , cells_(matched.cells)
+      , faces_(matched.faces)
+      , region_(matched.region)
       , threads_(threads) {
     measure_cells();
     measure_faces();
@@ -95,7 +99,7 @@ private:
         measure(faces.data(), n, centers_[c], aspect_[c]);
       }
     });
-    drop_nothing(aspect_);
+    aspect_.erase(std::remove(aspect_.begin(), aspect_.end(), nothing), aspect_.end());
   }
 
   /* A cell's center is that of the pyramids over its faces from the mean of the faces' centers, by their volumes. */
@@ -121,40 +125,46 @@ private:
         least > 0 && side2 > 0 ? (std::max)(most / least, (areas[0] + areas[1] + areas[2]) / (6 * side2)) : infinite;
   }
 
-  /* Faces of the same corners are one. What is measured of a face stands at first where it stands in the buckets, as
-   * threads know no other place for it. */
+  // Faces of the same corners are one. They are measured in the order of their lowest corners, in parts side by side.
   void measure_faces() {
-    non_orthogonality_.assign(faces_.number_of_faces(), nothing);
-    skewness_.assign(faces_.number_of_faces(), nothing);
-    for_each_range(mesh_.points.size(), threads_, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t v = begin; v < end; ++v)
-        faces_.for_each_group(v, [&](std::size_t first, std::size_t last) { measure_face(first, last); });
+    const std::size_t parts = 256, points = mesh_.points.size();
+    std::vector<Face_measures> of_part(parts);
+    for_each_task(parts, threads_, [&](std::size_t k) {
+      for (std::size_t v = k * points / parts; v < (k + 1) * points / parts; ++v)
+        faces_.for_each_group(v, [&](std::size_t first, std::size_t last) { measure_face(first, last, of_part[k]); });
     });
-    drop_nothing(non_orthogonality_);
-    drop_nothing(skewness_);
+    for (Face_measures& m : of_part) {
+      append(m.non_orthogonality, non_orthogonality_);
+      append(m.skewness, skewness_);
+    }
+  }
+  struct Face_measures {
+    std::vector<double> non_orthogonality, skewness;
+  };
+  static void append(std::vector<double>& values, std::vector<double>& all) {
+    all.insert(all.end(), values.begin(), values.end());
+    std::vector<double>().swap(values);
   }
 
-  void measure_face(std::size_t first, std::size_t last) {
+  // Cells come before facets.
+  void measure_face(std::size_t first, std::size_t last, Face_measures& measures) const {
     const Face& f = faces_[first];
+    if (f.is_facet())
+      return;
     const Polygon face = polygon(cells_.face(f.owner(), f.number()));
-    if (last - first > 1)
-      measure_between(face, centers_[f.owner()], centers_[faces_[first + 1].owner()], non_orthogonality_[first],
-                      skewness_[first]);
+    if (last - first > 1 && !faces_[first + 1].is_facet())
+      measure_between(face, centers_[f.owner()], centers_[faces_[first + 1].owner()], measures);
     else
-      skewness_[first] = skewness_at_boundary(face, centers_[f.owner()]);
-  }
-
-  static void drop_nothing(std::vector<double>& values) {
-    values.erase(std::remove(values.begin(), values.end(), nothing), values.end());
+      measures.skewness.push_back(skewness_at_boundary(face, centers_[f.owner()]));
   }
 
   static void measure_between(const Polygon& face, const Vector_3d& from, const Vector_3d& to,
-                              double& non_orthogonality, double& skewness) {
+                              Face_measures& measures) {
     const Vector_3d d = to - from;
     const double product = norm(d) * norm(face.area);
     const double cosine = product > 0 ? dot(d, face.area) / product : 0;
-    non_orthogonality = 180 / pi * std::acos((std::min)((std::max)(cosine, -1.), 1.));
-    skewness = skewness_along(face, from, d, 0.2);
+    measures.non_orthogonality.push_back(180 / pi * std::acos((std::min)((std::max)(cosine, -1.), 1.)));
+    measures.skewness.push_back(skewness_along(face, from, d, 0.2));
   }
 
   // As if the cell were mirrored by the face.
@@ -179,8 +189,8 @@ private:
   }
 
   const Mixed_mesh& mesh_;
-  const cells::Numbered_cells cells_;
-  const cells::Face_buckets faces_;
+  const cells::Numbered_cells& cells_;
+  const cells::Face_buckets& faces_;
   const int* region_; // null: all
   int threads_;
   std::vector<Vector_3d> centers_; // of the cells

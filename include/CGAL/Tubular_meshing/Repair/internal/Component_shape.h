@@ -36,9 +36,9 @@ struct Component_shape {
   }
 };
 
-/* Of each component. O(n). */
-inline std::vector<Component_shape> measure_components(const Surface& mesh, const std::vector<std::size_t>& component,
-                                                       std::size_t number) {
+/* Of each component, but for its flat ends. O(n). */
+inline std::vector<Component_shape>
+measure_open_components(const Surface& mesh, const std::vector<std::size_t>& component, std::size_t number) {
   std::vector<Component_shape> shapes(number);
   std::vector<Point_3> origin(number);
   std::vector<bool> has_origin(number, false);
@@ -60,6 +60,13 @@ inline std::vector<Component_shape> measure_components(const Surface& mesh, cons
     for (auto h : loop.rim)
       add(c, mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), loop.shape.center);
   }
+  return shapes;
+}
+
+/* Of each component. O(n). */
+inline std::vector<Component_shape> measure_components(const Surface& mesh, const std::vector<std::size_t>& component,
+                                                       std::size_t number) {
+  std::vector<Component_shape> shapes = measure_open_components(mesh, component, number);
   for (const bool inside_out : {false, true})
     for (const Opening_site& end : Flat_end_finder(mesh, inside_out).find(certain_flat_end())) {
       const std::size_t c = component[std::size_t(end.cap.front())];

@@ -200,7 +200,7 @@ private:
 
   // Vessels that cross; what is wrong within one is repaired before, as far as a union asks for it, and after.
   void unite_parts() {
-    if (options_.number_of_parts == 1)
+    if (number_of_pieces() == 1)
       return;
     const United_parts parts = internal::unite_parts(mesh_);
     if (parts.inside > 0)
@@ -375,7 +375,7 @@ private:
     return (2 * number_of_pieces() - characteristic) / 2;
   }
 
-  long number_of_pieces() const { return options_.number_of_parts == 1 ? 1 : long(components_of(mesh_).size()); }
+  long number_of_pieces() const { return options_.number_of_parts == 1 ? 1 : long(number_of_components(mesh_)); }
 
   void report_handles() {
     const long handles = number_of_handles();

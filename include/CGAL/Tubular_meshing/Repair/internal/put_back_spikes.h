@@ -9,6 +9,7 @@
 #include <CGAL/Tubular_meshing/Rims/Opening_site.h>
 #include <CGAL/Tubular_meshing/Rims/Rim_shape.h>
 #include <CGAL/Tubular_meshing/base/Kernel.h>
+#include <CGAL/Tubular_meshing/base/parallel.h>
 
 #include <CGAL/boost/graph/iterator.h>
 
@@ -64,14 +65,15 @@ public:
   Moved_spikes put_back() {
     std::map<Vertex, Point_3> before;
     for (int round = 0; round < 8; ++round) { // spikes beside each other may hide one more
-      std::vector<Set> spikes = find();
+      const std::vector<Set> sharp = sharp_sets();
+      std::vector<Set> spikes = find(sharp);
       if (spikes.empty())
-        spikes = find_clusters();
+        spikes = find_clusters(sharp);
       if (spikes.empty())
         break;
       free(spikes, before);
     }
-    lay_into_the_wall(noted(find_at_caps(), before));
+    lay_into_the_wall(noted(find_at_caps(sharp_sets()), before));
     bend_all(before);
     Moved_spikes moved;
     moved.count = before.size();
@@ -85,21 +87,29 @@ public:
     return moved;
   }
 
-  bool has_spikes() { return !find().empty() || !find_clusters().empty() || !find_at_caps().empty(); }
+  bool has_spikes() {
+    const std::vector<Set> sharp = sharp_sets();
+    return !find(sharp).empty() || !find_clusters(sharp).empty() || !find_at_caps(sharp).empty();
+  }
+
+private:
+  static constexpr double degree = CGAL_PI / 180;
+
+  // Each kind is looked for among the sharp sets of the surface as it is.
 
   /* The spikes that stand by themselves. Sets are in the order of their indices. */
-  std::vector<Set> find() {
+  std::vector<Set> find(const std::vector<Set>& sharp) const {
     std::vector<Set> spikes;
-    for (Set& set : sharp_sets())
+    for (const Set& set : sharp)
       if (is_pointed(set) && is_turned_back(set))
-        spikes.push_back(std::move(set));
+        spikes.push_back(set);
     return spikes;
   }
 
   /* Those that are several vertices, of which some are not sharp. */
-  std::vector<Set> find_clusters() {
+  std::vector<Set> find_clusters(const std::vector<Set>& sharp) {
     std::vector<Set> spikes;
-    for (const Set& set : sharp_sets()) {
+    for (const Set& set : sharp) {
       if (largest_lack(set) < 95 * degree || sum_of_lacks(set) < 135 * degree)
         continue;
       Set thrown = thrown_around(set);
@@ -110,11 +120,11 @@ public:
   }
 
   /* Those that are thrown from the rims of flat caps. */
-  std::vector<Set> find_at_caps() {
+  std::vector<Set> find_at_caps(const std::vector<Set>& sharp) {
     std::vector<Set> sets;
-    for (Set& set : sharp_sets())
+    for (const Set& set : sharp)
       if (is_pointed(set) && is_in_disk(set))
-        sets.push_back(std::move(set));
+        sets.push_back(set);
     if (sets.empty())
       return sets;
     std::map<Vertex, Point_3> before;
@@ -130,9 +140,6 @@ public:
       mesh_.point(v.first) = v.second;
     return sets;
   }
-
-private:
-  static constexpr double degree = CGAL_PI / 180;
 
   // Whether faces of the set are a part of the cap, which goes on beyond them along a quarter of its rim.
   bool is_at_rim_of(const Opening_site& end, const Set& set) const {
@@ -168,17 +175,17 @@ private:
   std::vector<Set> sharp_sets() {
     lack_.assign(mesh_.num_vertices(), 0);
     is_sharp_.assign(mesh_.num_vertices(), false);
+    for_each_range(mesh_.num_vertices(), 0, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i)
+        if (const Vertex v(static_cast<Surface::size_type>(i)); !mesh_.is_removed(v) && !mesh_.is_isolated(v))
+          lack_[i] = (mesh_.is_border(v) ? 180 : 360) * degree - sum_of_angles(v);
+    });
     std::vector<Vertex> sharp;
-    for (Vertex v : mesh_.vertices()) {
-      if (mesh_.is_isolated(v))
-        continue;
-      const bool on_rim = mesh_.is_border(v);
-      lack_[std::size_t(v)] = (on_rim ? 180 : 360) * degree - sum_of_angles(v);
-      if (!on_rim && lack_[std::size_t(v)] > 45 * degree) {
+    for (Vertex v : mesh_.vertices())
+      if (lack_[std::size_t(v)] > 45 * degree && !mesh_.is_border(v)) {
         is_sharp_[std::size_t(v)] = true;
         sharp.push_back(v);
       }
-    }
     std::vector<Set> sets;
     std::vector<bool> visited(sharp.empty() ? 0 : mesh_.num_vertices(), false);
     for (Vertex v : sharp)

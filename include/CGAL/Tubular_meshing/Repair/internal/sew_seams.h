@@ -75,6 +75,9 @@ private:
   typedef CGAL::Box_intersection_d::Box_with_info_d<double, 3, std::size_t> Box;
 
   bool find_free_edges() {
+    if (knows_free_edges_)
+      return !free_.empty();
+    knows_free_edges_ = true;
     free_.clear();
     length_.assign(soup_.points.size(), 0);
     number_of_points_ = 0;
@@ -199,6 +202,7 @@ private:
     for (auto& s : splits)
       if (split_triangles.emplace(free_[s.first].side / 3, s.first).second)
         split(free_[s.first], s.second);
+    knows_free_edges_ = knows_free_edges_ && split_triangles.empty();
     return split_triangles.size();
   }
 
@@ -266,6 +270,7 @@ private:
       for (std::size_t& v : t)
         v = merged.find(v);
     drop_degenerate_and_duplicate(soup_.triangles);
+    knows_free_edges_ = false;
   }
 
   void note_gap(double width, std::size_t v) {
@@ -276,6 +281,7 @@ private:
   }
 
   Triangle_soup& soup_;
+  bool knows_free_edges_ = false; ///< of the triangles as they are
   std::vector<Free_edge> free_;
   std::vector<double> length_;       ///< by point, of the shortest free edge there; 0: the point is not free
   std::size_t number_of_points_ = 0; ///< that are free

@@ -37,6 +37,31 @@ inline std::vector<std::vector<Surface::Face_index>> components_of(const Surface
   return components;
 }
 
+inline std::size_t number_of_components(const Surface& mesh) {
+  std::vector<bool> seen(mesh.num_faces(), false);
+  std::vector<Surface::Face_index> stack;
+  std::size_t number = 0;
+  for (auto first : mesh.faces()) {
+    if (seen[std::size_t(first)])
+      continue;
+    ++number;
+    seen[std::size_t(first)] = true;
+    stack.push_back(first);
+    while (!stack.empty()) {
+      const auto h = mesh.halfedge(stack.back());
+      stack.pop_back();
+      for (auto k : CGAL::halfedges_around_face(h, mesh)) {
+        const auto g = mesh.face(mesh.opposite(k));
+        if (g != Surface::null_face() && !seen[std::size_t(g)]) {
+          seen[std::size_t(g)] = true;
+          stack.push_back(g);
+        }
+      }
+    }
+  }
+  return number;
+}
+
 /* Turns each component outward by itself; false if all were. O(n). */
 inline bool turn_parts_outward(Surface& mesh) {
   const auto components = components_of(mesh);
@@ -45,7 +70,7 @@ inline bool turn_parts_outward(Surface& mesh) {
     for (auto f : components[c])
       component[std::size_t(f)] = c;
   bool has_turned = false;
-  const std::vector<Component_shape> shapes = measure_components(mesh, component, components.size());
+  const std::vector<Component_shape> shapes = measure_open_components(mesh, component, components.size());
   for (std::size_t c = 0; c < components.size(); ++c)
     if (shapes[c].volume < 0) {
       Polygon_mesh_processing::reverse_face_orientations(components[c], mesh);

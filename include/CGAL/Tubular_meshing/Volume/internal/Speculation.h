@@ -44,21 +44,58 @@ public:
     for (std::size_t first = 0, last; first < n(); first = last) {
       last = (std::min)(first + possible_.size(), n());
       const auto since = now();
-      for_each_range(
-          last - first, threads_,
-          [&](std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i)
-              possible_[i] = find(workers_[i], first + i);
-          },
-          grain);
+      find_all(first, last, find);
       for (std::size_t i = 0; i < last - first; ++i)
         if (possible_[i] && (is_fresh(workers_[i], first + i, since) || find(workers_[i], first + i)))
           commit(workers_[i], first + i);
     }
   }
 
+  /* The same where the mesh may be changed in several places at the same time:
+   *   reserve(worker, k): makes room for that, and marks what will change as no longer fresh; false if k has to be done
+   *     by commit()
+   *   fill(worker, k): changes it.
+   * What commit() is to do, and what has to be looked at once more, comes after all others of its batch. */
+  template <class Number, class Now, class Find, class Is_fresh, class Reserve, class Fill, class Commit>
+  void run(const Number& n, const Now& now, const Find& find, const Is_fresh& is_fresh, const Reserve& reserve,
+           const Fill& fill, const Commit& commit) {
+    std::vector<std::size_t> together, alone;
+    for (std::size_t first = 0, last; first < n(); first = last) {
+      last = (std::min)(first + possible_.size(), n());
+      const auto since = now();
+      find_all(first, last, find);
+      together.clear();
+      alone.clear();
+      for (std::size_t i = 0; i < last - first; ++i)
+        if (possible_[i]) {
+          const bool is_reserved = is_fresh(workers_[i], first + i, since) && reserve(workers_[i], first + i);
+          (is_reserved ? together : alone).push_back(i);
+        }
+      for_each_range(
+          together.size(), threads_,
+          [&](std::size_t begin, std::size_t end) {
+            for (std::size_t k = begin; k < end; ++k)
+              fill(workers_[together[k]], first + together[k]);
+          },
+          grain);
+      for (std::size_t i : alone)
+        if (find(workers_[i], first + i))
+          commit(workers_[i], first + i);
+    }
+  }
+
 private:
   static constexpr std::size_t grain = 16;
+
+  template <class Find> void find_all(std::size_t first, std::size_t last, const Find& find) {
+    for_each_range(
+        last - first, threads_,
+        [&](std::size_t begin, std::size_t end) {
+          for (std::size_t i = begin; i < end; ++i)
+            possible_[i] = find(workers_[i], first + i);
+        },
+        grain);
+  }
 
   std::deque<Worker> workers_; // which need not be movable
   std::vector<char> possible_; // of the candidates of a batch

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -117,6 +118,9 @@ public:
     mesh.triangles = std::move(triangles);
   }
 
+  // Whether the mesh that was read had a face of more than two cells, or of two on the same side.
+  bool has_overlaps() const { return has_overlaps_; }
+
   Index number_of_vertices() const { return Index(points_.size()); }
   Index number_of_slots() const { return Index(tetrahedra_.size()); } // some may not be alive
 
@@ -184,6 +188,16 @@ public:
         labels.push_back(edges[k].second);
       visit(ends, labels);
     }
+  }
+
+  // Labels become label_of(label).
+  template <class Label_of> void relabel(const Label_of& label_of, int threads) {
+    for_each_range(tetrahedra_.size(), threads, [&](std::size_t first, std::size_t last) {
+      for (std::size_t t = first; t < last; ++t)
+        for (std::int32_t& label : tetrahedra_[t].label)
+          if (label != 0)
+            label = label_of(label);
+    });
   }
 
   int corner(Index t, Index v) const {
@@ -319,49 +333,69 @@ public:
     }
   }
 
-  /* The same with the tetrahedra between a new vertex and the facets around a cavity, all of them, seen from inside. No
-   * facet has both of its sides in the cavity. */
-  template <class Tetrahedra, class Base_facets>
-  void replace_by_star(const Tetrahedra& gone, const Base_facets& bases, const Vector_3d& p, Index_list& come_numbers) {
-    struct Base {
-      Facet_vertices v;
-      Index other;
-      std::int32_t label;
-    };
-    struct Side { // a facet between two new tetrahedra, by its edge around the cavity
-      std::uint64_t edge;
+  /* The facets between the tetrahedra of a star, those between a new vertex and the facets around a cavity: codes of both
+   * sides, where tetrahedron k, of corners (new vertex, corners of facet k), has the number k. */
+  typedef boost::container::small_vector<std::pair<Index, Index>, 96> Star_links;
+  template <class Base_facets> void match_star(const Base_facets& bases, Star_links& links) const {
+    struct Side {
+      std::uint64_t edge; // around the cavity
       Index code;
     };
-    const Index v = add_vertex(p);
-    const std::int32_t region = tetrahedra_[gone[0]].region;
-    boost::container::small_vector<Base, 64> around;
-    for (Index f : bases)
-      around.push_back({vertices(f), other_side(f), label(f)});
-    for (Index t : gone)
-      release(t);
-    come_numbers.clear();
     boost::container::small_vector<Side, 64> open;
-    for (const Base& base : around) {
-      const Index t = allocate();
-      come_numbers.push_back(t);
-      tetrahedra_[t] = {{v, base.v[0], base.v[1], base.v[2]}, {none, none, none, none}, {0, 0, 0, 0}, region};
-      for (Index w : tetrahedra_[t].v)
-        at_vertex_[w] = t;
-      link(facet(t, 0), base.other, base.label);
+    links.clear();
+    Index k = 0;
+    for (Index f : bases) {
+      const Facet_vertices v = vertices(f);
       for (std::size_t i = 0; i < 3; ++i) {
-        const auto ends = std::minmax(base.v[(i + 1) % 3], base.v[(i + 2) % 3]);
+        const auto ends = std::minmax(v[(i + 1) % 3], v[(i + 2) % 3]);
         const std::uint64_t edge = std::uint64_t(ends.first) << 32 | ends.second;
-        const Index side = facet(t, int(i) + 1);
+        const Index side = facet(k, int(i) + 1);
         const auto other = std::find_if(open.begin(), open.end(), [=](const Side& s) { return s.edge == edge; });
         if (other == open.end()) {
           open.push_back({edge, side});
           continue;
         }
-        link(side, other->code, 0);
+        links.emplace_back(side, other->code);
         *other = open.back();
         open.pop_back();
       }
+      ++k;
     }
+  }
+
+  /* The same as replace() with such a star, of all facets around a cavity, seen from inside; no facet has both of its
+   * sides in the cavity. `links`: of match_star(), for these facets. */
+  template <class Tetrahedra, class Base_facets>
+  void replace_by_star(const Tetrahedra& gone, const Base_facets& bases, const Star_links& links, const Vector_3d& p,
+                       Index_list& come_numbers) {
+    const std::int32_t region = tetrahedra_[gone[0]].region;
+    const Star_bases around = bases_of(bases);
+    for (Index t : gone)
+      release(t);
+    come_numbers.clear();
+    while (come_numbers.size() < around.size())
+      come_numbers.push_back(allocate());
+    put_star(around, links, add_vertex(p), region, come_numbers);
+    for (Index t : come_numbers)
+      for (Index w : tetrahedra_[t].v)
+        at_vertex_[w] = t;
+  }
+
+  /* The two parts of that, where more tetrahedra come than go. First, room for them: their numbers, those that go before
+   * others, and that of the new vertex; nothing else has changed then. */
+  template <class Tetrahedra>
+  Index reserve_star(const Tetrahedra& gone, std::size_t number, const Vector_3d& p, Index_list& come_numbers) {
+    come_numbers.assign(gone.begin(), gone.end());
+    while (come_numbers.size() < number)
+      come_numbers.push_back(allocate());
+    return add_vertex(p);
+  }
+  /* Then the star itself. Several whose cavities have no tetrahedron in common may be put there at the same time. What
+   * is known of their vertices' tetrahedra is not up to date until renumber(). */
+  template <class Base_facets>
+  void fill_star(const Base_facets& bases, const Star_links& links, Index v, const Index_list& come_numbers) {
+    const std::int32_t region = tetrahedra_[tetrahedron_of(*bases.begin())].region;
+    put_star(bases_of(bases), links, v, region, come_numbers);
   }
 
   // A vertex that replace() can use from now on.
@@ -385,34 +419,52 @@ public:
 
   /* Renumbers: vertex i of the new numbering is order[i] of the old one, where all used vertices are listed and no
    * others; tetrahedra follow their vertices. What is near in space comes to lie near in memory. */
-  void renumber(const std::vector<Index>& order) {
+  void renumber(const std::vector<Index>& order, int threads = 1) {
     std::vector<Index> number(points_.size(), none);
-    std::vector<Vector_3d> points(order.size());
-    for (Index i = 0; i < order.size(); ++i) {
+    for (Index i = 0; i < order.size(); ++i)
       number[order[i]] = i;
-      points[i] = points_[order[i]];
-    }
-    points_.swap(points);
     std::vector<std::pair<Index, Index>> by_vertex; // lowest vertex, tetrahedron
-    for (Index t = 0; t < tetrahedra_.size(); ++t) {
-      if (!is_alive(t))
-        continue;
-      for (Index& v : tetrahedra_[t].v)
-        v = number[v];
-      by_vertex.emplace_back(*std::min_element(tetrahedra_[t].v.begin(), tetrahedra_[t].v.end()), t);
-    }
+    by_vertex.reserve(tetrahedra_.size());
+    for (Index t = 0; t < tetrahedra_.size(); ++t)
+      if (is_alive(t)) {
+        const Vertices& v = tetrahedra_[t].v;
+        by_vertex.emplace_back((std::min)({number[v[0]], number[v[1]], number[v[2]], number[v[3]]}), t);
+      }
     std::sort(by_vertex.begin(), by_vertex.end());
-    std::vector<Index> place(tetrahedra_.size(), none);
-    for (Index k = 0; k < by_vertex.size(); ++k)
-      place[by_vertex[k].second] = k;
+    std::vector<Index> tetrahedra(by_vertex.size());
+    for (std::size_t k = 0; k < by_vertex.size(); ++k)
+      tetrahedra[k] = by_vertex[k].second;
+    renumber(order, tetrahedra, threads);
+  }
+
+  // The same with an order of the tetrahedra; those that are not listed are taken away.
+  void renumber(const std::vector<Index>& order, const std::vector<Index>& order_of_tetrahedra, int threads) {
+    std::vector<Index> number(points_.size(), none), place(tetrahedra_.size(), none);
+    std::vector<Vector_3d> points(order.size());
+    for_each_range(order.size(), threads, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i) {
+        number[order[i]] = Index(i);
+        points[i] = points_[order[i]];
+      }
+    });
+    points_.swap(points);
+    for_each_range(order_of_tetrahedra.size(), threads, [&](std::size_t first, std::size_t last) {
+      for (std::size_t k = first; k < last; ++k)
+        place[order_of_tetrahedra[k]] = Index(k);
+    });
     std::vector<Tetrahedron> tetrahedra;
-    tetrahedra.reserve(by_vertex.size() + by_vertex.size() / 8);
-    for (const auto& entry : by_vertex) {
-      tetrahedra.push_back(tetrahedra_[entry.second]);
-      for (Index& n : tetrahedra.back().neighbor)
-        if (n != none)
-          n = facet(place[tetrahedron_of(n)], opposite_of(n));
-    }
+    tetrahedra.reserve(order_of_tetrahedra.size() + order_of_tetrahedra.size() / 8);
+    tetrahedra.resize(order_of_tetrahedra.size());
+    for_each_range(tetrahedra.size(), threads, [&](std::size_t first, std::size_t last) {
+      for (std::size_t k = first; k < last; ++k) {
+        Tetrahedron& t = tetrahedra[k] = tetrahedra_[order_of_tetrahedra[k]];
+        for (Index& v : t.v)
+          v = number[v];
+        for (Index& n : t.neighbor)
+          if (n != none)
+            n = place[tetrahedron_of(n)] == none ? none : facet(place[tetrahedron_of(n)], opposite_of(n));
+      }
+    });
     tetrahedra_.swap(tetrahedra);
     free_.clear();
     free_vertices_.clear();
@@ -480,15 +532,44 @@ private:
     free_.push_back(t);
   }
 
+  struct Star_base {
+    Facet_vertices v;
+    Index other;
+    std::int32_t label;
+  };
+  typedef boost::container::small_vector<Star_base, 64> Star_bases;
+  template <class Base_facets> Star_bases bases_of(const Base_facets& bases) const {
+    Star_bases result;
+    for (Index f : bases)
+      result.push_back({vertices(f), other_side(f), label(f)});
+    return result;
+  }
+  void put_star(const Star_bases& bases, const Star_links& links, Index v, std::int32_t region,
+                const Index_list& numbers) {
+    for (std::size_t k = 0; k < bases.size(); ++k) {
+      const Star_base& b = bases[k];
+      tetrahedra_[numbers[k]] = {{v, b.v[0], b.v[1], b.v[2]}, {none, none, none, none}, {0, 0, 0, 0}, region};
+      link(facet(numbers[k], 0), b.other, b.label);
+    }
+    const auto number = [&](Index code) { return facet(numbers[tetrahedron_of(code)], opposite_of(code)); };
+    for (const auto& [f, g] : links)
+      link(number(f), number(g), 0);
+  }
+
   // Neighbors and labels of all tetrahedra at once, by facets with the same vertices.
   void connect(const Mixed_mesh& mesh, int threads) {
     const cells::Numbered_cells cells(mesh);
     const cells::Face_buckets faces(cells, cells::Face_buckets::with_facets, threads);
+    std::atomic<bool> has_overlaps{false};
     for_each_range(points_.size(), threads, [&](std::size_t begin, std::size_t end) {
       for (std::size_t v = begin; v < end; ++v)
-        faces.for_each_group(
-            v, [&](std::size_t first, std::size_t last) { connect_equal(faces, first, last, mesh.triangles.label); });
+        faces.for_each_group(v, [&](std::size_t first, std::size_t last) {
+          connect_equal(faces, first, last, mesh.triangles.label);
+          if (overlap(faces, first, last))
+            has_overlaps.store(true, std::memory_order_relaxed);
+        });
     });
+    has_overlaps_ = has_overlaps;
     visited_.assign(tetrahedra_.size(), 0);
     collect_vertices();
   }
@@ -507,6 +588,14 @@ private:
       link(code(first), first + 1 < last ? code(first + 1) : none, label);
   }
 
+  // Whether a face has more than two cells, or two on the same side.
+  static bool overlap(const cells::Face_buckets& faces, std::size_t first, std::size_t last) {
+    std::size_t n = 0;
+    while (first + n < last && !faces[first + n].is_facet())
+      ++n;
+    return n > 2 || (n == 2 && faces[first].is_reversed() == faces[first + 1].is_reversed());
+  }
+
   void collect_vertices() {
     at_vertex_.assign(points_.size(), none);
     for (Index t = 0; t < tetrahedra_.size(); ++t)
@@ -520,6 +609,7 @@ private:
   std::vector<Index> free_, free_vertices_;
   std::vector<std::uint32_t> visited_; // per tetrahedron: the last replace() that it went by
   std::uint32_t stamp_ = 0;
+  bool has_overlaps_ = false;
 };
 
 // The quality (13) of a tetrahedron of vertices of a store.

@@ -35,9 +35,8 @@ public:
   typedef Tetrahedron_store Store;
   typedef Store::Index Index;
 
-  Topology_optimizer(Store& store, const Surface_guard& guard)
-      : Topology_optimizer(store, guard, Measure{store}, 1) {}
   // Candidates are looked at in batches, see Speculation.
+  static constexpr std::size_t default_batch = Speculation<Flip_search<Surface_guard, Measure>>::default_batch;
   Topology_optimizer(Store& store, const Surface_guard& guard, const Measure& measure, int threads,
                      std::size_t batch = 1)
       : store_(store)
@@ -143,15 +142,18 @@ private:
 
 /* Flips in turn with moves of vertices, move_vertices(pass), each of which ends with finish_pass(). */
 template <class Guard, class Move, class Finish>
-void optimize_in_passes(Tetrahedron_store& store, const Guard& guard, int passes, const Move& move_vertices,
-                        const Finish& finish_pass) {
+void optimize_in_passes(Tetrahedron_store& store, const Guard& guard, int passes, int threads,
+                        const Move& move_vertices, const Finish& finish_pass) {
   // slivers first, then whatever is clearly below the mean that comes out
   const double first_flips_below = 0.5, later_flips_below = 0.6;
-  Topology_optimizer<Guard>(store, guard).improve_below(first_flips_below);
+  typedef Topology_optimizer<Guard> Flips;
+  Flips flips(store, guard, Isotropic_measure{store}, threads, Flips::default_batch);
+  flips.improve_below(first_flips_below);
   for (int pass = 0; pass < passes; ++pass) {
     check_interruption();
     move_vertices(pass);
-    Topology_optimizer<Guard>(store, guard).improve_below(later_flips_below);
+    flips.update_all();
+    flips.improve_below(later_flips_below);
     finish_pass();
   }
 }

@@ -4,7 +4,9 @@
 #ifndef CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_ORDER_IN_SPACE_H
 #define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_ORDER_IN_SPACE_H
 
+#include <CGAL/Tubular_meshing/Volume/internal/Tetrahedron_store.h>
 #include <CGAL/Tubular_meshing/base/Kernel.h>
+#include <CGAL/Tubular_meshing/base/Vector_3d.h>
 #include <CGAL/Tubular_meshing/base/parallel.h>
 
 #include <CGAL/Spatial_sort_traits_adapter_3.h>
@@ -12,9 +14,7 @@
 #include <CGAL/property_map.h>
 #include <CGAL/tags.h>
 
-#include <array>
 #include <cstddef>
-#include <cstdint>
 #include <numeric>
 #include <vector>
 
@@ -40,20 +40,39 @@ template <class Value> void put_in_order(const std::vector<std::size_t>& order, 
   values.swap(result);
 }
 
-/* Sorts tetrahedra in the same way, by their centers. TetGen lists them in the order of its memory blocks; sorted, they
- * are optimized in two thirds of the time. */
-inline void sort_in_space(const std::vector<Point_3>& points, std::vector<std::array<std::uint32_t, 4>>& tetrahedra,
-                          int threads) {
-  std::vector<Point_3> centers; // four times them
-  centers.reserve(tetrahedra.size());
-  for (const auto& t : tetrahedra) {
-    const Point_3 &p = points[t[0]], &q = points[t[1]], &r = points[t[2]], &s = points[t[3]];
-    centers.emplace_back(p.x() + q.x() + r.x() + s.x(), p.y() + q.y() + r.y() + s.y(), p.z() + q.z() + r.z() + s.z());
-  }
+/* The order of some tetrahedra along such a curve through their centers. Sorted, they are refined in four fifths of the
+ * time, and optimized in two thirds. */
+inline std::vector<std::size_t> order_by_centers(const Tetrahedron_store& store,
+                                                 const std::vector<Tetrahedron_store::Index>& tetrahedra, int threads) {
+  std::vector<Point_3> centers(tetrahedra.size()); // four times them
+  for_each_range(tetrahedra.size(), threads, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      const auto& v = store[tetrahedra[i]].v;
+      const Vector_3d sum = store.point(v[0]) + store.point(v[1]) + store.point(v[2]) + store.point(v[3]);
+      centers[i] = Point_3(sum.x, sum.y, sum.z);
+    }
+  });
   std::vector<std::size_t> order(tetrahedra.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
   order_in_space(centers, order, threads);
-  put_in_order(order, tetrahedra);
+  return order;
+}
+
+/* Sorts the tetrahedra of a store, and its vertices from number `first` on as these tetrahedra have them, one after the
+ * other; vertices below stay where they are. */
+inline void sort_in_space(Tetrahedron_store& store, Tetrahedron_store::Index first, int threads) {
+  typedef Tetrahedron_store::Index Index;
+  std::vector<Index> tetrahedra = store.tetrahedra(), vertices(first);
+  put_in_order(order_by_centers(store, tetrahedra, threads), tetrahedra);
+  std::iota(vertices.begin(), vertices.end(), Index(0));
+  std::vector<char> is_listed(store.number_of_vertices(), 0);
+  for (Index t : tetrahedra)
+    for (Index v : store[t].v)
+      if (v >= first && !is_listed[v]) {
+        is_listed[v] = 1;
+        vertices.push_back(v);
+      }
+  store.renumber(vertices, tetrahedra, threads);
 }
 
 } // namespace CGAL::Tubular_meshing::internal

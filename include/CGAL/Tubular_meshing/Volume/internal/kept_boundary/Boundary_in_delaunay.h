@@ -7,6 +7,7 @@
 #include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/Recovered_boundary.h>
 #include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/base/interruption.h>
+#include <CGAL/Tubular_meshing/base/parallel.h>
 
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Delaunay_triangulation_cell_base_3.h>
@@ -17,9 +18,11 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
+#include <numeric>
 #include <unordered_map>
 #include <unordered_set>
 #include <utility>
@@ -39,7 +42,7 @@ struct Cavities {
  * the surface's triangles are facets of it. O(n log n) for points on a surface that is not too special. */
 class Boundary_in_delaunay {
 public:
-  explicit Boundary_in_delaunay(const Boundary_arrays& boundary)
+  Boundary_in_delaunay(const Boundary_arrays& boundary, int threads)
       : boundary_(boundary)
       , vertex_(boundary.points.size()) {
     std::vector<std::pair<Point_3, std::uint32_t>> points;
@@ -50,7 +53,7 @@ public:
     for (const Vertex_handle v : delaunay_.finite_vertex_handles())
       vertex_[v->info()] = v;
     if (has_all_points())
-      find_missing_triangles();
+      find_missing_triangles(threads);
   }
 
   // Whether the points are not in a plane, and all different.
@@ -102,8 +105,8 @@ public:
   // Once cavities() are known.
   std::vector<std::array<std::uint32_t, 4>> tetrahedra_outside_cavities() const {
     std::vector<std::array<std::uint32_t, 4>> result;
-    result.reserve(delaunay_.number_of_finite_cells());
-    for (const Cell_handle c : delaunay_.finite_cell_handles())
+    result.reserve(cells_.size());
+    for (const Cell_handle c : cells_)
       if (!is_met(c))
         result.push_back({c->vertex(0)->info(), c->vertex(1)->info(), c->vertex(2)->info(), c->vertex(3)->info()});
     return result;
@@ -111,7 +114,7 @@ public:
 
 private:
   struct Cell_state {
-    std::uint8_t triangles = 0; // bit i: the facet opposite to vertex i is a triangle of the surface
+    std::uint8_t triangles = 0; // of a finite cell: bit i, the facet opposite to vertex i is a triangle of the surface
     bool is_met = false;        // by a triangle that is missing
     bool is_listed = false;     // among those that are
   };
@@ -121,24 +124,63 @@ private:
   typedef Delaunay_triangulation_3<Kernel, Data_structure> Delaunay;
   typedef Delaunay::Vertex_handle Vertex_handle;
   typedef Delaunay::Cell_handle Cell_handle;
+  typedef std::array<std::uint32_t, 3> Triangle;
 
   static bool is_met(Cell_handle c) { return c->info().is_met; }
   static bool is_triangle(Cell_handle c, int i) { return (c->info().triangles >> i & 1) != 0; }
 
-  void find_missing_triangles() {
-    for (std::size_t f = 0; f < boundary_.triangles.size(); ++f) {
-      const auto& t = boundary_.triangles[f];
-      Cell_handle c;
-      int i, j, k;
-      if (!delaunay_.is_facet(vertex_[t[0]], vertex_[t[1]], vertex_[t[2]], c, i, j, k)) {
-        missing_.push_back(f);
-        continue;
+  // Triangles by their lowest vertices, and there by the others.
+  class Triangles_at_vertices {
+  public:
+    explicit Triangles_at_vertices(const Boundary_arrays& boundary)
+        : begin_(boundary.points.size() + 1, 0)
+        , triangles_(boundary.triangles.size()) {
+      for (Triangle t : boundary.triangles)
+        ++begin_[*std::min_element(t.begin(), t.end()) + 1];
+      std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
+      std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
+      for (std::size_t f = 0; f < boundary.triangles.size(); ++f) {
+        Triangle t = boundary.triangles[f];
+        std::sort(t.begin(), t.end());
+        triangles_[next[t[0]]++] = {t[1], t[2], std::uint32_t(f)};
       }
-      const int opposite = 6 - i - j - k;
-      const Cell_handle n = c->neighbor(opposite);
-      c->info().triangles |= std::uint8_t(1 << opposite);
-      n->info().triangles |= std::uint8_t(1 << n->index(c));
     }
+    // visit(number) for those of these vertices, in any order.
+    template <class Visit> void for_each_of(Triangle t, const Visit& visit) const {
+      std::sort(t.begin(), t.end());
+      for (std::uint32_t k = begin_[t[0]]; k < begin_[t[0] + 1]; ++k)
+        if (triangles_[k].middle == t[1] && triangles_[k].highest == t[2])
+          visit(triangles_[k].number);
+    }
+
+  private:
+    struct Entry {
+      std::uint32_t middle, highest, number;
+    };
+    std::vector<std::uint32_t> begin_;
+    std::vector<Entry> triangles_;
+  };
+
+  // Those that no tetrahedron has for a facet. Linear.
+  void find_missing_triangles(int threads) {
+    const Triangles_at_vertices triangles(boundary_);
+    cells_.assign(delaunay_.finite_cell_handles().begin(), delaunay_.finite_cell_handles().end());
+    std::vector<std::atomic<char>> is_found(boundary_.triangles.size());
+    for_each_range(cells_.size(), threads, [&](std::size_t first, std::size_t last) {
+      for (std::size_t k = first; k < last; ++k)
+        for (int i = 0; i < 4; ++i) {
+          const Cell_handle c = cells_[k];
+          triangles.for_each_of(
+              {c->vertex((i + 1) & 3)->info(), c->vertex((i + 2) & 3)->info(), c->vertex((i + 3) & 3)->info()},
+              [&](std::uint32_t f) {
+                is_found[f].store(1, std::memory_order_relaxed);
+                c->info().triangles |= std::uint8_t(1 << i);
+              });
+        }
+    });
+    for (std::size_t f = 0; f < is_found.size(); ++f)
+      if (!is_found[f])
+        missing_.push_back(f);
   }
 
   // From the tetrahedra at a vertex to their neighbors, as long as they are met.
@@ -165,6 +207,7 @@ private:
   const Boundary_arrays& boundary_;
   Delaunay delaunay_;
   std::vector<Vertex_handle> vertex_; // of each point
+  std::vector<Cell_handle> cells_;    // finite ones
   std::vector<std::size_t> missing_;  // triangles
 };
 

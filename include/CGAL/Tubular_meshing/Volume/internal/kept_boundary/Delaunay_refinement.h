@@ -33,30 +33,44 @@ public:
       : store_(store)
       , size_(size) {}
 
-  /* Whether t is too large. Then is_possible() says whether a point was found. */
+  // Whether t is too large, and a point was found.
   bool find(Index t) {
     seen_.clear();
-    is_possible_ = false;
     const auto excess = size_.excess(t);
     if (!excess)
       return false;
     const double h = excess->size;
-    is_possible_ = try_at(excess->circumcenter, t, 0, h) || try_at(excess->middle, t, least_spacing * h, h);
-    if (is_possible_)
-      size_at_point_ = size_.size_at(point_);
+    if (!try_at(excess->circumcenter, t, 0, h) && !try_at(excess->middle, t, least_spacing * h, h))
+      return false;
+    size_at_point_ = size_.size_at(point_);
+    store_.match_star(facets_, links_);
     return true;
   }
-  bool is_possible() const { return is_possible_; }
 
-  // Whether all that the last find() has seen is as it was, by the times at which tetrahedra came.
-  template <class Time> bool is_fresh(const std::vector<Time>& came, Time since) const {
-    return std::all_of(seen_.begin(), seen_.end(), [&](Index t) { return store_.is_alive(t) && came[t] <= since; });
+  // Whether all that the last find() has seen is as it was, by the times at which tetrahedra came or were to go.
+  template <class Time> bool is_fresh(const std::vector<Time>& changed, Time since) const {
+    return std::all_of(seen_.begin(), seen_.end(), [&](Index t) { return changed[t] <= since; });
   }
 
-  void commit(Store& store, Size_criterion& size, Store::Index_list& come) const {
-    store.replace_by_star(cavity_, facets_, point_, come);
-    size.set_size(store[come.front()].v[0], size_at_point_);
+  /* Room for what will change, and the change itself, several of which may be made at the same time. False if it has to
+   * be made alone. */
+  bool reserve(Store& store, Size_criterion& size) {
+    if (facets_.size() < cavity_.size())
+      return false;
+    vertex_ = store.reserve_star(cavity_, facets_.size(), point_, come_);
+    size.set_size(vertex_, size_at_point_);
+    return true;
   }
+  void fill(Store& store) const { store.fill_star(facets_, links_, vertex_, come_); }
+
+  void commit(Store& store, Size_criterion& size) {
+    store.replace_by_star(cavity_, facets_, links_, point_, come_);
+    size.set_size(store[come_.front()].v[0], size_at_point_);
+  }
+
+  // After one of them.
+  const std::vector<Index>& gone() const { return cavity_; }
+  const Store::Index_list& come() const { return come_; }
 
 private:
   // of a new point from vertices and labelled facets, over the size
@@ -180,11 +194,13 @@ private:
   const Size_criterion& size_;
 
   // what was found last
-  bool is_possible_ = false;
   Vector_3d point_;
   double size_at_point_ = 0;
   std::vector<Index> cavity_;
-  std::vector<Index> facets_;       // each with its tetrahedron inside
+  std::vector<Index> facets_; // each with its tetrahedron inside
+  Store::Star_links links_;
+  Index vertex_ = 0;                // the new one
+  Store::Index_list come_;          // tetrahedra
   std::vector<Index> seen_;         // tetrahedra, some more than once
   std::vector<Index> hidden_;       // tetrahedra that are to go
   std::unordered_set<Index> known_; // those of a cavity of more than a few
@@ -208,24 +224,34 @@ public:
   // Returns the number of points added, which is `most` if there was no room for more.
   std::size_t operator()(std::size_t most) {
     std::size_t added = 0;
-    std::vector<Index> todo = store_.tetrahedra(), next;
-    Store::Index_list come;
-    came_.assign(store_.number_of_slots(), now_);
-    for (; !todo.empty() && added < most; todo.swap(next)) {
-      next.clear();
+    std::vector<Index> todo = store_.tetrahedra();
+    Lists next;
+    changed_.assign(store_.number_of_slots(), now_);
+    for (; !todo.empty() && added < most; todo = next.in_order(todo.size())) {
       keep_too_large(todo);
-      interleave(todo);
+      next.clear();
+      const std::vector<Index> order = interleaved(todo.size());
+      const auto note = [&](const Delaunay_insertion& i, std::size_t k) {
+        check_interruption();
+        ++added;
+        set_changed(i.gone(), i.come());
+        next.push_back(order[k], i.come());
+      };
       insertions_.run([&] { return added < most ? todo.size() : 0; }, [&] { return now_; },
-                      [&](Delaunay_insertion& i, std::size_t k) { return i.find(todo[k]); },
-                      [&](const Delaunay_insertion& i, std::size_t, Time since) { return i.is_fresh(came_, since); },
-                      [&](Delaunay_insertion& i, std::size_t) {
-                        if (!i.is_possible() || added == most)
+                      [&](Delaunay_insertion& i, std::size_t k) { return i.find(todo[order[k]]); },
+                      [&](const Delaunay_insertion& i, std::size_t, Time since) { return i.is_fresh(changed_, since); },
+                      [&](Delaunay_insertion& i, std::size_t k) {
+                        if (added == most || !i.reserve(store_, size_))
+                          return false;
+                        note(i, k);
+                        return true;
+                      },
+                      [&](const Delaunay_insertion& i, std::size_t) { i.fill(store_); },
+                      [&](Delaunay_insertion& i, std::size_t k) {
+                        if (added == most)
                           return;
-                        check_interruption();
-                        i.commit(store_, size_, come);
-                        ++added;
-                        set_come(come);
-                        next.insert(next.end(), come.begin(), come.end());
+                        i.commit(store_, size_);
+                        note(i, k);
                       });
     }
     return added;
@@ -234,6 +260,40 @@ public:
 private:
   typedef std::uint32_t Time;
   static constexpr std::size_t batch = 128;
+
+  // Lists, each with a number, which come in any order.
+  class Lists {
+  public:
+    void clear() {
+      parts_.clear();
+      values_.clear();
+    }
+    void push_back(Index number, const Store::Index_list& list) {
+      parts_.push_back({number, values_.size(), list.size()});
+      values_.insert(values_.end(), list.begin(), list.end());
+    }
+    // All of them, one after the other, by their numbers, which are below n and all different.
+    std::vector<Index> in_order(std::size_t n) const {
+      std::vector<Index> part(n, Store::none), result;
+      for (std::size_t p = 0; p < parts_.size(); ++p)
+        part[parts_[p].number] = Index(p);
+      result.reserve(values_.size());
+      for (Index p : part)
+        if (p != Store::none) {
+          const auto first = values_.begin() + std::ptrdiff_t(parts_[p].first);
+          result.insert(result.end(), first, first + std::ptrdiff_t(parts_[p].size));
+        }
+      return result;
+    }
+
+  private:
+    struct Part {
+      Index number;
+      std::size_t first, size;
+    };
+    std::vector<Part> parts_;
+    std::vector<Index> values_;
+  };
 
   // Of thirty tetrahedra that come with a point hardly one is.
   void keep_too_large(std::vector<Index>& list) const {
@@ -249,23 +309,25 @@ private:
     list.resize(kept);
   }
 
-  // Neighbors in the list are neighbors in space, and would be in each other's way: those of a batch come from as many
-  // parts of the list.
-  static void interleave(std::vector<Index>& list) {
-    const std::size_t length = (list.size() + batch - 1) / batch;
+  /* Neighbors in a list are neighbors in space, and would be in each other's way: those of a batch come from as many
+   * parts of the list, and those of the next batch are next to them, where memory is still at hand. */
+  static std::vector<Index> interleaved(std::size_t n) {
+    const std::size_t length = (n + batch - 1) / batch;
     std::vector<Index> result;
-    result.reserve(list.size());
+    result.reserve(n);
     for (std::size_t i = 0; i < length; ++i)
-      for (std::size_t k = i; k < list.size(); k += length)
-        result.push_back(list[k]);
-    list.swap(result);
+      for (std::size_t k = i; k < n; k += length)
+        result.push_back(Index(k));
+    return result;
   }
 
-  void set_come(const Store::Index_list& come) {
+  void set_changed(const std::vector<Index>& gone, const Store::Index_list& come) {
     ++now_;
-    came_.resize(store_.number_of_slots(), 0);
+    changed_.resize(store_.number_of_slots(), 0);
+    for (Index t : gone)
+      changed_[t] = now_;
     for (Index t : come)
-      came_[t] = now_;
+      changed_[t] = now_;
   }
 
   Store& store_;
@@ -273,7 +335,7 @@ private:
   Size_criterion size_;
   Speculation<Delaunay_insertion> insertions_;
   Time now_ = 0;
-  std::vector<Time> came_; // of each tetrahedron
+  std::vector<Time> changed_; // when each tetrahedron came, or was to go
 };
 
 } // namespace CGAL::Tubular_meshing::internal

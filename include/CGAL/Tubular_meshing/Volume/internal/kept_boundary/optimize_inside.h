@@ -26,11 +26,10 @@ struct Kept_boundary {
 
 /* Improves tetrahedra, their labelled facets staying as they are. Where pyramids stand on the other side of some, these
  * are improved with them: the facets stay as triangles, but their apexes move. */
-inline void optimize_inside(Mixed_mesh& mesh, int passes, int threads, const Element_block<5>& pyramids = {}) {
+inline void optimize_inside(Tetrahedron_store& store, int passes, int threads, const Element_block<5>& pyramids = {}) {
   // flips and sweeps alone leave a few tetrahedra of boundary vertices at 0.15 to 0.25
   const double remeshed_below = 0.4;
   const Kept_boundary boundary;
-  Tetrahedron_store store(mesh, threads);
   const auto move_vertices = [&](int) {
     Vertex_optimizer<Kept_boundary> apexes(store, boundary, pyramids, threads);
     Vertex_optimizer<Kept_boundary> vertices(store, boundary, threads);
@@ -39,8 +38,7 @@ inline void optimize_inside(Mixed_mesh& mesh, int passes, int threads, const Ele
       vertices.sweep();
     }
   };
-  optimize_in_passes(store, boundary, passes, move_vertices, [&] { remesh_worst(store, remeshed_below); });
-  store.write_inside_to(mesh);
+  optimize_in_passes(store, boundary, passes, threads, move_vertices, [&] { remesh_worst(store, remeshed_below); });
 }
 
 } // namespace CGAL::Tubular_meshing::internal

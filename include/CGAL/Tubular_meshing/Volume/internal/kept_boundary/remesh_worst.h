@@ -131,7 +131,9 @@ public:
       }
     if (!(best.worst > required + least_gain))
       return false;
-    store_.replace_by_star(best.tetrahedra, best.facets, best.vertex, come);
+    Store::Star_links links;
+    store_.match_star(best.facets, links);
+    store_.replace_by_star(best.tetrahedra, best.facets, links, best.vertex, come);
     return true;
   }
 
