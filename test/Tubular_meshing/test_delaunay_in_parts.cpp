@@ -3,7 +3,7 @@
 
 // Delaunay triangulations that are made in parts are those that insertion makes.
 
-#include <CGAL/Tubular_meshing/Centerlines/internal/Delaunay_in_parts.h>
+#include <CGAL/Tubular_meshing/base/Delaunay_in_parts.h>
 
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Delaunay_triangulation_cell_base_3.h>

@@ -137,9 +137,8 @@ Mesh tube_of_voxels() {
 }
 
 Mesh sac_on_a_tube() {
-  const Implicit f =
-      united(vessel(Point(0, 0, -20), Point(0, 0, 20), 1),
-             united(vessel(Point(0, 0, 0), Point(3, 0, 0), 0.5), ball(Point(3.5, 0, 0), 1.4)));
+  const Implicit f = united(vessel(Point(0, 0, -20), Point(0, 0, 20), 1),
+                            united(vessel(Point(0, 0, 0), Point(3, 0, 0), 0.5), ball(Point(3.5, 0, 0), 1.4)));
   return implicit_surface(f, Point(-2, -2, -4), Point(5.5, 2, 4), 0.12);
 }
 

@@ -39,15 +39,16 @@ struct Shape_radius_options {
  * At each vertex of the wall a ball shrinks along the inward normal until none of the wall that lies opposite is
  * inside of it \cgalCite{ma2012}. Opposite is what lies within 36 degrees of the normal: the vertex's own
  * neighborhood, where noise and the steps of a segmented image decide, does not count, nor does a corner of the cross
- * section. Normals are averaged over half the radius. A ball counts at all vertices within half its radius that
- * it touches, within 12 % of its radius or of that of large ones beside the vertex; of those at a vertex the fourth largest remains, so that what a few vertices out of place
- * say, or those between the steps of an image, matters not. Vertices that stand out like a spike, further from the
- * plane of their neighbors than these are from their middle, do not stop a ball.
- * Caps are not part of the wall, and do not either. No ball is smaller than the shortest edge at its vertex: what edges do
- * not resolve is no shape.
+ * section. Normals are averaged over half the radius, or half the median of the radii around a vertex, as its own normal
+ * may lie along the steps of an image. A ball counts at all vertices within half its radius that it touches, within 12 % of
+ * its radius or of that of large ones beside the vertex; of those at a vertex the fourth largest remains, so that what a few
+ * vertices out of place say, or those between the steps of an image, matters not. Vertices that stand out like a spike,
+ * further from the plane of their neighbors than these are from their middle, do not stop a ball. Caps are not part of the
+ * wall, and do not either. No ball is smaller than the shortest edge at its vertex: what edges do not resolve is no shape.
  *
  * Built in O(n log n) for n triangles, less than 10 µs each; a query is O(log n), allocates nothing, and is safe from
- * several threads. Copies share the balls. Shapes scaled or turned give the same radii, scaled.
+ * several threads. Copies share the balls. Shapes scaled, moved or turned give the same radii, scaled, but for rounding. The
+ * order of the triangles matters little: it decides which vertices, a fifth of the radius apart, stop balls.
  */
 class Shape_radius {
 public:

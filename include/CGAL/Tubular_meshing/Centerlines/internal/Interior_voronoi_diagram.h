@@ -5,7 +5,7 @@
 #define CGAL_TUBULAR_MESHING_CENTERLINES_INTERNAL_INTERIOR_VORONOI_DIAGRAM_H
 
 #include <CGAL/Tubular_meshing/base/Kernel.h>
-#include <CGAL/Tubular_meshing/Centerlines/internal/Delaunay_in_parts.h>
+#include <CGAL/Tubular_meshing/base/Delaunay_in_parts.h>
 #include <CGAL/Tubular_meshing/Centerlines/internal/Sampled_surface.h>
 #include <CGAL/Tubular_meshing/base/place_on_curve.h>
 #include <CGAL/Tubular_meshing/base/parallel.h>

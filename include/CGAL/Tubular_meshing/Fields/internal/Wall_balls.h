@@ -92,8 +92,8 @@ private:
       for (const Index* w = wall_.neighbors_begin(v); w != wall_.neighbors_end(v); ++w)
         apart += norm(wall_.point(*w) - middle) / n;
       const Vector_3d d = wall_.point(v) - middle;
-      is_spike_[v] = wall_.is_on_rim(v) ? norm(d) > as_far * 1.5 * apart
-                                       : std::abs(dot(d, normalized(area[v]))) > as_far * apart;
+      is_spike_[v] =
+          wall_.is_on_rim(v) ? norm(d) > as_far * 1.5 * apart : std::abs(dot(d, normalized(area[v]))) > as_far * apart;
     }
   }
 
@@ -194,10 +194,12 @@ private:
     if (!(radius > 0) || longest <= as_far * radius)
       return;
     const double shortest = *std::min_element(length.begin(), length.end());
-    const int apex = int(
-        std::find_if(length.begin(), length.end(), [&](double l) { return l <= as_far * shortest; }) - length.begin());
+    const int apex = int(std::find_if(length.begin(), length.end(), [&](double l) { return l <= as_far * shortest; }) -
+                         length.begin());
     const Vector_3d &p = wall_.point(t[apex]), &q = wall_.point(t[(apex + 1) % 3]), &r = wall_.point(t[(apex + 2) % 3]);
-    const auto parts = [&](double l) { return (std::max)(1, int((std::min)(64., std::ceil(2 * l / (as_far * radius))))); };
+    const auto parts = [&](double l) {
+      return (std::max)(1, int((std::min)(64., std::ceil(2 * l / (as_far * radius)))));
+    };
     const int rows = parts(longest);
     for (int i = 1; i <= rows; ++i) {
       const double s = double(i) / rows;

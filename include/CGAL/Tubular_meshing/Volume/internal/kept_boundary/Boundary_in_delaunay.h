@@ -5,6 +5,7 @@
 #define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_KEPT_BOUNDARY_BOUNDARY_IN_DELAUNAY_H
 
 #include <CGAL/Tubular_meshing/Volume/internal/kept_boundary/Recovered_boundary.h>
+#include <CGAL/Tubular_meshing/base/Delaunay_in_parts.h>
 #include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/base/interruption.h>
 #include <CGAL/Tubular_meshing/base/parallel.h>
@@ -49,7 +50,8 @@ public:
     points.reserve(boundary.points.size());
     for (const Vector_3d& p : boundary.points)
       points.emplace_back(Point_3(p.x, p.y, p.z), std::uint32_t(points.size()));
-    delaunay_.insert(points.begin(), points.end());
+    // as many parts for any number of threads, as the order of the cells depends on it
+    Delaunay_in_parts<Delaunay>::triangulate(points, 4, threads, delaunay_);
     for (const Vertex_handle v : delaunay_.finite_vertex_handles())
       vertex_[v->info()] = v;
     if (has_all_points())

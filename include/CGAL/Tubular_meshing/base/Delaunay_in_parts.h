@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tubular_meshing authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_TUBULAR_MESHING_CENTERLINES_INTERNAL_DELAUNAY_IN_PARTS_H
-#define CGAL_TUBULAR_MESHING_CENTERLINES_INTERNAL_DELAUNAY_IN_PARTS_H
+#ifndef CGAL_TUBULAR_MESHING_BASE_DELAUNAY_IN_PARTS_H
+#define CGAL_TUBULAR_MESHING_BASE_DELAUNAY_IN_PARTS_H
 
 #include <CGAL/Tubular_meshing/base/parallel.h>
 
@@ -339,4 +339,4 @@ private:
 
 } // namespace CGAL::Tubular_meshing::internal
 
-#endif // CGAL_TUBULAR_MESHING_CENTERLINES_INTERNAL_DELAUNAY_IN_PARTS_H
+#endif // CGAL_TUBULAR_MESHING_BASE_DELAUNAY_IN_PARTS_H
