@@ -10,6 +10,7 @@
 #include <CGAL/Tubular_meshing/Quality/boundary_layer_report.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 #include <CGAL/Tubular_meshing/base/labels.h>
+#include <CGAL/Tubular_meshing/base/parameters.h>
 
 #include "grid_of_tetrahedra.h"
 
@@ -103,6 +104,24 @@ TEST(Boundary_layer_report, Leaves_out_what_has_no_direction) {
   set_metric(m, along * 0.99, around, height);
   EXPECT_GT(tubular::boundary_layer_report(m, line()).alignment.count(), 0u);
   EXPECT_EQ(tubular::boundary_layer_report(m, line(true)).alignment.count(), 0u);
+}
+
+TEST(Boundary_layer_report, Does_not_depend_on_the_number_of_threads) {
+  Mesh m = block(true, 0.3);
+  set_metric(m, along * 0.99, around, height);
+  const auto report = [&](int threads) {
+    return tubular::boundary_layer_report(m, line(), tubular::parameters::number_of_threads(threads));
+  };
+  const auto one = report(1);
+  for (int threads : {0, 2, 4}) {
+    const auto r = report(threads);
+    for (auto measure : {&tubular::Boundary_layer_report::first_height, &tubular::Boundary_layer_report::alignment}) {
+      EXPECT_EQ((r.*measure).count(), (one.*measure).count());
+      EXPECT_EQ((r.*measure).mean(), (one.*measure).mean());
+      for (double percent : {0., 30., 50., 100.})
+        EXPECT_EQ((r.*measure).percentile(percent), (one.*measure).percentile(percent));
+    }
+  }
 }
 
 TEST(Boundary_layer_report, Needs_a_metric) {

@@ -42,7 +42,7 @@ Json description_of(const Run& run) {
   const tubular::Lumen_measures measures = run.options.is_quadratic()
                                                ? tubular::lumen_measures(run.quadratic, openings_of_all)
                                                : tubular::lumen_measures(mesh, openings_of_all);
-  return {
+  Json json = {
       {"program", std::string("tubular_mesh ") + run.version},
       {"input", run.options.surface},
       {"centerlines", run.options.centerlines.empty() ? Json() : Json(run.options.centerlines)},
@@ -63,6 +63,9 @@ Json description_of(const Run& run) {
       {"volume", volumes_of(run, measures)},
       {"openings", openings_of(run, measures)},
       {"branches", branches_of(run)}};
+  if (run.options.is_anisotropic())
+    add_metric_quality(json, run.model, mesh, report.quality, run.options.threads);
+  return json;
 }
 
 void print_counts(const Json& r) {
@@ -155,8 +158,6 @@ Run_report::Run_report(const Run& run)
     add_zero_d_model(report, run.zero_d);
   if (run.options.boundary_layer_prisms > 0)
     add_layers(report, "boundary_layer", run.meshing.boundary_layer);
-  if (run.options.is_anisotropic())
-    add_metric_quality(report, run.model, run.cells(), run.options.threads);
   if (run.options.is_quadratic())
     add_quadratic(report, run);
   if (run.options.partitions > 0)

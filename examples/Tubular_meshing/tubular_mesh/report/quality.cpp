@@ -46,6 +46,17 @@ const std::vector<std::pair<const char*, const char*>>& measures() {
   return list;
 }
 
+bool is_lumen_alone(const tubular::Mixed_mesh& mesh) {
+  return std::all_of(mesh.tetrahedra.label.begin(), mesh.tetrahedra.label.end(),
+                     [](int region) { return region == tubular::labels::lumen; });
+}
+
+void add_fit_to_metric(Json& json, const tubular::Quality_report& quality) {
+  json["Q_tau"] = statistics(quality.Q_tau);
+  json["Q_tau"]["share_below_3"] = quality.Q_tau.share_below(3);
+  json["efficiency"] = quality.efficiency;
+}
+
 void print_table(const Json& quality) {
   std::printf("%-22s %8s %8s %8s\n", "quality", "min", "1 %", "mean");
   for (const auto& m : measures()) {
@@ -133,13 +144,13 @@ Json qualities_of(const tubular::Quality_report& quality) {
 
 // Of a mesh in a metric, with layers at the wall.
 void add_metric_quality(Json& report, const tubular::Tubular_model& model, const tubular::Mixed_mesh& mesh,
-                        int threads) {
-  const tubular::Quality_report quality =
-      tubular::quality_report(mesh, tubular::labels::lumen, tubular::parameters::number_of_threads(threads));
-  report["quality"]["Q_tau"] = statistics(quality.Q_tau);
-  report["quality"]["Q_tau"]["share_below_3"] = quality.Q_tau.share_below(3);
-  report["quality"]["efficiency"] = quality.efficiency;
-  const tubular::Boundary_layer_report layer = tubular::boundary_layer_report(mesh, model.centerlines);
+                        const tubular::Quality_report& of_all, int threads) {
+  const auto on_threads = tubular::parameters::number_of_threads(threads);
+  if (is_lumen_alone(mesh))
+    add_fit_to_metric(report["quality"], of_all);
+  else
+    add_fit_to_metric(report["quality"], tubular::quality_report(mesh, tubular::labels::lumen, on_threads));
+  const tubular::Boundary_layer_report layer = tubular::boundary_layer_report(mesh, model.centerlines, on_threads);
   report["quality"]["first_height"] = statistics(layer.first_height);
   report["quality"]["first_height"]["share_within_30_percent"] = layer.share_of_first_heights(0.3);
   report["quality"]["alignment"] = statistics(layer.alignment);

@@ -11,8 +11,10 @@
 
 /* How good the elements are; those in a metric, and those of the second order, also by measures of their own. */
 Json qualities_of(const CGAL::Tubular_meshing::Quality_report& quality);
+// `of_all`: that of the whole mesh
 void add_metric_quality(Json& report, const CGAL::Tubular_meshing::Tubular_model& model,
-                        const CGAL::Tubular_meshing::Mixed_mesh& mesh, int threads);
+                        const CGAL::Tubular_meshing::Mixed_mesh& mesh,
+                        const CGAL::Tubular_meshing::Quality_report& of_all, int threads);
 void add_metric_quality(Json& report, const CGAL::Tubular_meshing::Remeshed_surface& surface);
 void add_quadratic(Json& report, const Run& run);
 

@@ -6,6 +6,9 @@
 
 #include <CGAL/Tubular_meshing/Centerlines/Centerline_graph.h>
 #include <CGAL/Tubular_meshing/Quality/quality_report.h>
+#include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
+#include <CGAL/Tubular_meshing/base/config.h>
+#include <CGAL/Tubular_meshing/base/parameters.h>
 
 namespace CGAL::Tubular_meshing {
 
@@ -32,6 +35,13 @@ struct Boundary_layer_report {
   }
 };
 
+namespace internal {
+
+Boundary_layer_report boundary_layer_report_on(int threads, const Mixed_mesh& mesh,
+                                               const Centerline_graph& centerlines);
+
+} // namespace internal
+
 /*! \ingroup PkgTubularMeshingQuality
  *
  * measures the first layer at the wall, and how the long edges lie along the vessel.
@@ -39,12 +49,25 @@ struct Boundary_layer_report {
  * \param mesh tetrahedra, with triangles of patch labels::wall and the point array `metric`, as make_anisotropic_mesh()
  *   gives it
  * \param centerlines of the vessel, with radii, as in a Tubular_model
+ * \param np an optional sequence of named parameters among the ones listed below
+ *
+ * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{number_of_threads}
+ *     \cgalParamDescription{0: all cores. The result does not depend on it}
+ *     \cgalParamType{`int`}
+ *     \cgalParamDefault{`0`}
+ *   \cgalParamNEnd
+ * \cgalNamedParamsEnd
  *
  * O(n log n).
  *
  * \throws Input_error if the mesh has no `metric`, or there are no centerlines
  */
-Boundary_layer_report boundary_layer_report(const Mixed_mesh& mesh, const Centerline_graph& centerlines);
+template <typename CGAL_NP_TEMPLATE_PARAMETERS>
+Boundary_layer_report boundary_layer_report(const Mixed_mesh& mesh, const Centerline_graph& centerlines,
+                                            const CGAL_NP_CLASS& np = CGAL::parameters::default_values()) {
+  return internal::boundary_layer_report_on(internal::choose(np, internal_np::number_of_threads, 0), mesh, centerlines);
+}
 
 } // namespace CGAL::Tubular_meshing
 

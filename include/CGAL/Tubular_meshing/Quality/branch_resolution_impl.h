@@ -19,7 +19,8 @@ CGAL_TUBULAR_MESHING_INLINE std::vector<double> points_per_circumference(const M
                                                                          const Centerline_field& centerlines,
                                                                          std::size_t number_of_branches,
                                                                          int number_of_threads) {
-  const auto edges = internal::edges_of(mesh.triangles, [](int label) { return label == labels::wall; });
+  const auto edges = internal::edges_of(
+      mesh.triangles, mesh.points.size(), [](int label) { return label == labels::wall; }, number_of_threads);
   std::vector<std::size_t> branch(edges.size());
   std::vector<double> to_centerline(edges.size());
   internal::for_each_range(edges.size(), number_of_threads, [&](std::size_t first, std::size_t last) {
