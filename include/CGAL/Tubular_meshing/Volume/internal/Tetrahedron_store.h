@@ -424,17 +424,24 @@ public:
     std::vector<Index> number(points_.size(), none);
     for (Index i = 0; i < order.size(); ++i)
       number[order[i]] = i;
-    std::vector<std::pair<Index, Index>> by_vertex; // lowest vertex, tetrahedron
-    by_vertex.reserve(tetrahedra_.size());
-    for (Index t = 0; t < tetrahedra_.size(); ++t)
-      if (is_alive(t)) {
-        const Vertices& v = tetrahedra_[t].v;
-        by_vertex.emplace_back((std::min)({number[v[0]], number[v[1]], number[v[2]], number[v[3]]}), t);
-      }
-    std::sort(by_vertex.begin(), by_vertex.end());
-    std::vector<Index> tetrahedra(by_vertex.size());
-    for (std::size_t k = 0; k < by_vertex.size(); ++k)
-      tetrahedra[k] = by_vertex[k].second;
+    std::vector<Index> lowest(tetrahedra_.size(), none); // the lowest vertex of each
+    for_each_range(tetrahedra_.size(), threads, [&](std::size_t first, std::size_t last) {
+      for (std::size_t t = first; t < last; ++t)
+        if (is_alive(Index(t))) {
+          const Vertices& v = tetrahedra_[t].v;
+          lowest[t] = (std::min)({number[v[0]], number[v[1]], number[v[2]], number[v[3]]});
+        }
+    });
+    std::vector<Index> place(order.size() + 1, 0); // of the next tetrahedron of each vertex
+    for (Index v : lowest)
+      if (v != none)
+        ++place[v + 1];
+    for (std::size_t v = 0; v < order.size(); ++v)
+      place[v + 1] += place[v];
+    std::vector<Index> tetrahedra(place.back());
+    for (Index t = 0; t < lowest.size(); ++t)
+      if (lowest[t] != none)
+        tetrahedra[place[lowest[t]]++] = t;
     renumber(order, tetrahedra, threads);
   }
 

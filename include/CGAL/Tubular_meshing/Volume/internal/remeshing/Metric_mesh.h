@@ -200,7 +200,7 @@ public:
     put_in_order(order, location_);
     put_in_order(order, on_surface_);
     clock.renumber(order);
-    store.renumber(std::vector<Index>(order.begin(), order.end()));
+    store.renumber(std::vector<Index>(order.begin(), order.end()), threads);
   }
 
 private:
