@@ -1,18 +1,24 @@
 // Copyright (c) 2026 The Tubular_meshing authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Surfaces that are moved without meeting themselves.
+// Surfaces that are moved without meeting themselves, and cells that keep their shape.
 
+#include <CGAL/Tubular_meshing/Fields/Metric_tensor_3.h>
 #include <CGAL/Tubular_meshing/Patches/pieces/crossing_faces.h>
 #include <CGAL/Tubular_meshing/Volume/internal/preserving/Shift_holder.h>
 #include <CGAL/Tubular_meshing/Volume/internal/preserving/hold_shifts_back.h>
+#include <CGAL/Tubular_meshing/Volume/internal/remeshing/metric_quality.h>
 #include <CGAL/Tubular_meshing/base/Kernel.h>
+#include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 
+#include "grid_of_tetrahedra.h"
+
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <random>
@@ -22,10 +28,10 @@
 namespace {
 
 namespace internal = CGAL::Tubular_meshing::internal;
+using CGAL::Tubular_meshing::Surface;
 using internal::Face;
 using internal::Face_pairs;
 using internal::Shift_holder;
-using CGAL::Tubular_meshing::Surface;
 using internal::Vector_3d;
 using internal::Vertex;
 
@@ -125,6 +131,58 @@ TEST_P(Shifts_without_crossings, Faces_near_are_those_of_the_other_sheet_too) {
   mesh.point(middle) = CGAL::Tubular_meshing::Point_3(15, 15, 0.3);
   EXPECT_EQ(internal::faces_near(mesh, [&](Vertex v) { return v == middle; }).size(), 32 * of_quad);
   EXPECT_TRUE(internal::faces_near(mesh, [](Vertex) { return false; }).empty());
+}
+
+// Flat layers, the upper ones of which are to slide along the others: no volume changes by that, but shapes do.
+class Sliding_layers : public testing::Test {
+protected:
+  const double height = 0.05;
+  const CGAL::Tubular_meshing::Metric_tensor_3 metric{1, 0, 0, 1, 0, 1 / (height * height)};
+  CGAL::Tubular_meshing::Mixed_mesh mesh = grid_of_tetrahedra(
+      {6, 6, 6}, [this](int i, int j, int k) { return CGAL::Tubular_meshing::Point_3(i, j, height * k); },
+      [](int, int) { return 0; });
+
+  void carry_metric() {
+    CGAL::Tubular_meshing::Point_array array{"metric", 6, {}};
+    for (std::size_t v = 0; v < mesh.points.size(); ++v)
+      for (double component : metric.components())
+        array.values.push_back(component);
+    mesh.point_arrays.assign(1, array);
+  }
+  Shift_holder kept(int threads) const {
+    std::vector<Vector_3d> from, shift;
+    for (const auto& p : mesh.points) {
+      from.emplace_back(p);
+      shift.emplace_back(from.back().z > 2.5 * height ? 3. : 0., 0., 0.);
+    }
+    Shift_holder shifts(from, shift);
+    internal::keep_cells(mesh, internal::Kept_of_cells(), threads, shifts);
+    return shifts;
+  }
+  double worst(const Shift_holder& shifts) const {
+    double result = 1;
+    for (const auto& t : mesh.tetrahedra.vertices)
+      result = (std::min)(result, internal::metric_shape(shifts[t[1]] - shifts[t[0]], shifts[t[2]] - shifts[t[0]],
+                                                         shifts[t[3]] - shifts[t[0]], metric)
+                                      .quality());
+    return result;
+  }
+};
+
+TEST_F(Sliding_layers, Keep_their_volumes_without_a_metric) {
+  const Shift_holder shifts = kept(1);
+  EXPECT_EQ(shifts.number_held_back(), 0u);
+  EXPECT_LT(worst(shifts), 0.2);
+}
+
+TEST_F(Sliding_layers, Keep_their_shapes_in_the_metric) {
+  carry_metric();
+  const Shift_holder shifts = kept(1), on_all = kept(0);
+  EXPECT_GE(worst(shifts), 0.3);
+  EXPECT_GT(shifts.number_held_back(), 0u);
+  EXPECT_GT(shifts.largest(), 0);
+  for (std::size_t i = 0; i < shifts.size(); ++i)
+    ASSERT_EQ(internal::norm(shifts[i] - on_all[i]), 0) << i;
 }
 
 } // namespace

@@ -105,7 +105,7 @@ move_boundary_to_surface(Mixed_mesh& mesh, const Surface& input, Face_patch_map 
   Kept_of_cells kept;
   kept.volume = 0.05;
   kept.shape = false;
-  keep_cells(mesh, kept, shifts);
+  keep_cells(mesh, kept, options.number_of_threads, shifts);
   for (std::size_t i = 0; i < mesh.points.size(); ++i)
     mesh.points[i] = shifts.point(i);
   report.largest_shift = shifts.largest();

@@ -78,7 +78,7 @@ CGAL_TUBULAR_MESHING_INLINE Preserve_volume_report preserve_volume(Mixed_mesh& m
   Shift_holder of_boundary = wanted_shifts(boundary.surface, boundary.patch, truth, options.number_of_threads);
   move_without_crossings(boundary.surface, of_boundary);
   Shift_holder shifts = shifts_of_all(mesh, boundary, of_boundary, truth, radius, options.number_of_threads);
-  keep_cells(mesh, Kept_of_cells(), shifts);
+  keep_cells(mesh, Kept_of_cells(), options.number_of_threads, shifts);
   for (std::size_t i = 0; i < mesh.points.size(); ++i)
     mesh.points[i] = shifts.point(i);
   boundary.follow(mesh);

@@ -32,6 +32,8 @@ public:
   const Vector_3d& from(std::size_t i) const { return from_[i]; }
   Vector_3d shift(std::size_t i) const { return part_[i] * shift_[i]; }
 
+  bool is_moved(std::size_t i) const { return part_[i] > 0 && squared_norm(shift_[i]) > 0; }
+
   // False if it is there already.
   bool hold_back(std::size_t i) {
     if (part_[i] == 0)

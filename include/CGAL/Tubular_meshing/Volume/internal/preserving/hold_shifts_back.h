@@ -6,11 +6,13 @@
 
 #include <CGAL/Tubular_meshing/Patches/pieces/crossing_faces.h>
 #include <CGAL/Tubular_meshing/Volume/internal/preserving/Shift_holder.h>
+#include <CGAL/Tubular_meshing/Volume/internal/remeshing/metric_quality.h>
 #include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
 #include <CGAL/Tubular_meshing/base/cell_topology.h>
 #include <CGAL/Tubular_meshing/base/element_measures.h>
+#include <CGAL/Tubular_meshing/base/parallel.h>
 
 #include <algorithm>
 #include <array>
@@ -120,12 +122,51 @@ void add_points_of_crushed_corners(const Element_block<N>& cells, const Shift_ho
     }
 }
 
-/* Corners of cells at fault hold their points back, and then those around. If that comes to no end nothing moves at
- * all. */
-inline void keep_cells(const Mixed_mesh& mesh, const Kept_of_cells& kept, Shift_holder& shifts) {
-  constexpr int most_rounds = 60;
+/* The points of tetrahedra that lose their shape in the metric that the mesh carries, if it does: they keep a fair one,
+ * or most of what they had. Where its layers at the wall are low, shifts that differ little from point to point can
+ * cost a tetrahedron most of its height, and still be within the bounds for volumes. */
+inline void add_points_of_spoiled_tetrahedra(const Mixed_mesh& mesh, const Shift_holder& shifts, int threads,
+                                             std::vector<std::size_t>& points) {
+  const double fair = 0.3, kept = 0.9; // of the inverse of Q, eq. (16)
+  const auto array = std::find_if(mesh.point_arrays.begin(), mesh.point_arrays.end(), [&](const Point_array& a) {
+    return a.is_metric() && a.values.size() == 6 * mesh.points.size();
+  });
+  if (array == mesh.point_arrays.end())
+    return;
+  const auto metric = [&](std::uint32_t v) {
+    const double* m = array->values.data() + 6 * std::size_t(v);
+    return Metric_tensor_3(m[0], m[1], m[2], m[3], m[4], m[5]);
+  };
+  const auto& tetrahedra = mesh.tetrahedra.vertices;
+  const std::size_t piece = 4096;
+  std::vector<std::vector<std::size_t>> at_fault((tetrahedra.size() + piece - 1) / piece);
+  for_each_task(at_fault.size(), threads, [&](std::size_t p) {
+    for (std::size_t k = p * piece; k < (std::min)((p + 1) * piece, tetrahedra.size()); ++k) {
+      const auto& t = tetrahedra[k];
+      if (std::none_of(t.begin(), t.end(), [&](std::uint32_t v) { return shifts.is_moved(v); }))
+        continue;
+      const Metric_tensor_3 mean = 0.25 * (metric(t[0]) + metric(t[1]) + metric(t[2]) + metric(t[3]));
+      const auto quality = [&](const Vector_3d& a, const Vector_3d& b, const Vector_3d& c, const Vector_3d& d) {
+        return metric_shape(b - a, c - a, d - a, mean).quality();
+      };
+      const double now = quality(shifts[t[0]], shifts[t[1]], shifts[t[2]], shifts[t[3]]);
+      if (now < fair &&
+          now < kept * quality(shifts.from(t[0]), shifts.from(t[1]), shifts.from(t[2]), shifts.from(t[3])))
+        at_fault[p].insert(at_fault[p].end(), t.begin(), t.end());
+    }
+  });
+  for (const std::vector<std::size_t>& list : at_fault)
+    points.insert(points.end(), list.begin(), list.end());
+}
+
+/* Corners of cells at fault hold their points back, and then those around. Shapes in a metric are kept in the
+ * first rounds, so that they hold back no points but those near by. If that comes to no end nothing moves at all. */
+inline void keep_cells(const Mixed_mesh& mesh, const Kept_of_cells& kept, int threads, Shift_holder& shifts) {
+  constexpr int most_rounds = 60, most_rounds_for_metric = 20;
   for (int round = 0; round < most_rounds; ++round) {
     std::vector<std::size_t> at_fault;
+    if (round < most_rounds_for_metric)
+      add_points_of_spoiled_tetrahedra(mesh, shifts, threads, at_fault);
     add_points_of_crushed_corners(mesh.tetrahedra, shifts, kept, at_fault);
     add_points_of_crushed_corners(mesh.pyramids, shifts, kept, at_fault);
     add_points_of_crushed_corners(mesh.prisms, shifts, kept, at_fault);
