@@ -152,11 +152,12 @@ TEST(Hexahedral_mesh_by_subdivision, Holds_no_vertex_back_from_a_curved_wall) {
   for (const Row& row : {Row{tubular::straight_tube(8, 1), 8}, Row{tubular::curved_tube(4, 1.8, 1), 8},
                          Row{tubular::curved_tube(3, 2.2, 1), 8}, Row{tubular::y_bifurcation(), 12}}) {
     const auto model = model_of(row.skeleton);
-    for (double points = row.first; points <= 22; points += 2)
+    const bool has_crotch = model.openings.size() > 2;
+    for (double points = row.first; points <= 22; points += has_crotch && points < 14 ? 0.3 : 2)
       for (bool has_layers : {false, true}) {
         Mesher_options options = by_subdivision(points);
         options.preserve_volume = false;
-        if (has_layers && (points < 12 || model.openings.size() > 2))
+        if (has_layers && (points < 12 || has_crotch))
           continue;
         if (has_layers)
           options.boundary_layer = tubular::Extrude_boundary_layer_options(
@@ -166,7 +167,9 @@ TEST(Hexahedral_mesh_by_subdivision, Holds_no_vertex_back_from_a_curved_wall) {
         const auto& report = mesher.report().hexahedral;
         EXPECT_EQ(report.boundary.held_back, 0u) << points << " " << has_layers;
         EXPECT_EQ(report.boundary.not_found, 0u) << points << " " << has_layers;
-        EXPECT_GT(report.optimization.min_scaled_jacobian, has_layers ? 0.25 : 0.33) << points << " " << has_layers;
+        const bool is_coarse_crotch = has_crotch && points < 14;
+        EXPECT_GT(report.optimization.min_scaled_jacobian, has_layers || is_coarse_crotch ? 0.25 : 0.33)
+            << points << " " << has_layers;
       }
   }
 }

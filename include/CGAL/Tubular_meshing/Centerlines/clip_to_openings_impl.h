@@ -54,10 +54,9 @@ private:
     return points_[p] + t * (points_[q] - points_[p]);
   }
 
-  // From inside to outside, within the opening and not elsewhere in its plane; what ends on it but for rounding does so.
+  // From inside to outside, within the opening and not elsewhere in its plane.
   bool crosses_disk(std::size_t p, std::size_t q) const {
-    const double on_plane = -1e-9 * opening_.radius;
-    return height(p) < on_plane && height(q) >= on_plane && away(crossing_point(p, q)) < opening_.radius;
+    return height(p) < 0 && height(q) >= 0 && away(crossing_point(p, q)) < opening_.radius;
   }
 
   std::size_t crossing(std::size_t p, std::size_t q) {

@@ -50,23 +50,31 @@ Centerline_sizing_field::Centerline_sizing_field(const Local_radius& local,
   internal::check(options);
   const double leaf_per_radius = 0.8, leaf_off_tubes = 0.25; // there the radius changes within less
   const internal::Requested_sizes requested(options.size_requests);
-  const auto sample = [&](const internal::Size_octree::Position& x, bool with_need) {
-    const Point_3 p(x[0], x[1], x[2]);
-    const Local_radius::Radii r = local.radii(p);
+  typedef internal::Size_octree::Position Position;
+  struct Sized {
+    double radius, size;
+  };
+  const auto sized = [&](const Point_3& p, const Local_radius::Radii& r) {
     const auto& d = r.of_centerline;
     const double radius = r.combined((std::max)(d.radius, d.distance));
     const double wanted = requested(p, r.on_wall, d.branch, 2 * CGAL_PI * radius / options.points_per_circumference);
-    const double size = (std::min)((std::max)(wanted, options.min_size), options.max_size);
-    internal::Size_octree::Sample result{{0, 0}, size};
-    if (with_need) {
-      const bool outside = squared_distance(p, d.point) > squared_distance(r.on_wall, d.point);
-      const double width = local.largest_width(p, leaf_off_tubes, leaf_per_radius * radius);
-      result.need = {outside ? std::sqrt(squared_distance(p, r.on_wall)) : 0, requested.width(p, width, size)};
-    }
-    return result;
+    return Sized{radius, (std::min)((std::max)(wanted, options.min_size), options.max_size)};
   };
-  octree_ = std::make_shared<const internal::Size_octree>(local.bbox(), sample, options.gradation - 1,
-                                                          options.number_of_threads);
+  const auto need = [&](const Position& x, double reach) {
+    const Point_3 p(x[0], x[1], x[2]);
+    const Local_radius::Radii r = local.radii(p, reach);
+    if (r.distance_outside > reach)
+      return internal::Corner_octree::Need{r.distance_outside, 0};
+    const Sized here = sized(p, r);
+    const double width = local.largest_width(p, leaf_off_tubes, leaf_per_radius * here.radius);
+    return internal::Corner_octree::Need{r.distance_outside, requested.width(p, width, here.size)};
+  };
+  const auto size = [&](const Position& x) {
+    const Point_3 p(x[0], x[1], x[2]);
+    return sized(p, local.radii(p)).size;
+  };
+  octree_ = std::make_shared<const internal::Size_octree>(local.bbox(), need, size, options.max_size,
+                                                          options.gradation - 1, options.number_of_threads);
 }
 
 CGAL_TUBULAR_MESHING_INLINE double Centerline_sizing_field::size(double x, double y, double z) const {

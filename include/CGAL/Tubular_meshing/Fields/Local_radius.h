@@ -13,6 +13,7 @@
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Named_function_parameters.h>
 
+#include <limits>
 #include <memory>
 
 namespace CGAL::Tubular_meshing {
@@ -59,6 +60,7 @@ public:
   struct Radii {
     Point_3 on_wall;                             ///< the point of the wall nearest to it
     Centerline_field::Descriptors of_centerline; ///< nearest to the wall point
+    double distance_outside;                     ///< how far the point is from the lumen: 0 inside
     double of_ball;                              ///< Shape_radius; 0 if nothing lies opposite
     double share_of_ball; ///< by where the ball's center is: 0 on a plain branch, 1 where the ball counts alone
     double outside; ///< 0 where the wall and the ball's center are in the centerline's tube, 1 where one is outside
@@ -71,7 +73,8 @@ public:
     /// plain, the former, unchanged.
     double combined(double radius_of_centerline) const;
   };
-  Radii radii(const Point_3& x) const;
+  /*! Of a point outside, farther than `reach` from the lumen, the shares are not looked for, and are 0. */
+  Radii radii(const Point_3& x, double reach = (std::numeric_limits<double>::infinity)()) const;
 
   /*! How wide a cube around `x` may be, up to a bound, so that it holds no point of the wall where the branch is not
    * plain and the radius is less than the width over `width_per_radius`, within a tenth: what makes an octree find

@@ -35,9 +35,14 @@ public:
     collect_places_of_balls(options.number_of_threads);
   }
 
-  Radii at(const Point_3& x) const {
+  Radii at(const Point_3& x, double reach) const {
     const Shape_radius::Ball ball = shape_.ball(x);
-    return at(ball);
+    Radii r = beside_wall(ball);
+    if (is_outside(x, ball, r.of_centerline.point))
+      r.distance_outside = std::sqrt(squared_distance(x, ball.on_wall));
+    if (r.distance_outside <= reach)
+      find_shares(ball, r);
+    return r;
   }
 
   CGAL::Bbox_3 bbox() const { return bbox_; }
@@ -60,19 +65,32 @@ public:
   }
 
 private:
-  Radii at(const Shape_radius::Ball& ball) const {
+  /* A point inside is seen from the wall in the ball's direction, but beyond the wall's ends, so are half of those
+   * outside. Beyond the wall as the centerline sees it are those, but also points inside a wide vessel, next to a narrow one
+   * at whose mouth the wall is nearest. */
+  static bool is_outside(const Point_3& x, const Shape_radius::Ball& ball, const Point_3& on_centerline) {
+    const internal::Vector_3d wall(ball.on_wall);
+    const bool is_seen = !ball.is_at_rim && ball.radius > 0 &&
+                         dot(internal::Vector_3d(x) - wall, internal::Vector_3d(ball.center) - wall) > 0;
+    return !is_seen && squared_distance(x, on_centerline) > squared_distance(ball.on_wall, on_centerline);
+  }
+
+  Radii beside_wall(const Shape_radius::Ball& ball) const {
     Radii r;
     r.on_wall = ball.on_wall;
     r.of_centerline = centerlines_.descriptors(ball.on_wall);
     r.of_ball = ball.radius;
-    r.share_of_ball = r.outside = 0;
+    r.distance_outside = r.share_of_ball = r.outside = 0;
+    return r;
+  }
+
+  void find_shares(const Shape_radius::Ball& ball, Radii& r) const {
     if (!(ball.radius > 0))
-      return r;
+      return;
     const Centerline_field::Descriptors of_center = centerlines_.descriptors(ball.center);
     r.share_of_ball = internal::smooth_step(0.4, 0.75, of_center.distance / ball.radius);
     r.outside = (std::max)(internal::smooth_step(1.25, 1.7, r.of_centerline.distance / r.of_centerline.radius),
                            internal::smooth_step(0.85, 1.05, of_center.distance / of_center.radius));
-    return r;
   }
 
   // A surface may be turned inward: then the centerlines lie in front of most of its triangles.
@@ -96,7 +114,8 @@ private:
     std::vector<double> radius(balls.size(), 0);
     internal::for_each_range(balls.size(), threads, [&](std::size_t first, std::size_t last) {
       for (std::size_t i = first; i < last; ++i) {
-        const Radii r = at(balls[i]);
+        Radii r = beside_wall(balls[i]);
+        find_shares(balls[i], r);
         const double of_centerline = (std::max)(r.of_centerline.radius, r.of_centerline.distance);
         if (r.share_against(of_centerline) > 0)
           radius[i] = r.combined(of_centerline);
@@ -142,8 +161,8 @@ CGAL_TUBULAR_MESHING_INLINE double Local_radius::Radii::share_against(double rad
   return share * outside;
 }
 
-CGAL_TUBULAR_MESHING_INLINE Local_radius::Radii Local_radius::radii(const Point_3& x) const {
-  return impl_->at(x);
+CGAL_TUBULAR_MESHING_INLINE Local_radius::Radii Local_radius::radii(const Point_3& x, double reach) const {
+  return impl_->at(x, reach);
 }
 
 CGAL_TUBULAR_MESHING_INLINE double Local_radius::largest_width(const Point_3& x, double width_per_radius,

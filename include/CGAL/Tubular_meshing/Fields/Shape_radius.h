@@ -58,7 +58,8 @@ public:
   struct Ball {
     Point_3 on_wall; ///< the point of the wall that is nearest to that of the query
     Point_3 center;
-    double radius; ///< 0 if nothing of the wall lies opposite
+    double radius;  ///< 0 if nothing of the wall lies opposite
+    bool is_at_rim; ///< whether the wall ends at that point
   };
 
   /*!

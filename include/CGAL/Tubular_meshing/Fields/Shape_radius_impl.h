@@ -30,31 +30,38 @@ public:
     const internal::Wall_balls balls(indexed, options.turned_inward ? -1 : 1, options.number_of_threads);
     radii_ = balls.radii();
     directions_ = balls.directions();
+    is_on_rim_.reserve(faces_.points.size());
+    for (std::uint32_t v = 0; v < faces_.points.size(); ++v)
+      is_on_rim_.push_back(indexed.is_on_rim(v));
   }
 
   Ball at(const Point_3& x) const {
     const Wall_distance::Place place = wall_.closest_place(x);
     const auto& t = faces_.triangles[place.triangle];
     const std::array<double, 3> weights = coordinates(internal::Vector_3d(place.point), t);
+    const double rounding = 1e-9;
     double log_radius = 0, sum = 0;
+    bool is_at_rim = true;
     internal::Vector_3d center;
-    for (int k = 0; k < 3; ++k)
+    for (int k = 0; k < 3; ++k) {
+      is_at_rim = is_at_rim && (weights[k] < rounding || is_on_rim_[t[k]]);
       if (radii_[t[k]] > 0) {
         log_radius += weights[k] * std::log(radii_[t[k]]);
         center += weights[k] * this->center(t[k]);
         sum += weights[k];
       }
+    }
     if (!(sum > 0))
-      return Ball{place.point, place.point, 0};
+      return Ball{place.point, place.point, 0, is_at_rim};
     center = (1 / sum) * center;
-    return Ball{place.point, Point_3(center.x, center.y, center.z), std::exp(log_radius / sum)};
+    return Ball{place.point, Point_3(center.x, center.y, center.z), std::exp(log_radius / sum), is_at_rim};
   }
 
   std::vector<Ball> all() const {
     std::vector<Ball> result;
     for (std::uint32_t v = 0; v < faces_.points.size(); ++v) {
       const internal::Vector_3d c = center(v);
-      result.push_back(Ball{faces_.points[v], Point_3(c.x, c.y, c.z), radii_[v]});
+      result.push_back(Ball{faces_.points[v], Point_3(c.x, c.y, c.z), radii_[v], is_on_rim_[v] != 0});
     }
     return result;
   }
@@ -122,6 +129,7 @@ private:
   internal::Indexed_triangles faces_;
   std::vector<double> radii_;
   std::vector<internal::Vector_3d> directions_;
+  std::vector<char> is_on_rim_;
 };
 
 CGAL_TUBULAR_MESHING_INLINE Shape_radius::Shape_radius(const Wall_distance& wall, const Shape_radius_options& options)

@@ -29,7 +29,8 @@ public:
   typedef std::array<std::uint32_t, 3> Lattice_point; // position in units of the smallest leaf
   typedef std::pair<std::uint32_t, double> Leaf;      // its number and its edge
 
-  // What there is to know at a node's center: how far away the domain is (0 inside), and how wide a leaf may be there.
+  /* What there is to know at a node's center: how far away the domain is (0 inside), and how wide a leaf may be there; not
+   * the latter where the domain is out of the node's reach, the distance from its center to its corners. */
   struct Need {
     double distance_to_domain, leaf_width;
   };
@@ -48,7 +49,7 @@ public:
 
   /* `need`, safe to call from several threads, is asked at the center of each node: one that touches the domain is
    * split until it is no wider than a leaf may be. */
-  Corner_octree(const Bbox_3& box, Function_view<Need(const Position&)> need, int threads) {
+  Corner_octree(const Bbox_3& box, Function_view<Need(const Position&, double reach)> need, int threads) {
     const double dx = box.xmax() - box.xmin(), dy = box.ymax() - box.ymin(), dz = box.zmax() - box.zmin();
     edge_ = (std::max)({dx, dy, dz}) * 1.0625;
     origin_ = {(box.xmin() + box.xmax() - edge_) / 2, (box.ymin() + box.ymax() - edge_) / 2,
@@ -69,7 +70,15 @@ public:
   void for_each_corner(Function_view<void(std::size_t, const Position&)> visit, int threads) const {
     for_each_range(corners_.size(), threads, [&](std::size_t first, std::size_t last) {
       for (std::size_t i = first; i < last; ++i)
-        visit(i, position({double(corners_[i][0]), double(corners_[i][1]), double(corners_[i][2])}));
+        visit(i, position_of_corner(i));
+    });
+  }
+  /* The same for those of leaves that touch the domain: no others are asked for there. */
+  void for_each_corner_at_domain(Function_view<void(std::size_t, const Position&)> visit, int threads) const {
+    for_each_range(corners_.size(), threads, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i)
+        if (is_at_domain_[i])
+          visit(i, position_of_corner(i));
     });
   }
 
@@ -106,7 +115,10 @@ public:
   }
 
   /* Forgets corners(), which only building needs. */
-  void release_corners() { corners_ = std::vector<Lattice_point>(); }
+  void release_corners() {
+    corners_ = std::vector<Lattice_point>();
+    is_at_domain_ = std::vector<char>();
+  }
 
 private:
   static constexpr int max_depth = 20; // corners have 21-bit coordinates: three fit into a 64-bit key
@@ -121,6 +133,10 @@ private:
   Position position(const std::array<double, 3>& lattice) const {
     const double s = unit();
     return {origin_[0] + s * lattice[0], origin_[1] + s * lattice[1], origin_[2] + s * lattice[2]};
+  }
+
+  Position position_of_corner(std::size_t i) const {
+    return position({double(corners_[i][0]), double(corners_[i][1]), double(corners_[i][2])});
   }
 
   // p by value: it becomes the position within the leaf. A coordinate that is not a number becomes 0.
@@ -165,7 +181,7 @@ private:
   }
 
   // Level by level, so that the samples of a level can be taken in parallel.
-  void refine(Function_view<Need(const Position&)> need, int threads) {
+  void refine(Function_view<Need(const Position&, double)> need, int threads) {
     std::vector<Lattice_point> lower = {{0, 0, 0}}; // corner of each node
     std::vector<Need> needs;
     nodes_.push_back({0, 0, true});
@@ -173,23 +189,24 @@ private:
       const std::size_t end = nodes_.size();
       const std::uint32_t width = 1u << (max_depth - depth);
       const double edge = edge_ / double(1u << depth), half = width / 2.;
+      const double reach = 0.87 * edge; // half the diagonal
       needs.resize(end - begin);
       for_each_range(end - begin, threads, [&](std::size_t first, std::size_t last) {
         for (std::size_t k = first; k < last; ++k) {
           const Lattice_point& l = lower[begin + k];
-          needs[k] = need(position({l[0] + half, l[1] + half, l[2] + half}));
+          needs[k] = need(position({l[0] + half, l[1] + half, l[2] + half}), reach);
         }
       });
       for (std::size_t n = begin; n < end; ++n) {
         const Need& s = needs[n - begin];
-        const bool may_touch_domain = s.distance_to_domain <= 0.87 * edge; // half the diagonal
+        const bool may_touch_domain = s.distance_to_domain <= reach;
         if (depth + 1 < max_depth && may_touch_domain && edge > s.leaf_width)
           split(n, width / 2, lower);
         else {
           nodes_[n].first = std::uint32_t(leaf_lower_.size());
           if (s.distance_to_domain == 0)
             leaves_in_domain_.emplace_back(nodes_[n].first, edge);
-          leaf_lower_.push_back({lower[n], width});
+          leaf_lower_.push_back({lower[n], width, may_touch_domain});
         }
       }
       begin = end;
@@ -218,16 +235,19 @@ private:
   void number_corners() {
     Growing_numbering<std::uint64_t, Hash_of_key> numbers;
     leaf_corners_.reserve(8 * leaf_lower_.size());
-    for (const auto& leaf : leaf_lower_)
+    for (const New_leaf& leaf : leaf_lower_)
       for (std::uint32_t c = 0; c < 8; ++c) {
-        const Lattice_point p = corner(leaf.first, leaf.second, c);
+        const Lattice_point p = corner(leaf.lower, leaf.width, c);
         const std::uint64_t key = (std::uint64_t(p[0]) << 42) | (std::uint64_t(p[1]) << 21) | p[2];
         const std::uint32_t number = numbers.number_of(key);
-        if (number == corners_.size())
+        if (number == corners_.size()) {
           corners_.push_back(p);
+          is_at_domain_.push_back(0);
+        }
+        is_at_domain_[number] |= char(leaf.may_touch_domain);
         leaf_corners_.push_back(number);
       }
-    leaf_lower_ = std::vector<std::pair<Lattice_point, std::uint32_t>>();
+    leaf_lower_ = std::vector<New_leaf>();
   }
 
   Position origin_ = {0, 0, 0};
@@ -237,8 +257,14 @@ private:
   std::vector<Leaf> leaves_in_domain_;
 
   // of use while building only
-  std::vector<std::pair<Lattice_point, std::uint32_t>> leaf_lower_;
+  struct New_leaf {
+    Lattice_point lower;
+    std::uint32_t width;
+    bool may_touch_domain;
+  };
+  std::vector<New_leaf> leaf_lower_;
   std::vector<Lattice_point> corners_;
+  std::vector<char> is_at_domain_; // of each corner: whether it is one of a leaf that may touch the domain
 };
 
 } // namespace CGAL::Tubular_meshing::internal

@@ -39,7 +39,7 @@ public:
 
   /* `radius`: the local radius, safe to call from several threads. */
   Layer_octree(const Wall_frames& wall, Length_function radius, int threads) {
-    const auto need = [&](const Corner_octree::Position& x) {
+    const auto need = [&](const Corner_octree::Position& x, double) {
       const Double_kernel::Point_3 p(x[0], x[1], x[2]);
       const auto found = wall.tree().nearest(p);
       const double r = radius(Point_3(x[0], x[1], x[2])), d = std::sqrt(found.squared_distance);

@@ -31,18 +31,14 @@ class Size_octree {
 public:
   typedef Corner_octree::Position Position;
 
-  struct Sample {
-    Corner_octree::Need need;
-    double size; // wanted inside of the domain only
-  };
-
-  /* `sample(Position, with_need) -> Sample`, safe to call from several threads; a leaf that touches the domain is no wider
-   * than the sample at its center allows; |size(x) - size(y)| <= slope |x - y| along the tree's edges. */
-  Size_octree(const Bbox_3& box, Function_view<Sample(const Position&, bool)> sample, double slope, int threads)
-      : tree_(
-            box, [&](const Position& x) { return sample(x, true).need; }, threads)
-      , values_(tree_.number_of_corners()) {
-    tree_.for_each_corner([&](std::size_t i, const Position& x) { values_[i] = sample(x, false).size; }, threads);
+  /* `need`: see Corner_octree; `size(Position)`, at most `largest`, is wanted inside of the domain only, and grows from
+   * there outside. Both are safe to call from several threads. |size(x) - size(y)| <= slope |x - y| along the tree's
+   * edges. */
+  Size_octree(const Bbox_3& box, Function_view<Corner_octree::Need(const Position&, double reach)> need,
+              Function_view<double(const Position&)> size, double largest, double slope, int threads)
+      : tree_(box, need, threads)
+      , values_(tree_.number_of_corners(), largest) {
+    tree_.for_each_corner_at_domain([&](std::size_t i, const Position& x) { values_[i] = size(x); }, threads);
     limit_growth(slope, threads);
     tree_.release_corners();
   }

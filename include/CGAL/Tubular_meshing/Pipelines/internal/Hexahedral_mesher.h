@@ -16,6 +16,7 @@
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <utility>
@@ -85,21 +86,56 @@ public:
     Mixed_mesh mesh = coarse();
     core_.stage("subdivision");
     mesh = subdivide_into_hexahedra(mesh);
-    const Labelled_surface& s = core_.frame().surface();
-    Move_boundary_to_surface_options moving;
-    moving.number_of_threads = core_.options().size.number_of_threads;
-    report_.boundary = internal::move_boundary_to_surface(mesh, s.surface, s.patch, core_.limited_radius(), moving);
+    bring_to_surface(mesh);
+    optimize(mesh);
+    for (int round = 0; round < 2 && report_.boundary.held_back > 0; ++round)
+      if (!bring_the_rest_to_surface(mesh))
+        break;
     core_.frame().bring_back(report_.boundary);
-    core_.stage("optimization of hexahedra");
-    Optimize_hexahedra_options optimization = core_.options().hexahedra;
-    optimization.number_of_threads = core_.options().size.number_of_threads;
-    report_.optimization = optimize_subdivided(mesh, s, optimization, core_.options().has_boundary_layer());
     core_.set_moves_wall(core_.options().preserve_volume);
     core_.move_wall_of(mesh);
     return mesh;
   }
 
 private:
+  void bring_to_surface(Mixed_mesh& mesh) {
+    const Labelled_surface& s = core_.frame().surface();
+    Move_boundary_to_surface_options moving;
+    moving.number_of_threads = core_.options().size.number_of_threads;
+    report_.boundary = internal::move_boundary_to_surface(mesh, s.surface, s.patch, core_.limited_radius(), moving);
+  }
+
+  void optimize(Mixed_mesh& mesh) {
+    core_.stage("optimization of hexahedra");
+    Optimize_hexahedra_options optimization = core_.options().hexahedra;
+    optimization.number_of_threads = core_.options().size.number_of_threads;
+    report_.optimization =
+        optimize_subdivided(mesh, core_.frame().surface(), optimization, core_.options().has_boundary_layer());
+  }
+
+  /* Vertices that cells and facets held back may go all of the way once these have been optimized. False, and all is as it
+   * was, unless fewer are held back then, with no worse hexahedra. */
+  bool bring_the_rest_to_surface(Mixed_mesh& mesh) {
+    const Hexahedral_report before = report_;
+    Mixed_mesh trial = mesh;
+    bring_to_surface(trial);
+    optimize(trial);
+    const Optimize_hexahedra_report& first = before.optimization;
+    if (report_.boundary.held_back >= before.boundary.held_back ||
+        report_.optimization.min_scaled_jacobian < first.min_scaled_jacobian) {
+      report_ = before;
+      return false;
+    }
+    report_.boundary.largest_shift = (std::max)(report_.boundary.largest_shift, before.boundary.largest_shift);
+    report_.optimization.min_scaled_jacobian_before = first.min_scaled_jacobian_before;
+    report_.optimization.mean_scaled_jacobian_before = first.mean_scaled_jacobian_before;
+    report_.optimization.inverted_before = first.inverted_before;
+    report_.optimization.below_wanted_before = first.below_wanted_before;
+    report_.optimization.sweeps += first.sweeps;
+    mesh = std::move(trial);
+    return true;
+  }
+
   static std::string why_there_are_none(const Hexahedral_report& report) {
     return "There are no blocks of hexahedra along the vessels: " + why_no_blocks(report);
   }
