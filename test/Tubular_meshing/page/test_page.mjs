@@ -77,16 +77,17 @@ test("has the mesh that was made: its numbers and its volume", async () => {
   const found = await tab.evaluate(`(() => {
     const { mesh } = ${viewer}, p = mesh.points, kinds = [0, 0, 0, 0];
     for (let c = 0; c < mesh.numberOfCells; ++c) ++kinds[mesh.cellKind[c]];
-    const six = (a, b, c) => { // six times the volume between a triangle and the origin
-      const [x, y, z] = [a, b, c].map((v) => [p[3 * v], p[3 * v + 1], p[3 * v + 2]]);
+    const at = (v) => [p[3 * v], p[3 * v + 1], p[3 * v + 2]];
+    const six = (x, y, z) => { // six times the volume between a triangle and the origin
       return x[0] * (y[1] * z[2] - y[2] * z[1]) - x[1] * (y[0] * z[2] - y[2] * z[0]) + x[2] * (y[0] * z[1] - y[1] * z[0]); };
     const lumen = mesh.header.regions.findIndex((r) => r.name === "lumen");
     let volume = 0;
     for (let f = 0; f < mesh.numberOfFacets; ++f) {
       const isOfLumen = mesh.facetRegion[f] === lumen || mesh.beyond[f] - 1 === lumen;
       if (!isOfLumen) continue;
-      const q = mesh.facet(f);
-      for (let i = 2; i < q.length; ++i) volume += six(q[0], q[i - 1], q[i]) / 6;
+      const q = [...mesh.facet(f)].map(at), n = q.length; // round the mean of the corners, as quads need not be plane
+      const middle = [0, 1, 2].map((k) => q.reduce((sum, x) => sum + x[k], 0) / n);
+      for (let i = 0; i < n; ++i) volume += six(middle, q[i], q[(i + 1) % n]) / 6;
     }
     return { kinds, volume, facets: mesh.numberOfFacets };
   })()`);
