@@ -48,7 +48,8 @@ struct Shape_radius_options {
  *
  * Built in O(n log n) for n triangles, less than 10 µs each; a query is O(log n), allocates nothing, and is safe from
  * several threads. Copies share the balls. Shapes scaled, moved or turned give the same radii, scaled, but for rounding. The
- * order of the triangles matters little: it decides which vertices, a fifth of the radius apart, stop balls.
+ * order of the triangles matters little: it decides which vertices, a fifth of the radius apart, stop balls. Among long,
+ * thin triangles it matters more, and balls may be too small: bisect such edges first.
  */
 class Shape_radius {
 public:
