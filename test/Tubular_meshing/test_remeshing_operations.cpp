@@ -66,16 +66,31 @@ TEST(Metric_quality, Of_regular_elements_is_one) {
   EXPECT_NEAR(tubular::internal::metric_length(v[1], v[3]), 1, 1e-12);
 }
 
+// Of two tetrahedra; what fills the lanes counts nothing.
 TEST(Metric_energy, Derivatives_are_those_of_its_value) {
   const Metric mean = sizes(0.3, 1, 2, normalized(Vector_3d(1, 1, 0)), normalized(Vector_3d(-1, 1, 0)));
-  const Vector_3d a(1, 0.1, 0), b(0.2, 1, 0.1), c(0.1, 0.2, 1.2), x(0.05, -0.1, 0.02);
+  const Vector_3d a(1, 0.1, 0), b(0.2, 1, 0.1), c(0.1, 0.2, 1.2), d(0.9, -1, 0.3), x(0.05, -0.1, 0.02);
+  const auto facets = [&](std::vector<std::array<Vector_3d, 3>> corners) {
+    tubular::internal::Four_facets f;
+    int k = 0;
+    for (const auto& v : corners)
+      f.set(k++, {v[0], mean}, {v[1], mean}, {v[2], mean});
+    f.fill(k);
+    return f;
+  };
+  const auto two = facets({{a, b, c}, {a, c, d}});
   const auto value = [&](const Vector_3d& p) {
     tubular::internal::Metric_energy e;
-    EXPECT_TRUE(e.add(a - p, b - p, c - p, mean, false));
+    EXPECT_TRUE(e.add<false>(two, {p, mean}));
     return e.value;
   };
-  tubular::internal::Metric_energy e;
-  ASSERT_TRUE(e.add(a - x, b - x, c - x, mean, true));
+  tubular::internal::Metric_energy e, sum;
+  ASSERT_TRUE(e.add<true>(two, {x, mean}));
+  ASSERT_TRUE(sum.add<true>(facets({{a, b, c}}), {x, mean}));
+  ASSERT_TRUE(sum.add<true>(facets({{a, c, d}}), {x, mean}));
+  EXPECT_NEAR(e.value, sum.value, 1e-12 * sum.value);
+  EXPECT_NEAR(e.value, value(x), 1e-12 * sum.value);
+  EXPECT_FALSE(sum.add<true>(facets({{b, a, c}}), {x, mean})); // inverted
   const double h = 1e-4;
   const Vector_3d axes[3] = {{h, 0, 0}, {0, h, 0}, {0, 0, h}};
   const double gradient[3] = {e.gradient.x, e.gradient.y, e.gradient.z};

@@ -27,47 +27,32 @@ public:
     const Index* begin() const { return first; }
     const Index* end() const { return last; }
     bool empty() const { return first == last; }
+    std::size_t size() const { return std::size_t(last - first); }
   };
 
   // `is_movable(v)`: only these are given colors.
   template <class IsMovable> void build(const Store& store, const IsMovable& is_movable) {
     collect(store);
-    color(store, is_movable);
+    color(is_movable);
   }
 
   // The facets opposite to v in the tetrahedra around it.
   Range facets(Index v) const { return {star_.data() + star_begin_[v], star_.data() + star_begin_[v + 1]}; }
 
-  /* Lists the vertices of these facets, for movable vertices, in the order in which they are visited: who needs no more
-   * of the tetrahedra reads them from one end of the memory to the other. On all threads. */
-  void list_vertices(const Store& store, int threads) {
-    listed_begin_.assign(store.number_of_vertices(), 0);
-    std::size_t size = 0;
-    for (Index v : by_color_) {
-      listed_begin_[v] = size;
-      size += star_begin_[v + 1] - star_begin_[v];
-    }
-    listed_.resize(size);
-    for_each_range(by_color_.size(), threads, [&](std::size_t first, std::size_t last) {
-      for (std::size_t k = first; k < last; ++k)
-        std::transform(facets(by_color_[k]).begin(), facets(by_color_[k]).end(),
-                       listed_.begin() + std::ptrdiff_t(listed_begin_[by_color_[k]]),
-                       [&](Index facet) { return store.vertices(facet); });
-    });
-  }
-  // In the order of facets(v); after list_vertices(), of a movable vertex.
-  const Store::Facet_vertices* vertices_of_facets(Index v) const { return listed_.data() + listed_begin_[v]; }
+  // Their vertices, in this order: who needs no more of the tetrahedra reads them from one place.
+  const Store::Facet_vertices* vertices_of_facets(Index v) const { return vertices_.data() + star_begin_[v]; }
 
-  /* visit(v) for each movable vertex, color by color, those of a color on `threads` threads; before_color() is called
-   * once before each color. */
+  /* visit(v) for each movable vertex, color by color, those of a color on `threads` threads, each piece of them by a copy
+   * of `visit`, which may have memory of its own; before_color() is called once before each color. */
   template <class Visit, class Before_color>
   void for_each_movable(int threads, const Visit& visit, const Before_color& before_color) const {
     for (std::size_t c = 0; c + 1 < color_begin_.size(); ++c) {
       before_color();
       const std::size_t begin = color_begin_[c];
       for_each_range(color_begin_[c + 1] - begin, threads, [&](std::size_t first, std::size_t last) {
+        Visit visit_one = visit;
         for (std::size_t k = first; k < last; ++k)
-          visit(by_color_[begin + k]);
+          visit_one(by_color_[begin + k]);
       });
     }
   }
@@ -83,24 +68,28 @@ private:
     for (Index v = 0; v < n; ++v)
       star_begin_[v + 1] += star_begin_[v];
     star_.resize(star_begin_[n]);
+    vertices_.resize(star_begin_[n]);
     std::vector<Index> next(star_begin_.begin(), star_begin_.end() - 1);
     for (Index t = 0; t < store.number_of_slots(); ++t)
       if (store.is_alive(t))
-        for (int i = 0; i < 4; ++i)
-          star_[next[store[t].v[i]]++] = Store::facet(t, i);
+        for (int i = 0; i < 4; ++i) {
+          const std::size_t place = next[store[t].v[i]]++;
+          star_[place] = Store::facet(t, i);
+          vertices_[place] = store.vertices(Store::facet(t, i));
+        }
   }
 
   // Greedy, in the order of the vertices.
-  template <class IsMovable> void color(const Store& store, const IsMovable& is_movable) {
-    const Index n = store.number_of_vertices();
+  template <class IsMovable> void color(const IsMovable& is_movable) {
+    const Index n = Index(star_begin_.size() - 1);
     std::vector<std::uint8_t> color_of(n, 255);
     std::size_t colors = 0;
     std::vector<Index> used(256, Store::none);
     for (Index v = 0; v < n; ++v) {
       if (facets(v).empty() || !is_movable(v))
         continue;
-      for (Index s : facets(v))
-        for (Index w : store[Store::tetrahedron_of(s)].v)
+      for (std::size_t k = star_begin_[v]; k < star_begin_[v + 1]; ++k)
+        for (Index w : vertices_[k])
           if (color_of[w] != 255)
             used[color_of[w]] = v;
       std::size_t c = 0;
@@ -123,8 +112,7 @@ private:
   }
 
   std::vector<Index> star_begin_, star_;
-  std::vector<std::size_t> listed_begin_;
-  std::vector<Store::Facet_vertices> listed_;
+  std::vector<Store::Facet_vertices> vertices_; // of the facets in star_
   std::vector<std::size_t> color_begin_;
   std::vector<Index> by_color_;
 };

@@ -9,6 +9,7 @@
 #include <CGAL/Tubular_meshing/Volume/internal/remeshing/Edge_list.h>
 #include <CGAL/Tubular_meshing/Volume/internal/remeshing/Edge_splitter.h>
 #include <CGAL/Tubular_meshing/Volume/internal/remeshing/Metric_relocation.h>
+#include <CGAL/Tubular_meshing/Volume/internal/remeshing/Uniform_refinement.h>
 #include <CGAL/Tubular_meshing/base/interruption.h>
 
 #include <algorithm>
@@ -20,13 +21,16 @@ namespace CGAL::Tubular_meshing::internal {
 
 /* The passes of the remesher, in their order.
  *
- * First sizes are brought about, from coarse to fine: for unit lengths 4, 2 and 1 edges longer than √2 units are split,
- * the longest first, and edges shorter than 1/√2 units are collapsed, with flips and a relocation in between. A mesh
- * that has the metric's shape at a coarse size is cheap to come by, and what is split from it has that shape from the
- * start. The full size is done when few splits are left to do. Then shapes: relocations, flips, and what they leave to
- * split or collapse in turn, vertices being taken out where they are denser than the metric asks, and put in where there
- * are too few. Edges are listed once for all that a round does with them. Each round's work is proportional to what the
- * one before has changed, or a linear sweep.
+ * First sizes are brought about, from coarse to fine: for unit lengths of 4 and 2 edges longer than √2 units are split,
+ * the longest first, and edges shorter than 1/√2 units are collapsed, with flips and a relocation in between. A mesh that
+ * has the metric's shape at twice the unit length has an eighth of the tetrahedra: there it is improved, and then all
+ * edges are split at once. Nine in ten vertices come about so, near their places, and two sweeps give the rest of the
+ * shape. Where the mesh is finer from the start, or its boundary has to stay, edges are split one by one at the full
+ * size as well, until few splits are left to do.
+ *
+ * Shapes are improved by relocations, flips, and what they leave to split or collapse in turn, vertices being taken out
+ * where they are denser than the metric asks, and put in where there are too few. Edges are listed once for all that a
+ * round does with them. Each round's work is proportional to what the one before has changed, or a linear sweep.
  */
 class Metric_remesher {
 public:
@@ -47,15 +51,13 @@ public:
          ratio *= S::ratio_at_once) {
       mesh_.limit_ratio(ratio);
       flips_.update_all();
-      adapt_by_steps();
-      improve(S::rounds_with_limited_ratio);
+      fit(S::rounds_with_limited_ratio);
       mesh_.limit_ratio(Metric_mesh::no_limit);
       flips_.update_all();
     }
-    adapt_by_steps();
-    improve(S::rounds_of_improvement);
+    fit(S::rounds_of_improvement);
     for (int round = 0; round < S::rounds_of_repair; ++round) {
-      relocate(1);
+      relocate();
       repair_below(S::repaired);
       flip(S::flipped_at_the_end);
     }
@@ -70,32 +72,56 @@ private:
   typedef Remeshing_schedule S;
   typedef Remeshing_flips::Time Time;
 
-  void adapt_by_steps() {
-    for (double size : S::coarse_sizes)
-      if (has_edges_above(S::sqrt_2 * size))
-        adapt(size);
-    for (int round = 0; round < S::most_rounds_at_full_size && adapt(1) > S::few_splits * store_.number_of_vertices();
+  // Sizes, and shapes by so many rounds.
+  void fit(int rounds) {
+    bool is_coarse = false;
+    for (double unit : S::coarse_units)
+      if (is_coarse || has_edges_above(S::sqrt_2 * unit)) {
+        mesh_.set_unit(unit);
+        adapt();
+        is_coarse = true;
+      }
+    if (is_coarse && !mesh_.keep_boundary) {
+      improve(S::rounds_while_coarse, S::rounds_with_splits);
+      refine();
+      improve(rounds, S::rounds_with_splits_after_refinement);
+      return;
+    }
+    mesh_.set_unit(1);
+    for (int round = 0; round < S::most_rounds_at_full_size && adapt() > S::few_splits * store_.number_of_vertices();
          ++round)
       ;
+    improve(rounds, S::rounds_with_splits);
   }
 
   // Returns the number of splits.
-  std::size_t adapt(double size) {
+  std::size_t adapt() {
     check_interruption();
-    const std::size_t splits = fit_lengths(size);
+    const std::size_t splits = fit_lengths();
     flip(S::flipped_while_adapting);
     renumber();
-    relocate(size);
+    relocate();
     return splits;
   }
 
+  // All edges are split at once.
+  void refine() {
+    check_interruption();
+    renumber();
+    mesh_.set_unit(1);
+    Uniform_refinement(mesh_).run();
+    renumber();
+    relocate();
+    flip(S::flipped_while_adapting);
+  }
+
   // In later rounds no edges are split for their length: balancing takes out most of what that puts in.
-  void improve(int rounds) {
+  void improve(int rounds, int rounds_with_splits) {
     for (int round = 0; round < rounds; ++round) {
       check_interruption();
-      relocate(1);
+      relocate();
       flip(S::flipped_while_improving);
-      fit_lengths(1, round < S::rounds_with_splits);
+      fit_lengths(round < rounds_with_splits);
       balance();
     }
   }
@@ -138,12 +164,9 @@ private:
     return !list_edges(mesh_, store_.tetrahedra(), [=](double l, Index, Index) { return l > length; }).empty();
   }
 
-  void relocate(double size) {
+  void relocate() {
     wake_vertices_of_new_tetrahedra();
-    if (size != last_size_)
-      mesh_.clock.wake_all();
-    last_size_ = size;
-    Metric_relocation relocation(mesh_, size);
+    Metric_relocation relocation(mesh_);
     if (!mesh_.keep_boundary)
       relocation.pull_to_surface();
     relocation.sweep();
@@ -163,7 +186,7 @@ private:
     for (Index t : bad)
       for (Index v : store_[t].v)
         is_near[v] = 1;
-    Metric_relocation relocation(mesh_, 1, [&](Index v) { return is_near[v] != 0; });
+    Metric_relocation relocation(mesh_, [&](Index v) { return is_near[v] != 0; });
     for (int i = 0; i < 3; ++i)
       relocation.sweep_all();
     flips_.update_all();
@@ -207,9 +230,10 @@ private:
   }
 
   // Splits edges that are too long, then collapses those that are too short. They are listed once for both.
-  std::size_t fit_lengths(double size, bool split_long = true) {
-    const auto is_long = [=](double l) { return l > S::sqrt_2 * size; };
-    const auto is_short = [=](double l) { return l < size / S::sqrt_2; };
+  std::size_t fit_lengths(bool split_long = true) {
+    const double unit = mesh_.unit();
+    const auto is_long = [=](double l) { return l > S::sqrt_2 * unit; };
+    const auto is_short = [=](double l) { return l < unit / S::sqrt_2; };
     Edge_list edges =
         list_edges(mesh_, store_.tetrahedra(), [&](double l, Index, Index) { return is_long(l) || is_short(l); });
     const auto first_short =
@@ -217,8 +241,8 @@ private:
     Edge_list short_edges(first_short, edges.end());
     edges.erase(first_short, edges.end());
     const Time listed = flips_.now();
-    const std::size_t splits = split_long ? split(std::move(edges), size, is_long) : 0;
-    collapse(updated(std::move(short_edges), listed, is_short), size, is_short);
+    const std::size_t splits = split_long ? split(std::move(edges), is_long) : 0;
+    collapse(updated(std::move(short_edges), listed, is_short), is_short);
     return splits;
   }
 
@@ -243,7 +267,7 @@ private:
 
   /* The longest edges first, those much shorter in a later round, with flips in between: splits of tetrahedra out of
    * shape would make more of them. */
-  template <class IsLong> std::size_t split(Edge_list edges, double size, const IsLong& is_long) {
+  template <class IsLong> std::size_t split(Edge_list edges, const IsLong& is_long) {
     const std::size_t most = most_splits();
     std::size_t n = 0;
     double longest = 1e300;
@@ -256,7 +280,7 @@ private:
           std::find_if(edges.begin(), edges.end(), [=](const Listed_edge& e) { return e.length < longest; });
       n += apply(
           splitters_, std::size_t(later - edges.begin()), always,
-          [&](Edge_splitter& s, std::size_t k) { return find(s, edges[k], S::split(size, edges[k].length)); },
+          [&](Edge_splitter& s, std::size_t k) { return find(s, edges[k], S::split(mesh_.unit(), edges[k].length)); },
           [&](const Store::Index_list& come) { made.insert(made.end(), come.begin(), come.end()); });
       flips_.improve_these(made, S::flipped_after_splits);
       edges.erase(edges.begin(), later);
@@ -298,14 +322,14 @@ private:
   std::size_t most_splits() const { return 10000 + std::size_t(mesh_.number_of_unit_tetrahedra()); }
 
   // The shortest edges first, again where new ones come about; few rounds do most.
-  template <class IsShort> void collapse(Edge_list edges, double size, const IsShort& is_short) {
+  template <class IsShort> void collapse(Edge_list edges, const IsShort& is_short) {
     std::vector<Index> todo;
     for (int round = 0; round < S::most_rounds_of_collapses && !edges.empty(); ++round) {
       std::reverse(edges.begin(), edges.end());
       todo.clear();
       apply(
           collapsers_, edges.size(), always,
-          [&](Edge_collapser& c, std::size_t k) { return find(c, edges[k], S::collapse(size)); },
+          [&](Edge_collapser& c, std::size_t k) { return find(c, edges[k], S::collapse(mesh_.unit())); },
           [&](const Store::Index_list& come) { todo.insert(todo.end(), come.begin(), come.end()); });
       edges = list_edges(mesh_, todo, [&](double l, Index, Index) { return is_short(l); });
     }
@@ -315,6 +339,7 @@ private:
    * are too small all around, vertices are taken out; where they are too large, put in; no two next to each other in
    * one pass, as relocation is to spread what each of them changes. */
   void balance() {
+    const double unit = mesh_.unit(), longest_collapsed = S::longest_collapsed * unit;
     const std::vector<float> volume = mesh_.local_volumes();
     std::vector<char> locked(volume.size(), 0);
     const auto lock = [&](const Store::Index_list& tetrahedra) {
@@ -325,25 +350,25 @@ private:
     };
     const auto is_free = [&](const Listed_edge& e) { return !locked[e.a] && !locked[e.b]; };
     const auto is_dense = [&](double l, Index a, Index b) {
-      return l < S::longest_collapsed && volume[a] < S::dense && volume[b] < S::dense;
+      return l < longest_collapsed && volume[a] < S::dense && volume[b] < S::dense;
     };
     const auto is_sparse = [&](double l, Index a, Index b) {
-      return l > S::shortest_split && volume[a] > S::sparse && volume[b] > S::sparse;
+      return l > S::shortest_split * unit && volume[a] > S::sparse && volume[b] > S::sparse;
     };
     // those that a collapse has changed are not free, so that one list will do
     Edge_list edges = list_edges(mesh_, store_.tetrahedra(),
                                  [&](double l, Index a, Index b) { return is_dense(l, a, b) || is_sparse(l, a, b); });
     const auto first_dense =
-        std::find_if(edges.begin(), edges.end(), [](const Listed_edge& e) { return e.length < S::longest_collapsed; });
+        std::find_if(edges.begin(), edges.end(), [=](const Listed_edge& e) { return e.length < longest_collapsed; });
     Edge_list dense(first_dense, edges.end());
     std::reverse(dense.begin(), dense.end());
     edges.erase(first_dense, edges.end());
     apply(
         collapsers_, dense.size(), [&](std::size_t k) { return is_free(dense[k]); },
-        [&](Edge_collapser& c, std::size_t k) { return find(c, dense[k], S::collapse_where_dense()); }, lock);
+        [&](Edge_collapser& c, std::size_t k) { return find(c, dense[k], S::collapse_where_dense(unit)); }, lock);
     apply(
         splitters_, edges.size(), [&](std::size_t k) { return is_free(edges[k]); },
-        [&](Edge_splitter& s, std::size_t k) { return find(s, edges[k], S::split_where_sparse()); }, lock);
+        [&](Edge_splitter& s, std::size_t k) { return find(s, edges[k], S::split_where_sparse(unit)); }, lock);
   }
 
   /* The worst tetrahedra, which neither flips nor relocation have improved: an edge of them is collapsed or
@@ -368,7 +393,7 @@ private:
   Speculation<Edge_splitter> splitters_;
   Speculation<Edge_collapser> collapsers_;
   Store::Index_list come_;
-  double last_size_ = 0, last_threshold_ = 0;
+  double last_threshold_ = 0;
   Vertex_clock::Time last_flips_ = 0;
   Time last_woken_ = 0;
 };

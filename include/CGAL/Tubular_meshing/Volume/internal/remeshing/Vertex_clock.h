@@ -51,14 +51,13 @@ public:
     return std::any_of(vertices.begin(), vertices.end(), [&](Index v) { return moved_[v] > t || renewed_[v] > t; });
   }
 
-  // Whether something has moved among v and its neighbors since it was visited; `star`: facet codes around v.
-  template <class Star> bool is_awake(const Store& store, Index v, const Star& star) const {
+  // Whether something has moved among v and its neighbors since it was visited; these are the vertices of facets.
+  bool is_awake(Index v, const Store::Facet_vertices* first, const Store::Facet_vertices* last_facet) const {
     const Time last = visited_[v];
     if (last == 0 || moved_[v] >= last) // its own move at that time may have been a first step only
       return true;
-    return std::any_of(star.begin(), star.end(), [&](Index f) {
-      const auto& w = store[Store::tetrahedron_of(f)].v;
-      return (std::max)((std::max)(moved_[w[0]], moved_[w[1]]), (std::max)(moved_[w[2]], moved_[w[3]])) > last;
+    return std::any_of(first, last_facet, [&](const Store::Facet_vertices& w) {
+      return (std::max)((std::max)(moved_[w[0]], moved_[w[1]]), moved_[w[2]]) > last;
     });
   }
 
