@@ -21,12 +21,11 @@ namespace CGAL::Tubular_meshing::internal {
 
 /* The passes of the remesher, in their order.
  *
- * First sizes are brought about, from coarse to fine: for unit lengths of 4 and 2 edges longer than √2 units are split,
- * the longest first, and edges shorter than 1/√2 units are collapsed, with flips and a relocation in between. A mesh that
- * has the metric's shape at twice the unit length has an eighth of the tetrahedra: there it is improved, and then all
- * edges are split at once. Nine in ten vertices come about so, near their places, and two sweeps give the rest of the
- * shape. Where the mesh is finer from the start, or its boundary has to stay, edges are split one by one at the full
- * size as well, until few splits are left to do.
+ * First sizes are brought about: edges longer than √2 units are split, the longest first, and edges shorter than 1/√2
+ * units are collapsed, with flips and a relocation in between. That is done at twice the metric's own unit, where there
+ * are an eighth of the tetrahedra, and there the mesh is given the metric's shape; then all edges are split at once. So
+ * most vertices come about near their places, in tetrahedra of fair shapes. Where the mesh is finer from the start, or its
+ * boundary has to stay, edges are split one by one at the metric's unit, until few splits are left to do.
  *
  * Shapes are improved by relocations, flips, and what they leave to split or collapse in turn, vertices being taken out
  * where they are denser than the metric asks, and put in where there are too few. Edges are listed once for all that a
@@ -74,18 +73,14 @@ private:
 
   // Sizes, and shapes by so many rounds.
   void fit(int rounds) {
-    bool is_coarse = false;
-    for (double unit : S::coarse_units)
-      if (is_coarse || has_edges_above(S::sqrt_2 * unit)) {
-        mesh_.set_unit(unit);
-        adapt();
-        is_coarse = true;
+    if (has_edges_above(S::sqrt_2 * S::coarse_unit)) {
+      mesh_.set_unit(S::coarse_unit);
+      adapt();
+      if (!mesh_.keep_boundary) {
+        improve(S::rounds_while_coarse, S::rounds_with_splits);
+        refine();
+        return improve(rounds, S::rounds_with_splits_after_refinement);
       }
-    if (is_coarse && !mesh_.keep_boundary) {
-      improve(S::rounds_while_coarse, S::rounds_with_splits);
-      refine();
-      improve(rounds, S::rounds_with_splits_after_refinement);
-      return;
     }
     mesh_.set_unit(1);
     for (int round = 0; round < S::most_rounds_at_full_size && adapt() > S::few_splits * store_.number_of_vertices();
@@ -131,33 +126,31 @@ private:
   void find_hidden() {
     std::vector<Index> todo = store_.tetrahedra();
     for (int round = 0; round < 8 && !todo.empty(); ++round) {
-      const Edge_list edges = list_edges(mesh_, todo, [](double, Index, Index) { return true; });
-      std::vector<float> share(edges.size(), 0);
-      for_each_range(edges.size(), mesh_.threads, [&](std::size_t first, std::size_t last) {
-        for (std::size_t k = first; k < last; ++k)
-          share[k] = float(hidden_middle(edges[k]));
-      });
+      const Edge_list edges =
+          list_edges(mesh_, todo, [this](double l, Index a, Index b) { return hidden_middle(l, a, b) > 0; });
       todo.clear();
       apply(
-          splitters_, edges.size(), [&](std::size_t k) { return share[k] > 0; },
-          [&](Edge_splitter& s, std::size_t k) { return find(s, edges[k], share[k], S::split(1, 1)); },
+          splitters_, edges.size(), always,
+          [&](Edge_splitter& s, std::size_t k) {
+            return find(s, edges[k], hidden_middle(edges[k].length, edges[k].a, edges[k].b), S::split(1, 1));
+          },
           [&](const Store::Index_list& come) { todo.insert(todo.end(), come.begin(), come.end()); });
     }
   }
-  // Where the finest of a few samples lies, if the edge is much longer than its ends tell; else 0.
-  double hidden_middle(const Listed_edge& edge) const {
-    const Vector_3d a = store_.point(edge.a), e = store_.point(edge.b) - a;
+  // Where the finest of a few samples lies, if the edge ab is much longer than its ends tell; else 0.
+  double hidden_middle(double told, Index a, Index b) const {
+    const Vector_3d from = store_.point(a), e = store_.point(b) - from;
     const int samples = 3;
     double length = 0, largest = 0, where = 0;
     for (int k = 1; k <= samples; ++k) {
-      const double s = double(k) / (samples + 1), l = mesh_.at(a + s * e).metric.length(e);
+      const double s = double(k) / (samples + 1), l = mesh_.at(from + s * e).metric.length(e);
       length += l / samples;
       if (l > largest) {
         largest = l;
         where = s;
       }
     }
-    return length > S::sqrt_2 && length > 1.5 * edge.length ? where : 0;
+    return length > S::sqrt_2 && length > 1.5 * told ? where : 0;
   }
 
   bool has_edges_above(double length) const {

@@ -51,9 +51,9 @@ struct Remeshing_schedule {
   static constexpr double ratio_at_once = 32;
   static constexpr double negligible_share = 0.1;
 
-  /* Sizes: edges longer than √2 of the unit at hand are split, those shorter than 1/√2 of it collapsed. The last of the
-   * coarse ones is somewhat above 2, since coarse elements, of poorer shapes, are more than the metric asks for. */
-  static constexpr double coarse_units[2] = {4, 2.1};
+  /* Sizes: edges longer than √2 of the unit at hand are split, those shorter than 1/√2 of it collapsed. The coarse one is
+   * somewhat above 2, since coarse elements, of poorer shapes, are more than the metric asks for. */
+  static constexpr double coarse_unit = 2.1;
   static constexpr int most_rounds_at_full_size = 6;
   static constexpr double few_splits = 0.15;   // of the number of vertices: the last round of them
   static constexpr double longest_first = 0.6; // a round of splits goes down to this part of the longest edge
@@ -66,15 +66,15 @@ struct Remeshing_schedule {
   static constexpr int rounds_with_splits = 2; // the first ones
   static constexpr int rounds_with_splits_after_refinement = 1;
   static constexpr int rounds_of_repair = 3;
-  static constexpr int rounds_of_last_repair = 2;
+  static constexpr int rounds_of_last_repair = 3;
 
   // The qualities below which tetrahedra are flipped, and repaired.
   static constexpr double flipped_after_splits = 0.4;
   static constexpr double flipped_while_adapting = 0.5;
   static constexpr double flipped_while_improving = 0.75;
   static constexpr double flipped_at_the_end = 0.8;
-  static constexpr double repaired = 0.25;
-  static constexpr double repaired_at_last = 0.3;
+  static constexpr double repaired = 0.3;
+  static constexpr double repaired_at_last = 0.35;
 
   // The mean volumes of tetrahedra, over the regular one's, at which vertices are too many or too few, and the edges
   // that are collapsed or split there.
