@@ -103,7 +103,8 @@ private:
       , unit2_(mesh.unit() * mesh.unit())
       , heights_(heights)
       , store_(mesh.store) {
-    stars_.build(store_, [&](Index v) { return mesh_.location(v).dimension != 0 && is_wanted(v); });
+    stars_.build(
+        store_, [&](Index v) { return mesh_.location(v).dimension != 0 && is_wanted(v); }, Vertex_clock::block);
   }
 
   static constexpr double over_relaxation = 1.4; // of steps: neighbors follow, and fewer sweeps do

@@ -24,8 +24,9 @@ namespace CGAL::Tubular_meshing::internal {
  * First sizes are brought about: edges longer than √2 units are split, the longest first, and edges shorter than 1/√2
  * units are collapsed, with flips and a relocation in between. That is done at twice the metric's own unit, where there
  * are an eighth of the tetrahedra, and there the mesh is given the metric's shape; then all edges are split at once. So
- * most vertices come about near their places, in tetrahedra of fair shapes. Where the mesh is finer from the start, or its
- * boundary has to stay, edges are split one by one at the metric's unit, until few splits are left to do.
+ * most vertices come about near their places, in tetrahedra of fair shapes. Where the mesh is finer from the start, comes
+ * to no fair shapes while it is coarse, or has a boundary that has to stay, edges are split one by one at the metric's
+ * unit, until few splits are left to do.
  *
  * Shapes are improved by relocations, flips, and what they leave to split or collapse in turn, vertices being taken out
  * where they are denser than the metric asks, and put in where there are too few. Edges are listed once for all that a
@@ -76,10 +77,11 @@ private:
     if (has_edges_above(S::sqrt_2 * S::coarse_unit)) {
       mesh_.set_unit(S::coarse_unit);
       adapt();
-      if (!mesh_.keep_boundary) {
+      if (!mesh_.keep_boundary)
         improve(S::rounds_while_coarse, S::rounds_with_splits);
+      if (can_refine()) {
         refine();
-        return improve(rounds, S::rounds_with_splits_after_refinement);
+        return improve(rounds - 1, S::rounds_with_splits_after_refinement);
       }
     }
     mesh_.set_unit(1);
@@ -94,9 +96,14 @@ private:
     check_interruption();
     const std::size_t splits = fit_lengths();
     flip(S::flipped_while_adapting);
-    renumber();
     relocate();
     return splits;
+  }
+
+  // Where the coarse mesh has poor shapes, each of them would be eight.
+  bool can_refine() const {
+    const double all = double(store_.tetrahedra().size()), poor = double(tetrahedra_below(S::poor).size());
+    return !mesh_.keep_boundary && poor < S::few_poor * all;
   }
 
   // All edges are split at once.
@@ -105,7 +112,6 @@ private:
     renumber();
     mesh_.set_unit(1);
     Uniform_refinement(mesh_).run();
-    renumber();
     relocate();
     flip(S::flipped_while_adapting);
   }
@@ -157,8 +163,12 @@ private:
     return !list_edges(mesh_, store_.tetrahedra(), [=](double l, Index, Index) { return l > length; }).empty();
   }
 
+  // New vertices are numbered in space first, among the others.
   void relocate() {
-    wake_vertices_of_new_tetrahedra();
+    if (store_.number_of_vertices() > numbered_)
+      renumber();
+    else
+      wake_vertices_of_new_tetrahedra();
     Metric_relocation relocation(mesh_);
     if (!mesh_.keep_boundary)
       relocation.pull_to_surface();
@@ -188,7 +198,7 @@ private:
   void renumber() {
     wake_vertices_of_new_tetrahedra();
     mesh_.renumber();
-    flips_.update_all();
+    numbered_ = store_.number_of_vertices();
   }
 
   void wake_vertices_of_new_tetrahedra() {
@@ -275,11 +285,24 @@ private:
           splitters_, std::size_t(later - edges.begin()), always,
           [&](Edge_splitter& s, std::size_t k) { return find(s, edges[k], S::split(mesh_.unit(), edges[k].length)); },
           [&](const Store::Index_list& come) { made.insert(made.end(), come.begin(), come.end()); });
+      made = spread(made);
       flips_.improve_these(made, S::flipped_after_splits);
       edges.erase(edges.begin(), later);
       edges = updated(std::move(edges), listed, is_long);
     }
     return n;
+  }
+
+  /* What has come of one split is next to each other in a list, and in space: of several flips there that are looked for
+   * at the same time, only the first would hold. So they are taken from all over the list. */
+  static std::vector<Index> spread(const std::vector<Index>& tetrahedra) {
+    const std::size_t step = 64;
+    std::vector<Index> result;
+    result.reserve(tetrahedra.size());
+    for (std::size_t first = 0; first < step; ++first)
+      for (std::size_t k = first; k < tetrahedra.size(); k += step)
+        result.push_back(tetrahedra[k]);
+    return result;
   }
 
   // Whether an edge, if it is still there, can be split or collapsed.
@@ -389,6 +412,7 @@ private:
   double last_threshold_ = 0;
   Vertex_clock::Time last_flips_ = 0;
   Time last_woken_ = 0;
+  Index numbered_ = 0; // vertices, in space
 };
 
 } // namespace CGAL::Tubular_meshing::internal

@@ -61,9 +61,10 @@ struct Remeshing_schedule {
 
   // Shapes: rounds of relocations and flips.
   static constexpr int rounds_with_limited_ratio = 3;
-  static constexpr int rounds_of_improvement = 5;
-  static constexpr int rounds_while_coarse = 6;
-  static constexpr int rounds_with_splits = 2; // the first ones
+  static constexpr int rounds_of_improvement = 5; // one less after refinement
+  static constexpr int rounds_while_coarse = 4;
+  static constexpr double poor = 0.2, few_poor = 0.05; // the quality, and the share, of what may be refined at once
+  static constexpr int rounds_with_splits = 2;         // the first ones
   static constexpr int rounds_with_splits_after_refinement = 1;
   static constexpr int rounds_of_repair = 3;
   static constexpr int rounds_of_last_repair = 3;

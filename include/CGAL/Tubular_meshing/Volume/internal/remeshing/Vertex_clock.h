@@ -17,7 +17,8 @@ namespace CGAL::Tubular_meshing::internal {
 /* When vertices moved last, and when each was looked at last: most of a mesh is at rest soon, and need not be looked at
  * again before something near it has changed.
  *
- * Time goes on by tick(). In between, threads may write for vertices of their own, if these are no neighbors.
+ * Time goes on by tick(), and in between by the vertices of a block, one after the other, see Colored_stars. Threads may
+ * write at the same time for vertices of blocks that are no neighbors.
  */
 class Vertex_clock {
 public:
@@ -35,8 +36,10 @@ public:
       put_in_order(order, *times);
   }
 
+  static constexpr Index block = 128;
+
   Time now() const { return now_; }
-  void tick() { ++now_; }
+  void tick() { now_ += block; }
 
   // Another neighborhood than before.
   void wake(Index v) {
@@ -44,8 +47,8 @@ public:
     renewed_[v] = now_;
   }
   void wake_all() { std::fill(visited_.begin(), visited_.end(), Time(0)); }
-  void set_visited(Index v) { visited_[v] = now_; }
-  void set_moved(Index v) { moved_[v] = now_; }
+  void set_visited(Index v) { visited_[v] = now_ + v % block; }
+  void set_moved(Index v) { moved_[v] = now_ + v % block; }
 
   template <class Vertices> bool any_stirred_since(const Vertices& vertices, Time t) const {
     return std::any_of(vertices.begin(), vertices.end(), [&](Index v) { return moved_[v] > t || renewed_[v] > t; });
