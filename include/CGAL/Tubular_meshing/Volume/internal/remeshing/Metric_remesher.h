@@ -61,7 +61,8 @@ public:
       repair_below(S::repaired);
       flip(S::flipped_at_the_end);
     }
-    for (int round = 0; round < S::rounds_of_last_repair; ++round) {
+    for (int round = 0; round < S::most_rounds_of_last_repair && !tetrahedra_below(S::repaired_at_last).empty();
+         ++round) {
       relax_below(S::repaired_at_last);
       repair_below(S::repaired_at_last);
       flip(S::flipped_at_the_end);
@@ -78,17 +79,17 @@ private:
       mesh_.set_unit(S::coarse_unit);
       adapt();
       if (!mesh_.keep_boundary)
-        improve(S::rounds_while_coarse, S::rounds_with_splits);
+        improve(S::rounds_while_coarse);
       if (can_refine()) {
         refine();
-        return improve(rounds - 1, S::rounds_with_splits_after_refinement);
+        return improve(rounds - 1);
       }
     }
     mesh_.set_unit(1);
     for (int round = 0; round < S::most_rounds_at_full_size && adapt() > S::few_splits * store_.number_of_vertices();
          ++round)
       ;
-    improve(rounds, S::rounds_with_splits);
+    improve(rounds);
   }
 
   // Returns the number of splits.
@@ -117,12 +118,12 @@ private:
   }
 
   // In later rounds no edges are split for their length: balancing takes out most of what that puts in.
-  void improve(int rounds, int rounds_with_splits) {
+  void improve(int rounds) {
     for (int round = 0; round < rounds; ++round) {
       check_interruption();
       relocate();
       flip(S::flipped_while_improving);
-      fit_lengths(round < rounds_with_splits);
+      fit_lengths(round < S::rounds_with_splits);
       balance();
     }
   }

@@ -65,9 +65,8 @@ struct Remeshing_schedule {
   static constexpr int rounds_while_coarse = 4;
   static constexpr double poor = 0.2, few_poor = 0.05; // the quality, and the share, of what may be refined at once
   static constexpr int rounds_with_splits = 2;         // the first ones
-  static constexpr int rounds_with_splits_after_refinement = 1;
   static constexpr int rounds_of_repair = 3;
-  static constexpr int rounds_of_last_repair = 3;
+  static constexpr int most_rounds_of_last_repair = 6; // while there is something to repair
 
   // The qualities below which tetrahedra are flipped, and repaired.
   static constexpr double flipped_after_splits = 0.4;
