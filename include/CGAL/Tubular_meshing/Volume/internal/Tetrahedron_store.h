@@ -153,6 +153,16 @@ public:
     return result;
   }
 
+  // The same, asked on several threads.
+  template <class IsWanted> std::vector<Index> tetrahedra(const IsWanted& is_wanted, int threads) const {
+    std::vector<char> wanted(number_of_slots());
+    for_each_range(wanted.size(), threads, [&](std::size_t first, std::size_t last) {
+      for (std::size_t t = first; t < last; ++t)
+        wanted[t] = is_alive(Index(t)) && is_wanted(Index(t));
+    });
+    return tetrahedra([&](Index t) { return wanted[t] != 0; });
+  }
+
   /* The labelled facets that a tetrahedron has at the vertex opposite to `base`, one of its facets: visit(facet, a, b),
    * where a and b are the other two vertices, in the facet's order after that one. */
   template <class Visit> void for_each_labelled_facet(Index base, const Visit& visit) const {
