@@ -246,7 +246,19 @@ TEST(Colored_stars, Visit_blocks_that_are_no_neighbors_together) {
   for (Index block : {1u, 8u, 50u}) {
     tubular::internal::Colored_stars stars;
     stars.build(
-        store, [](Index v) { return v % 5 != 0; }, block);
+        store, [](Index v) { return v % 5 != 0; }, 2, block);
+    std::vector<Index> star;
+    for (Index v = 0; v < store.number_of_vertices(); ++v) {
+      store.star(v, star);
+      ASSERT_EQ(stars.facets(v).size(), star.size());
+      EXPECT_TRUE(std::is_sorted(stars.facets(v).begin(), stars.facets(v).end()));
+      std::size_t k = 0;
+      for (Index facet : stars.facets(v)) {
+        EXPECT_EQ(store[Tetrahedron_store::tetrahedron_of(facet)].v[std::size_t(Tetrahedron_store::opposite_of(facet))],
+                  v);
+        EXPECT_EQ(stars.vertices_of_facets(v)[k++], store.vertices(facet));
+      }
+    }
     std::vector<int> color_of(store.number_of_vertices(), -1);
     std::vector<Index> last(store.number_of_vertices() / block + 1, 0);
     int color = -1;

@@ -8,8 +8,10 @@
 #include <CGAL/Tubular_meshing/base/parallel.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Tubular_meshing::internal {
@@ -33,8 +35,8 @@ public:
   };
 
   // `is_movable(v)`: only these are visited. `block`: how many vertices are one, at most.
-  template <class IsMovable> void build(const Store& store, const IsMovable& is_movable, Index block = 1) {
-    collect(store);
+  template <class IsMovable> void build(const Store& store, const IsMovable& is_movable, int threads, Index block = 1) {
+    collect(store, threads);
     color(collect_blocks(is_movable, block));
     grain_ = (std::max)(std::size_t(1), std::size_t(128 / block));
   }
@@ -66,25 +68,42 @@ public:
   }
 
 private:
-  void collect(const Store& store) {
-    const Index n = store.number_of_vertices();
-    star_begin_.assign(n + 1, 0);
-    for (Index t = 0; t < store.number_of_slots(); ++t)
-      if (store.is_alive(t))
+  /* Tetrahedra in a few parts, one after the other, of each of which it is known how many facets it has at each vertex:
+   * they can be put in their places side by side, in the same order on any number of threads. */
+  void collect(const Store& store, int threads) {
+    const std::size_t parts = 4;
+    const Index n = store.number_of_vertices(), slots = store.number_of_slots();
+    std::array<std::vector<Index>, parts> place; // where the next facet of a part at each vertex goes
+    const auto for_each_of = [&](std::size_t part, const auto& visit) {
+      for (Index t = Index(part * slots / parts); t < Index((part + 1) * slots / parts); ++t)
+        if (store.is_alive(t))
+          visit(t);
+    };
+    for_each_task(parts, threads, [&](std::size_t part) {
+      place[part].assign(n, 0);
+      for_each_of(part, [&](Index t) {
         for (Index v : store[t].v)
-          ++star_begin_[v + 1];
-    for (Index v = 0; v < n; ++v)
-      star_begin_[v + 1] += star_begin_[v];
+          ++place[part][v];
+      });
+    });
+    star_begin_.assign(n + 1, 0);
+    for (Index v = 0; v < n; ++v) {
+      Index next = star_begin_[v];
+      for (std::vector<Index>& of_part : place)
+        next += std::exchange(of_part[v], next);
+      star_begin_[v + 1] = next;
+    }
     star_.resize(star_begin_[n]);
     vertices_.resize(star_begin_[n]);
-    std::vector<Index> next(star_begin_.begin(), star_begin_.end() - 1);
-    for (Index t = 0; t < store.number_of_slots(); ++t)
-      if (store.is_alive(t))
+    for_each_task(parts, threads, [&](std::size_t part) {
+      for_each_of(part, [&](Index t) {
         for (int i = 0; i < 4; ++i) {
-          const std::size_t place = next[store[t].v[i]]++;
-          star_[place] = Store::facet(t, i);
-          vertices_[place] = store.vertices(Store::facet(t, i));
+          const Index k = place[part][store[t].v[i]]++;
+          star_[k] = Store::facet(t, i);
+          vertices_[k] = store.vertices(star_[k]);
         }
+      });
+    });
   }
 
   // The movable vertices, block by block, and where they are in movable_.

@@ -36,7 +36,8 @@ public:
       , project_(project)
       , threads_(threads) {
     locate();
-    stars_.build(store, [this](Index v) { return location_[v].dimension != 0; });
+    stars_.build(
+        store, [this](Index v) { return location_[v].dimension != 0; }, threads_);
   }
 
   /* Moves the apexes of pyramids, and no other vertices, down the energy of the tetrahedra around them and of the
@@ -49,7 +50,8 @@ public:
       , location_(store.number_of_vertices()) {
     if (pyramids.empty())
       return;
-    stars_.build(store_, [this](Index v) { return v >= first_apex() && v - first_apex() < pyramids_->size(); });
+    stars_.build(
+        store_, [this](Index v) { return v >= first_apex() && v - first_apex() < pyramids_->size(); }, threads_);
   }
 
   // One visit to each vertex.

@@ -104,7 +104,8 @@ private:
       , heights_(heights)
       , store_(mesh.store) {
     stars_.build(
-        store_, [&](Index v) { return mesh_.location(v).dimension != 0 && is_wanted(v); }, Vertex_clock::block);
+        store_, [&](Index v) { return mesh_.location(v).dimension != 0 && is_wanted(v); }, mesh_.threads,
+        Vertex_clock::block);
   }
 
   static constexpr double over_relaxation = 1.4; // of steps: neighbors follow, and fewer sweeps do
