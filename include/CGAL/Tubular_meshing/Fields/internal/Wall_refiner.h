@@ -54,6 +54,8 @@ public:
     parent_.resize(triangles_.size());
     std::iota(parent_.begin(), parent_.end(), Index(0));
     is_spike_ = find_spikes(wall);
+    origin_.resize(points_.size());
+    std::iota(origin_.begin(), origin_.end(), Index(0));
     resolved_ = wall.shortest_edges();
     extent_ = extent_of(points_);
     collect_obstacles();
@@ -119,6 +121,12 @@ private:
     for (const Triangle& t : triangles_)
       for (Index v : t)
         normals_[v] += (-orientation_) * doubled_area(t, points_);
+    for (int ring = 0; ring < 2; ++ring) { // what a step of an image says is less than what is around
+      const std::vector<Vector_3d> before = normals_;
+      for (const Triangle& t : triangles_)
+        for (Index v : t)
+          normals_[v] += before[t[0]] + before[t[1]] + before[t[2]];
+    }
     std::vector<Vector_3d> obstacles;
     std::vector<double> numbers; // of their normals
     for (Index v = 0; v < points_.size(); ++v)
@@ -214,6 +222,7 @@ private:
       points_.push_back(points_[e.a] + start(p) * (points_[e.b] - points_[e.a]));
       resolved_.push_back(resolved_[e.a] + start(p) * (resolved_[e.b] - resolved_[e.a]));
       is_spike_.push_back(0);
+      origin_.push_back(origin_[start(p) < 0.5 ? e.a : e.b]);
     }
     return result;
   }
@@ -226,9 +235,17 @@ private:
     const double bound = part * norm(d) / (as_far * longest_side);
     if (bound <= resolved_[e.a] + t * (resolved_[e.b] - resolved_[e.a]))
       return false;
-    const Vector_3d n = normalized(e.normal);
-    const auto faces_it = [&](double number) { return dot(normals_[std::size_t(number)], n) < 0; };
-    return ball_within(obstacles_, middle, n, (std::min)(bound, 4 * extent_), faces_it) > 0;
+    // on the steps of an image, triangles lie across the wall: what the vertices say counts, too
+    for (const Vector_3d& direction : {e.normal, normals_[origin_[e.a]], normals_[origin_[e.b]]}) {
+      const Vector_3d n = normalized(direction);
+      const auto faces_it = [&](double number) {
+        const Vector_3d& other = normals_[std::size_t(number)];
+        return dot(other, n) < -0.1 * norm(other);
+      };
+      if (!(ball_within(obstacles_, middle, n, (std::min)(bound, 4 * extent_), faces_it) > 0))
+        return false;
+    }
+    return true;
   }
 
   void divide_triangles() {
@@ -315,6 +332,7 @@ private:
   std::vector<Index> parent_;
   std::vector<Index> suspects_; // triangles whose edges may be long
   std::vector<double> resolved_;
+  std::vector<Index> origin_; // the nearest of the wall's vertices, as edges are divided
   std::vector<char> is_spike_, is_end_;
   double extent_ = 0;
   std::vector<Vector_3d> normals_; // of obstacles
