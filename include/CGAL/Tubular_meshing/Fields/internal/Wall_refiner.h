@@ -44,9 +44,7 @@ public:
       : orientation_(orientation)
       , threads_(threads)
       , most_(32 * wall.triangles().size() + 100000) {
-    for (Index i = 0; i < wall.triangles().size(); ++i)
-      if (is_thin(wall.triangles()[i], wall.points()))
-        suspects_.push_back(i);
+    find_suspects(wall);
     if (suspects_.empty())
       return;
     points_ = wall.points();
@@ -77,7 +75,7 @@ public:
   const std::vector<Index>& parents() const { return parent_; }
 
 private:
-  static constexpr double thin = 4;           // a triangle that is so many times as long as it is wide
+  static constexpr double thin = 5;           // a triangle that is so many times as long as it is wide
   static constexpr double longest_side = 0.7; // of a thin triangle, in radii
   static constexpr double long_for_part = 2;  // of a side of a thin triangle, or of its parts, in their width there
   static constexpr int most_rounds = 8;       // of parts, of the parts' own, and so on
@@ -113,6 +111,37 @@ private:
     for (int k = 0; k < 3; ++k)
       longest2 = (std::max)(longest2, squared_norm(points[t[k]] - points[t[(k + 1) % 3]]));
     return longest2 > as_far * thin * norm(doubled_area(t, points));
+  }
+
+  /* Thin triangles among others: those of single slivers, as on the steps of an image, reach no further than what is around.
+   * At two corners at least, all triangles together are small for the longest edge there. */
+  void find_suspects(const Indexed_wall& wall) {
+    const double small = 2; // about 5 in a regular surface, of this unit
+    const std::vector<Vector_3d>& points = wall.points();
+    std::vector<Index> thin_ones;
+    for (Index i = 0; i < wall.triangles().size(); ++i)
+      if (is_thin(wall.triangles()[i], points))
+        thin_ones.push_back(i);
+    if (thin_ones.empty())
+      return;
+    std::vector<double> wide(points.size(), 0.), longest2(points.size(), 0.);
+    for (const Triangle& t : wall.triangles()) {
+      const double area = norm(doubled_area(t, points));
+      for (int k = 0; k < 3; ++k) {
+        const Index a = t[k], b = t[(k + 1) % 3];
+        const double length2 = squared_norm(points[a] - points[b]);
+        wide[a] += wall.is_on_rim(a) ? 2 * area : area;
+        longest2[a] = (std::max)(longest2[a], length2);
+        longest2[b] = (std::max)(longest2[b], length2);
+      }
+    }
+    for (Index i : thin_ones) {
+      int count = 0;
+      for (Index v : wall.triangles()[i])
+        count += as_far * wide[v] < small * longest2[v];
+      if (count >= 2)
+        suspects_.push_back(i);
+    }
   }
 
   void collect_obstacles() {
