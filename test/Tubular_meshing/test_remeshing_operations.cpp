@@ -5,11 +5,13 @@
 
 #include <CGAL/Tubular_meshing/Quality/shape_measures.h>
 #include <CGAL/Tubular_meshing/Quality/quality_report.h>
+#include <CGAL/Tubular_meshing/Volume/internal/Colored_stars.h>
 #include <CGAL/Tubular_meshing/Volume/internal/Speculation.h>
 #include <CGAL/Tubular_meshing/Volume/internal/Tetrahedron_store.h>
 #include <CGAL/Tubular_meshing/Volume/internal/remeshing/Facet_turning.h>
 #include <CGAL/Tubular_meshing/Volume/internal/remeshing/Link_condition.h>
 #include <CGAL/Tubular_meshing/Volume/internal/remeshing/Metric_relocation.h>
+#include <CGAL/Tubular_meshing/Volume/internal/remeshing/Uniform_refinement.h>
 #include <CGAL/Tubular_meshing/Volume/internal/remeshing/metric_quality.h>
 
 #include "cubes_to_remesh.h"
@@ -66,16 +68,31 @@ TEST(Metric_quality, Of_regular_elements_is_one) {
   EXPECT_NEAR(tubular::internal::metric_length(v[1], v[3]), 1, 1e-12);
 }
 
+// Of two tetrahedra; what fills the lanes counts nothing.
 TEST(Metric_energy, Derivatives_are_those_of_its_value) {
   const Metric mean = sizes(0.3, 1, 2, normalized(Vector_3d(1, 1, 0)), normalized(Vector_3d(-1, 1, 0)));
-  const Vector_3d a(1, 0.1, 0), b(0.2, 1, 0.1), c(0.1, 0.2, 1.2), x(0.05, -0.1, 0.02);
+  const Vector_3d a(1, 0.1, 0), b(0.2, 1, 0.1), c(0.1, 0.2, 1.2), d(0.9, -1, 0.3), x(0.05, -0.1, 0.02);
+  const auto facets = [&](std::vector<std::array<Vector_3d, 3>> corners) {
+    tubular::internal::Four_facets f;
+    int k = 0;
+    for (const auto& v : corners)
+      f.set(k++, {v[0], mean}, {v[1], mean}, {v[2], mean});
+    f.fill(k);
+    return f;
+  };
+  const auto two = facets({{a, b, c}, {a, c, d}});
   const auto value = [&](const Vector_3d& p) {
     tubular::internal::Metric_energy e;
-    EXPECT_TRUE(e.add(a - p, b - p, c - p, mean, false));
+    EXPECT_TRUE(e.add<false>(two, {p, mean}));
     return e.value;
   };
-  tubular::internal::Metric_energy e;
-  ASSERT_TRUE(e.add(a - x, b - x, c - x, mean, true));
+  tubular::internal::Metric_energy e, sum;
+  ASSERT_TRUE(e.add<true>(two, {x, mean}));
+  ASSERT_TRUE(sum.add<true>(facets({{a, b, c}}), {x, mean}));
+  ASSERT_TRUE(sum.add<true>(facets({{a, c, d}}), {x, mean}));
+  EXPECT_NEAR(e.value, sum.value, 1e-12 * sum.value);
+  EXPECT_NEAR(e.value, value(x), 1e-12 * sum.value);
+  EXPECT_FALSE(sum.add<true>(facets({{b, a, c}}), {x, mean})); // inverted
   const double h = 1e-4;
   const Vector_3d axes[3] = {{h, 0, 0}, {0, h, 0}, {0, 0, h}};
   const double gradient[3] = {e.gradient.x, e.gradient.y, e.gradient.z};
@@ -191,6 +208,142 @@ TEST(Tetrahedron_store, Finds_the_star_of_a_vertex_of_any_degree) {
     EXPECT_EQ(star.size(), n);
     EXPECT_EQ(std::unique(star.begin(), star.end()), star.end());
   }
+}
+
+// From whichever tetrahedron it starts, the link is the same polygon; on the boundary it is open, and begins there.
+TEST(Tetrahedron_store, Finds_the_ring_of_an_edge) {
+  typedef Tetrahedron_store::Index Index;
+  const Tetrahedron_store store(make_cube(3));
+  Tetrahedron_store::Ring ring;
+  std::map<std::pair<Index, Index>, std::vector<Index>> links;
+  std::size_t open = 0;
+  for (Index t = 0; t < store.number_of_slots(); ++t)
+    for (int i = 0; i < 4; ++i)
+      for (int j = 0; j < 4; ++j) {
+        if (i == j)
+          continue;
+        store.ring(t, i, j, ring);
+        EXPECT_NE(std::find(ring.tetrahedra.begin(), ring.tetrahedra.end(), t), ring.tetrahedra.end());
+        ASSERT_EQ(ring.link.size(), ring.tetrahedra.size() + (ring.closed ? 0 : 1));
+        for (std::size_t k = 0; k < ring.tetrahedra.size(); ++k)
+          for (Index v : {ring.a, ring.b, ring.link[k], ring.link[(k + 1) % ring.link.size()]})
+            EXPECT_EQ(store[ring.tetrahedra[k]].v[store.corner(ring.tetrahedra[k], v)], v);
+        std::vector<Index> link(ring.link.begin(), ring.link.end());
+        if (ring.closed)
+          std::rotate(link.begin(), std::min_element(link.begin(), link.end()), link.end());
+        EXPECT_EQ(links.insert({{ring.a, ring.b}, link}).first->second, link);
+        open += ring.closed ? 0 : 1;
+        const Index last = ring.tetrahedra.back();
+        EXPECT_FALSE(store.ring(t, i, j, ring, [&](Index other) { return other != last; }));
+      }
+  EXPECT_GT(open, 0u);
+}
+
+// Blocks of one color have no tetrahedron in common; each vertex is visited once, those of a block in their order.
+TEST(Colored_stars, Visit_blocks_that_are_no_neighbors_together) {
+  typedef Tetrahedron_store::Index Index;
+  const Tetrahedron_store store(make_cube(6));
+  for (Index block : {1u, 8u, 50u}) {
+    tubular::internal::Colored_stars stars;
+    stars.build(
+        store, [](Index v) { return v % 5 != 0; }, block);
+    std::vector<int> color_of(store.number_of_vertices(), -1);
+    std::vector<Index> last(store.number_of_vertices() / block + 1, 0);
+    int color = -1;
+    stars.for_each_movable(
+        1,
+        [&](Index v) {
+          EXPECT_EQ(color_of[v], -1);
+          EXPECT_LE(last[v / block], v);
+          last[v / block] = v;
+          color_of[v] = color;
+        },
+        [&] { ++color; });
+    for (Index v = 0; v < store.number_of_vertices(); ++v)
+      EXPECT_EQ(color_of[v] == -1, v % 5 == 0);
+    for (Index t = 0; t < store.number_of_slots(); ++t)
+      for (Index v : store[t].v)
+        for (Index w : store[t].v)
+          EXPECT_TRUE(v / block == w / block || color_of[v] == -1 || color_of[v] != color_of[w]);
+  }
+}
+
+// Each facet is that of its other side.
+void expect_connected(const Tetrahedron_store& store) {
+  const auto sorted = [&](Tetrahedron_store::Index facet) {
+    auto v = store.vertices(facet);
+    std::sort(v.begin(), v.end());
+    return v;
+  };
+  for (Tetrahedron_store::Index f = 0; f < 4 * store.number_of_slots(); ++f) {
+    const auto g = store.other_side(f);
+    if (g == Tetrahedron_store::none)
+      continue;
+    EXPECT_EQ(store.other_side(g), f);
+    EXPECT_EQ(sorted(g), sorted(f));
+    EXPECT_EQ(store.label(g), store.label(f));
+  }
+}
+
+TEST(Uniform_refinement, Makes_eight_of_each) {
+  const Mesh input = make_cube(3);
+  Tetrahedron_store store(input);
+  const tubular::internal::Patch_projection projection(store);
+  const auto field = [](const Point& p) { return Metric::isotropic(0.1 + 0.1 * p.x()); };
+  tubular::internal::Metric_mesh mesh(store, tubular::internal::Metric_function(field), projection, false, {}, 2);
+  tubular::internal::Uniform_refinement(mesh).run();
+  expect_connected(store);
+  Mesh m;
+  store.write_to(m);
+  expect_valid(m, 1);
+  EXPECT_EQ(m.tetrahedra.size(), 8 * input.tetrahedra.size());
+  EXPECT_EQ(m.triangles.size(), 4 * input.triangles.size());
+  for (Tetrahedron_store::Index v = 0; v < store.number_of_vertices(); ++v) {
+    const Vector_3d& p = store.point(v);
+    EXPECT_EQ(mesh.metric(v), field(Point(p.x, p.y, p.z)));
+    const auto sides = [](double x) { return x == 0 || x == 1 ? 1 : 0; };
+    EXPECT_EQ(mesh.location(v).dimension, 3 - sides(p.x) - sides(p.y) - sides(p.z));
+  }
+}
+
+/* A quarter of a round shell, of three cells round: new vertices of its walls lie on finer ones, and the layers next to
+ * them keep their distance. */
+TEST(Uniform_refinement, Follows_a_curved_wall) {
+  const auto shell = [](int layers, int round) {
+    return Tetrahedron_store(make_grid(
+        layers, round, 2,
+        [](double x, double y, double z) {
+          const double r = 0.5 + 0.5 * x, angle = y * CGAL_PI / 2;
+          return Point(r * std::cos(angle), r * std::sin(angle), z);
+        },
+        [](int axis, int end) { return 1 + 2 * axis + end; }));
+  };
+  const tubular::internal::Patch_projection projection(shell(1, 48));
+  Tetrahedron_store store = shell(8, 3);
+  const auto field = [](const Point& p) {
+    const Vector_3d radial = normalized(Vector_3d(p.x(), p.y(), 0)), z(0, 0, 1);
+    return sizes(0.06, 0.4, 0.4, radial, cross(z, radial), z);
+  };
+  tubular::internal::Metric_mesh mesh(store, tubular::internal::Metric_function(field), projection, false, {}, 1);
+  const auto old = store.number_of_vertices();
+  tubular::internal::Uniform_refinement(mesh).run();
+  expect_connected(store);
+  std::size_t on_wall = 0, next_to_wall = 0;
+  const double sagitta = 1 - std::cos(CGAL_PI / 12);
+  for (auto v = old; v < store.number_of_vertices(); ++v) {
+    const double r = std::hypot(store.point(v).x, store.point(v).y);
+    if (mesh.location(v).dimension == 2 && mesh.location(v).id <= 2) {
+      EXPECT_NEAR(r, mesh.location(v).id == 1 ? 0.5 : 1, 1e-3);
+      ++on_wall;
+    } else if (r > 0.93 * std::cos(CGAL_PI / 12)) {
+      // halves of layers, of which the walls are the ends, but for a fifth of what the edges' middles are off
+      const double layers = 32 * (1 - r);
+      EXPECT_NEAR(layers, std::round(layers), 0.2 * 32 * sagitta) << r;
+      ++next_to_wall;
+    }
+  }
+  EXPECT_GT(on_wall, 20u);
+  EXPECT_GT(next_to_wall, 40u);
 }
 
 /* Pairs of neighbours are formed where both are single: each pair that is possible rules out others of its batch, which

@@ -73,7 +73,7 @@ std::vector<Vector_3d> random_shifts(std::size_t n, double most, unsigned seed) 
 
 // What move_without_crossings() does, with all faces looked at in each round.
 void move_with_all_faces(Surface& mesh, Shift_holder& shifts) {
-  internal::keep_shapes(mesh, shifts);
+  internal::keep_shapes(mesh, shifts, 1);
   for (;;) {
     for (Vertex v : mesh.vertices())
       mesh.point(v) = shifts.point(std::size_t(v));
@@ -104,7 +104,7 @@ TEST_P(Shifts_without_crossings, End_where_looking_at_all_faces_ends) {
     Surface mesh = start(), all = mesh;
     const std::vector<Vector_3d> from = points_of(mesh);
     Shift_holder shifts(from, random_shifts(from.size(), 0.4, seed)), of_all = shifts;
-    internal::move_without_crossings(mesh, shifts);
+    internal::move_without_crossings(mesh, shifts, 2);
     move_with_all_faces(all, of_all);
     EXPECT_TRUE(internal::crossing_faces(mesh).empty());
     EXPECT_GT(shifts.number_held_back(), 20u);
@@ -118,8 +118,46 @@ TEST_P(Shifts_without_crossings, Are_kept_where_nothing_meets) {
   Surface mesh = start();
   const std::vector<Vector_3d> from = points_of(mesh);
   Shift_holder shifts(from, random_shifts(from.size(), 0.14, 4));
-  internal::move_without_crossings(mesh, shifts);
+  internal::move_without_crossings(mesh, shifts, 2);
   EXPECT_EQ(shifts.number_held_back(), 0u);
+}
+
+// A roof: its ridge along y, its eaves at x = ± width.
+Surface roof(double width, int n) {
+  Surface mesh;
+  for (int i = 0; i <= n; ++i) {
+    mesh.add_vertex(CGAL::Tubular_meshing::Point_3(0, i, 1));
+    for (double x : {-width, width})
+      mesh.add_vertex(CGAL::Tubular_meshing::Point_3(x, i, 0));
+  }
+  const auto vertex = [](int i, int k) { return Vertex(Surface::size_type(3 * i + k)); };
+  for (int i = 0; i < n; ++i) {
+    mesh.add_face(vertex(i, 0), vertex(i, 2), vertex(i + 1, 2), vertex(i + 1, 0));
+    mesh.add_face(vertex(i, 1), vertex(i, 0), vertex(i + 1, 0), vertex(i + 1, 1));
+  }
+  CGAL::Polygon_mesh_processing::triangulate_faces(mesh);
+  return mesh;
+}
+
+// The roof's sides do not come to lie on each other, though they do not meet.
+TEST(Shifts_of_folds, Are_held_back_where_they_fold_further) {
+  const int n = 6;
+  for (double width : {0.3, 2.}) // steep, and flat
+    for (double shift : {-0.25, 0.25}) {
+      Surface mesh = roof(width, n);
+      std::vector<Vector_3d> from = points_of(mesh), by;
+      for (const Vector_3d& p : from)
+        by.emplace_back(p.x > 0 ? shift : p.x < 0 ? -shift : 0, 0, 0);
+      Shift_holder shifts(from, by);
+      internal::move_without_crossings(mesh, shifts, 1);
+      for (std::size_t i = 0; i < from.size(); ++i)
+        if (from[i].x != 0 && from[i].y > 0 && from[i].y < n) { // at the ends, not all are of triangles at the ridge
+          if (width < 1 && shift < 0)
+            EXPECT_GT(std::abs(shifts[i].x), 0.6 * width) << "a sixth of it is where they were to go";
+          else
+            EXPECT_NEAR(std::abs(shifts[i].x), width + shift, 1e-12);
+        }
+    }
 }
 
 TEST_P(Shifts_without_crossings, Faces_near_are_those_of_the_other_sheet_too) {

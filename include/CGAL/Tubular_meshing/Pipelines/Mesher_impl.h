@@ -17,12 +17,15 @@
 #include <CGAL/Tubular_meshing/Pipelines/internal/Lumen_integrator.h>
 #include <CGAL/Tubular_meshing/Pipelines/internal/Mesher_core.h>
 #include <CGAL/Tubular_meshing/Pipelines/internal/check_mesh_of_model.h>
+#include <CGAL/Tubular_meshing/base/Task_beside.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
+#include <CGAL/Tubular_meshing/base/parallel.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <future>
 #include <memory>
 #include <optional>
 #include <sstream>
@@ -166,6 +169,7 @@ public:
   Mixed_mesh mixed() {
     return made([&] {
       internal::check_keeps_boundary(options_.volume_mesher);
+      size_and_cut();
       check_fits_into_memory();
       Fill_with_pyramids_and_tetrahedra_options pyramids = options_.pyramids;
       pyramids.split_quads = !options_.has_boundary_layer(); // not the far sides of hexahedra
@@ -239,11 +243,31 @@ private:
     return Refined_metric_field(metric, Centerline_sizing_field(radius(), without), size());
   }
 
+  // Without maps yet.
+  Patches cut() const {
+    Patches p{frame_.copy_of_surface(), {}, {}};
+    p.cut = internal::cut_by_centerlines(p.surface.surface, frame_.centerlines(), p.surface.patch, options_.cut);
+    return p;
+  }
+
+  /* The mesh size, and the cut beside it, which is the work of one thread: patches() takes it, or what it has thrown. */
+  void size_and_cut() {
+    if (size_ || by_patches_ || cut_.valid())
+      return;
+    std::packaged_task<Patches()> cutting([this] { return cut(); });
+    cut_ = cutting.get_future();
+    internal::run_on(options_.size.number_of_threads, [&] {
+      internal::Task_beside beside;
+      beside.run([&] { cutting(); });
+      size();
+      beside.wait();
+    });
+  }
+
   const Patches& patches() {
     if (!by_patches_) {
       stage("cut");
-      Patches p{frame_.copy_of_surface(), {}, {}};
-      p.cut = internal::cut_by_centerlines(p.surface.surface, frame_.centerlines(), p.surface.patch, options_.cut);
+      Patches p = cut_.valid() ? cut_.get() : cut();
       stage("parameterization");
       p.maps = internal::parameterize_patches(p.surface.surface, p.cut, options_.parameterization);
       by_patches_.emplace(std::move(p));
@@ -258,8 +282,10 @@ private:
   }
 
   Remeshed_surface surface_in_frame(Surface_elements elements) {
-    if (elements != Surface_elements::anisotropic_triangles)
+    if (elements != Surface_elements::anisotropic_triangles) {
+      size_and_cut();
       internal::check_memory(internal::estimated_number_of_triangles(frame_.surface().surface, size()), "triangles");
+    }
     if (elements == Surface_elements::quads)
       return quads_in_frame();
     if (elements == Surface_elements::triangles)
@@ -303,6 +329,8 @@ private:
   }
 
   Mixed_mesh isotropic_in_frame(Surface_mesher mesher) {
+    if (mesher != Surface_mesher::mesh_3)
+      size_and_cut();
     check_fits_into_memory();
     if (mesher == Surface_mesher::mesh_3)
       return by_mesh_3();
@@ -437,6 +465,7 @@ private:
   }
 
   internal::Hexahedral_mesher hexahedra_{*this};
+  std::future<Patches> cut_; // until it is taken from there
   std::optional<Patches> by_patches_;
   Remeshed_surface kept_;
   Block_structure structure_;

@@ -99,7 +99,7 @@ move_boundary_to_surface(Mixed_mesh& mesh, const Surface& input, Face_patch_map 
     from.emplace_back(boundary.surface.point(v));
   Shift_holder of_boundary(std::move(from),
                            Surface_seeker(boundary, truth).shifts(options.number_of_threads, report.not_found));
-  move_without_crossings(boundary.surface, of_boundary);
+  move_without_crossings(boundary.surface, of_boundary, options.number_of_threads);
   Shift_holder shifts = shifts_of_all(mesh, boundary, of_boundary, truth, radius, options.number_of_threads);
   // Cells that are flattened are optimized afterwards, where they can be: they need not be good here.
   Kept_of_cells kept;

@@ -62,7 +62,7 @@ CGAL_TUBULAR_MESHING_INLINE Preserve_volume_report preserve_volume(Surface& mesh
   report.input_volume = truth.volume();
   report.volume_before = enclosed_volume(mesh);
   Shift_holder shifts = wanted_shifts(mesh, mesh_patch, truth, options.number_of_threads);
-  move_without_crossings(mesh, shifts);
+  move_without_crossings(mesh, shifts, options.number_of_threads);
   describe(mesh, mesh_patch, shifts, report);
   return report;
 }
@@ -76,7 +76,7 @@ CGAL_TUBULAR_MESHING_INLINE Preserve_volume_report preserve_volume(Mixed_mesh& m
   report.input_volume = truth.volume();
   report.volume_before = enclosed_volume(boundary.surface);
   Shift_holder of_boundary = wanted_shifts(boundary.surface, boundary.patch, truth, options.number_of_threads);
-  move_without_crossings(boundary.surface, of_boundary);
+  move_without_crossings(boundary.surface, of_boundary, options.number_of_threads);
   Shift_holder shifts = shifts_of_all(mesh, boundary, of_boundary, truth, radius, options.number_of_threads);
   keep_cells(mesh, Kept_of_cells(), options.number_of_threads, shifts);
   for (std::size_t i = 0; i < mesh.points.size(); ++i)

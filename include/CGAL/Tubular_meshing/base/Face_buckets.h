@@ -13,6 +13,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -71,17 +72,17 @@ public:
       begin_[v + 1] = begin_[v] + taken[v];
       taken[v] = 0;
     }
-    faces_.resize(begin_.back());
+    faces_.reset(new Face[begin_.back()]); // not set to zero, which would be the work of one thread
     for_each_face(cells, facets, threads, region, [&](std::uint32_t lowest, const Face& face) {
       faces_[begin_[lowest] + taken[lowest].fetch_add(1, std::memory_order_relaxed)] = face;
     });
     for_each_range(taken.size(), threads, [&](std::size_t first, std::size_t last) {
       for (std::size_t v = first; v < last; ++v)
-        std::sort(faces_.begin() + std::ptrdiff_t(begin_[v]), faces_.begin() + std::ptrdiff_t(begin_[v + 1]));
+        std::sort(faces_.get() + begin_[v], faces_.get() + begin_[v + 1]);
     });
   }
 
-  std::size_t number_of_faces() const { return faces_.size(); } // those between cells twice
+  std::size_t number_of_faces() const { return begin_.back(); } // those between cells twice
   std::size_t first_face(std::size_t vertex) const { return begin_[vertex]; }
   const Face& operator[](std::size_t k) const { return faces_[k]; }
 
@@ -140,7 +141,7 @@ private:
     visit(f[lowest], Face(others, owner, number, is_reversed));
   }
 
-  std::vector<Face> faces_;
+  std::unique_ptr<Face[]> faces_; // in the order of their lowest corners
   std::vector<std::size_t> begin_; // of each vertex
 };
 

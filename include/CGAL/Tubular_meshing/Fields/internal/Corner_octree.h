@@ -82,6 +82,8 @@ public:
     });
   }
 
+  bool is_at_domain(std::size_t corner) const { return is_at_domain_[corner] != 0; }
+
   /* The length of a step of the lattice. */
   double unit() const { return edge_ / side; }
 

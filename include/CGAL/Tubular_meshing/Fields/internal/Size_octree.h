@@ -9,6 +9,7 @@
 
 #include <CGAL/Bbox_3.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -97,16 +98,49 @@ private:
         const std::uint32_t q = tree_.leaf_corners()[8 * std::size_t(around.leaves[k]) + c];
         if (!(value < values_[q]))
           continue;
-        const double bound =
-            value + slope * tree_.unit() * lattice_distance(tree_.corners()[corner], tree_.corners()[q]);
+        const double bound = bound_by(corner, q, slope);
         if (bound < values_[q])
           lower(q, bound);
       }
   }
 
+  /* Gives corners away from the domain what those next to them allow, on all threads: most of them have their values
+   * then, before the queue of one thread begins. */
+  void grow_from_domain(double slope, const Leaves_of_corners& around, int threads) {
+    const int layers = 2;
+    std::vector<double> grown;
+    for (int layer = 0; layer < layers; ++layer) {
+      grown = values_;
+      for_each_range(values_.size(), threads, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i)
+          if (!tree_.is_at_domain(i))
+            grown[i] = largest_allowed(std::uint32_t(i), slope, around);
+      });
+      values_.swap(grown);
+    }
+  }
+
+  // At a corner: by the values of those that it shares leaves with.
+  double largest_allowed(std::uint32_t corner, double slope, const Leaves_of_corners& around) const {
+    double result = values_[corner];
+    for (std::uint32_t k = around.first[corner]; k < around.first[corner + 1]; ++k)
+      for (int c = 0; c < 8; ++c) {
+        const std::uint32_t q = tree_.leaf_corners()[8 * std::size_t(around.leaves[k]) + c];
+        if (values_[q] < result)
+          result = (std::min)(result, bound_by(q, corner, slope));
+      }
+    return result;
+  }
+
+  // What corner p allows at corner q.
+  double bound_by(std::uint32_t p, std::uint32_t q, double slope) const {
+    return values_[p] + slope * tree_.unit() * lattice_distance(tree_.corners()[p], tree_.corners()[q]);
+  }
+
   // Dijkstra's algorithm from all corners that limit a neighbour: the smallest sizes spread first.
   void limit_growth(double slope, int threads) {
     const Leaves_of_corners around = leaves_of_corners();
+    grow_from_domain(slope, around, threads);
     typedef std::pair<double, std::uint32_t> Entry;
     std::vector<char> limits(values_.size(), 0);
     for_each_range(values_.size(), threads, [&](std::size_t first, std::size_t last) {

@@ -217,9 +217,10 @@ inline std::vector<std::size_t> marked(const std::vector<char>& marks) {
   return result;
 }
 
-/* The triangles of the marked patches of a cut surface, and of their neighbours, to move vertices on. */
-inline Nearest_tree<Double_kernel::Triangle_3> old_triangles(const Surface& surface, const Surface_cut& cut,
-                                                             const std::vector<char>& is_marked) {
+/* The triangles of the marked patches of a cut surface, and of their neighbours, for which counts(triangle) holds. */
+template <class Counts>
+Nearest_tree<Double_kernel::Triangle_3> old_triangles(const Surface& surface, const Surface_cut& cut,
+                                                      const std::vector<char>& is_marked, const Counts& counts) {
   std::vector<char> is_near = is_marked;
   for (std::size_t k = 0; k < cut.patches.size(); ++k)
     if (is_marked[k])
@@ -231,11 +232,19 @@ inline Nearest_tree<Double_kernel::Triangle_3> old_triangles(const Surface& surf
     if (is_near[k])
       for (auto f : cut.patches[k].faces) {
         const auto h = surface.halfedge(f);
-        triangles.emplace_back(to_double_point(surface.point(surface.source(h))),
-                               to_double_point(surface.point(surface.target(h))),
-                               to_double_point(surface.point(surface.target(surface.next(h)))));
+        const Double_kernel::Triangle_3 t(to_double_point(surface.point(surface.source(h))),
+                                          to_double_point(surface.point(surface.target(h))),
+                                          to_double_point(surface.point(surface.target(surface.next(h)))));
+        if (counts(t))
+          triangles.push_back(t);
       }
   return Nearest_tree<Double_kernel::Triangle_3>(std::move(triangles));
+}
+
+/* All of them, to move vertices on. */
+inline Nearest_tree<Double_kernel::Triangle_3> old_triangles(const Surface& surface, const Surface_cut& cut,
+                                                             const std::vector<char>& is_marked) {
+  return old_triangles(surface, cut, is_marked, [](const auto&) { return true; });
 }
 
 } // namespace CGAL::Tubular_meshing::internal

@@ -9,14 +9,16 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
+#include <numeric>
 #include <vector>
 
 namespace CGAL::Tubular_meshing::internal {
 
-/* The stars of all vertices of a mesh whose topology stays as it is, and the vertices in colors, no two of a color
- * sharing a tetrahedron: those of one color may be moved at the same time, so that the result is the same for any
- * number of threads. Linear. */
+/* The stars of all vertices of a mesh whose topology stays as it is, and the vertices in blocks of consecutive numbers, the
+ * blocks in colors, no two of a color with vertices that share a tetrahedron: those of one color may be moved at the same
+ * time, so that the result is the same for any number of threads. Blocks of one vertex suit any numbering. Where vertices
+ * are numbered along a space-filling curve, larger blocks are compact, and what one of their vertices has brought into the
+ * cache is there for the next. Linear. */
 class Colored_stars {
 public:
   typedef Tetrahedron_store Store;
@@ -27,48 +29,39 @@ public:
     const Index* begin() const { return first; }
     const Index* end() const { return last; }
     bool empty() const { return first == last; }
+    std::size_t size() const { return std::size_t(last - first); }
   };
 
-  // `is_movable(v)`: only these are given colors.
-  template <class IsMovable> void build(const Store& store, const IsMovable& is_movable) {
+  // `is_movable(v)`: only these are visited. `block`: how many vertices are one, at most.
+  template <class IsMovable> void build(const Store& store, const IsMovable& is_movable, Index block = 1) {
     collect(store);
-    color(store, is_movable);
+    color(collect_blocks(is_movable, block));
+    grain_ = (std::max)(std::size_t(1), std::size_t(128 / block));
   }
 
   // The facets opposite to v in the tetrahedra around it.
   Range facets(Index v) const { return {star_.data() + star_begin_[v], star_.data() + star_begin_[v + 1]}; }
 
-  /* Lists the vertices of these facets, for movable vertices, in the order in which they are visited: who needs no more
-   * of the tetrahedra reads them from one end of the memory to the other. On all threads. */
-  void list_vertices(const Store& store, int threads) {
-    listed_begin_.assign(store.number_of_vertices(), 0);
-    std::size_t size = 0;
-    for (Index v : by_color_) {
-      listed_begin_[v] = size;
-      size += star_begin_[v + 1] - star_begin_[v];
-    }
-    listed_.resize(size);
-    for_each_range(by_color_.size(), threads, [&](std::size_t first, std::size_t last) {
-      for (std::size_t k = first; k < last; ++k)
-        std::transform(facets(by_color_[k]).begin(), facets(by_color_[k]).end(),
-                       listed_.begin() + std::ptrdiff_t(listed_begin_[by_color_[k]]),
-                       [&](Index facet) { return store.vertices(facet); });
-    });
-  }
-  // In the order of facets(v); after list_vertices(), of a movable vertex.
-  const Store::Facet_vertices* vertices_of_facets(Index v) const { return listed_.data() + listed_begin_[v]; }
+  // Their vertices, in this order: who needs no more of the tetrahedra reads them from one place.
+  const Store::Facet_vertices* vertices_of_facets(Index v) const { return vertices_.data() + star_begin_[v]; }
 
-  /* visit(v) for each movable vertex, color by color, those of a color on `threads` threads; before_color() is called
-   * once before each color. */
+  /* visit(v) for each movable vertex, color by color, those of a color on `threads` threads, each piece of them by a copy
+   * of `visit`, which may have memory of its own, those of a block in their order; before_color() is called once before
+   * each color. */
   template <class Visit, class Before_color>
   void for_each_movable(int threads, const Visit& visit, const Before_color& before_color) const {
     for (std::size_t c = 0; c + 1 < color_begin_.size(); ++c) {
       before_color();
       const std::size_t begin = color_begin_[c];
-      for_each_range(color_begin_[c + 1] - begin, threads, [&](std::size_t first, std::size_t last) {
-        for (std::size_t k = first; k < last; ++k)
-          visit(by_color_[begin + k]);
-      });
+      for_each_range(
+          color_begin_[c + 1] - begin, threads,
+          [&](std::size_t first, std::size_t last) {
+            Visit visit_one = visit;
+            for (std::size_t k = begin + first; k < begin + last; ++k)
+              for (Index v : by_color_[k])
+                visit_one(v);
+          },
+          grain_);
     }
   }
 
@@ -83,50 +76,69 @@ private:
     for (Index v = 0; v < n; ++v)
       star_begin_[v + 1] += star_begin_[v];
     star_.resize(star_begin_[n]);
+    vertices_.resize(star_begin_[n]);
     std::vector<Index> next(star_begin_.begin(), star_begin_.end() - 1);
     for (Index t = 0; t < store.number_of_slots(); ++t)
       if (store.is_alive(t))
-        for (int i = 0; i < 4; ++i)
-          star_[next[store[t].v[i]]++] = Store::facet(t, i);
+        for (int i = 0; i < 4; ++i) {
+          const std::size_t place = next[store[t].v[i]]++;
+          star_[place] = Store::facet(t, i);
+          vertices_[place] = store.vertices(Store::facet(t, i));
+        }
   }
 
-  // Greedy, in the order of the vertices.
-  template <class IsMovable> void color(const Store& store, const IsMovable& is_movable) {
-    const Index n = store.number_of_vertices();
-    std::vector<std::uint8_t> color_of(n, 255);
-    std::size_t colors = 0;
-    std::vector<Index> used(256, Store::none);
-    for (Index v = 0; v < n; ++v) {
+  // The movable vertices, block by block, and where they are in movable_.
+  template <class IsMovable> std::vector<Range> collect_blocks(const IsMovable& is_movable, Index block) {
+    const Index n = Index(star_begin_.size() - 1);
+    block_of_.assign(n, Store::none);
+    movable_.clear();
+    std::vector<std::size_t> begin;
+    for (Index v = 0, last = Store::none; v < n; ++v) {
       if (facets(v).empty() || !is_movable(v))
         continue;
-      for (Index s : facets(v))
-        for (Index w : store[Store::tetrahedron_of(s)].v)
-          if (color_of[w] != 255)
-            used[color_of[w]] = v;
-      std::size_t c = 0;
-      while (c < 254 && used[c] == v)
-        ++c;
-      color_of[v] = std::uint8_t(c);
-      colors = (std::max)(colors, c + 1);
+      if (v / block != last)
+        begin.push_back(movable_.size());
+      last = v / block;
+      block_of_[v] = Index(begin.size() - 1);
+      movable_.push_back(v);
     }
-    color_begin_.assign(colors + 1, 0);
-    for (Index v = 0; v < n; ++v)
-      if (color_of[v] != 255)
-        ++color_begin_[color_of[v] + 1];
-    for (std::size_t c = 0; c < colors; ++c)
-      color_begin_[c + 1] += color_begin_[c];
-    by_color_.resize(color_begin_[colors]);
+    begin.push_back(movable_.size());
+    std::vector<Range> blocks;
+    for (std::size_t b = 0; b + 1 < begin.size(); ++b)
+      blocks.push_back({movable_.data() + begin[b], movable_.data() + begin[b + 1]});
+    return blocks;
+  }
+
+  // Greedy, in the order of the blocks.
+  void color(const std::vector<Range>& blocks) {
+    std::vector<Index> color_of(blocks.size(), Store::none), used; // colors, by the last block that could not have them
+    for (Index b = 0; b < blocks.size(); ++b) {
+      for (Index v : blocks[b])
+        for (std::size_t k = star_begin_[v]; k < star_begin_[v + 1]; ++k)
+          for (Index w : vertices_[k])
+            if (block_of_[w] < b)
+              used[color_of[block_of_[w]]] = b;
+      const auto free = std::find_if(used.begin(), used.end(), [=](Index last) { return last != b; });
+      color_of[b] = Index(free - used.begin());
+      if (free == used.end())
+        used.push_back(Store::none);
+    }
+    color_begin_.assign(used.size() + 1, 0);
+    for (Index c : color_of)
+      ++color_begin_[c + 1];
+    std::partial_sum(color_begin_.begin(), color_begin_.end(), color_begin_.begin());
+    by_color_.resize(blocks.size());
     std::vector<std::size_t> next(color_begin_.begin(), color_begin_.end());
-    for (Index v = 0; v < n; ++v)
-      if (color_of[v] != 255)
-        by_color_[next[color_of[v]]++] = v;
+    for (Index b = 0; b < blocks.size(); ++b)
+      by_color_[next[color_of[b]]++] = blocks[b];
   }
 
   std::vector<Index> star_begin_, star_;
-  std::vector<std::size_t> listed_begin_;
-  std::vector<Store::Facet_vertices> listed_;
+  std::vector<Store::Facet_vertices> vertices_; // of the facets in star_
+  std::vector<Index> movable_, block_of_;       // the latter by vertex
   std::vector<std::size_t> color_begin_;
-  std::vector<Index> by_color_;
+  std::vector<Range> by_color_; // blocks
+  std::size_t grain_ = 1;
 };
 
 } // namespace CGAL::Tubular_meshing::internal

@@ -82,21 +82,18 @@ private:
   }
 
   bool can_remove_edge(Index t, int i, int j) {
-    store_.ring(t, i, j, ring_);
+    int number = 0;
+    double worst = 1;
+    const bool is_found = store_.ring(t, i, j, ring_, [&](Index r) {
+      worst = (std::min)(worst, double(quality_[r]));
+      return ++number <= most_link_vertices && store_.region(r) == store_.region(t) &&
+             !(where_worst_ && quality_[r] < quality_[t]);
+    });
     const int m = int(ring_.link.size());
+    if (!is_found || m > most_link_vertices)
+      return false;
     if (m == 2)
       return can_peel(t, i, j);
-    if (m > most_link_vertices)
-      return false;
-    double worst = 1;
-    const std::int32_t region = store_.region(t);
-    for (Index r : ring_.tetrahedra) {
-      worst = (std::min)(worst, double(quality_[r]));
-      if (store_.region(r) != region)
-        return false;
-    }
-    if (where_worst_ && worst < quality_[t])
-      return false;
     if (has_labelled_facet_inside())
       return false;
     double required = worst + least_gain;

@@ -79,6 +79,19 @@ public:
     return tree == rims_.end() ? p : Vector_3d(tree->second.nearest({p.x, p.y, p.z}).point);
   }
 
+  /* The distance from p to the nearest curved patch, and the point there; `bound`, if none is closer. */
+  double distance(const Vector_3d& p, double bound, Vector_3d& nearest) const {
+    double bound2 = bound * bound;
+    for (const auto& tree : patches_) {
+      const auto found = tree.second.nearest({p.x, p.y, p.z}, bound2);
+      if (found.index < tree.second.size()) {
+        bound2 = found.squared_distance;
+        nearest = Vector_3d(found.point);
+      }
+    }
+    return std::sqrt(bound2);
+  }
+
   // Whether p is a vertex that must stay: one at which a rim has a corner.
   bool is_fixed(const Vector_3d& p, int dimension) const {
     return dimension == 1 && corners_.count({p.x, p.y, p.z}) != 0;

@@ -18,6 +18,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <tuple>
 #include <unordered_set>
 #include <utility>
 #include <vector>
@@ -152,6 +153,16 @@ public:
     return result;
   }
 
+  // The same, asked on several threads.
+  template <class IsWanted> std::vector<Index> tetrahedra(const IsWanted& is_wanted, int threads) const {
+    std::vector<char> wanted(number_of_slots());
+    for_each_range(wanted.size(), threads, [&](std::size_t first, std::size_t last) {
+      for (std::size_t t = first; t < last; ++t)
+        wanted[t] = is_alive(Index(t)) && is_wanted(Index(t));
+    });
+    return tetrahedra([&](Index t) { return wanted[t] != 0; });
+  }
+
   /* The labelled facets that a tetrahedron has at the vertex opposite to `base`, one of its facets: visit(facet, a, b),
    * where a and b are the other two vertices, in the facet's order after that one. */
   template <class Visit> void for_each_labelled_facet(Index base, const Visit& visit) const {
@@ -236,33 +247,45 @@ public:
     Index_list link;
   };
   void ring(Index t, int i, int j, Ring& ring) const {
-    ring.a = tetrahedra_[t].v[i];
-    ring.b = tetrahedra_[t].v[j];
+    this->ring(t, i, j, ring, [](Index) { return true; });
+  }
+  // The same; false, and not all of it, where one of the tetrahedra is not accepted.
+  template <class Accepts> bool ring(Index start, int i, int j, Ring& ring, const Accepts& accepts) const {
+    ring.a = tetrahedra_[start].v[i];
+    ring.b = tetrahedra_[start].v[j];
     ring.tetrahedra.clear();
     ring.link.clear();
-    const Index start = t;
-    ring.closed = true;
-    // backwards to the boundary, if there is one
-    for (Index n; (n = tetrahedra_[t].neighbor[other_corners(i, j).second]) != none;) {
-      turn(n, ring, t, i, j);
-      if (t == start)
-        break;
-    }
-    ring.closed = tetrahedra_[t].neighbor[other_corners(i, j).second] != none;
-    const Index first = t;
-    for (;;) {
-      const auto kl = other_corners(i, j);
+    const auto first_corners = other_corners(i, j);
+    int k = first_corners.first, l = first_corners.second;
+    for (Index t = start;;) {
+      if (!accepts(t))
+        return false;
       ring.tetrahedra.push_back(t);
-      ring.link.push_back(tetrahedra_[t].v[kl.first]);
-      const Index n = tetrahedra_[t].neighbor[kl.first];
+      ring.link.push_back(tetrahedra_[t].v[k]);
+      const Index n = tetrahedra_[t].neighbor[k];
       if (n == none) {
-        ring.link.push_back(tetrahedra_[t].v[kl.second]);
-        return;
+        ring.link.push_back(tetrahedra_[t].v[l]);
+        break;
       }
-      turn(n, ring, t, i, j);
-      if (t == first)
-        return;
+      turn(n, ring, t, k, l);
+      ring.closed = t == start;
+      if (ring.closed)
+        return true;
     }
+    // and backwards from where it began
+    ring.closed = false;
+    const auto forward = std::ptrdiff_t(ring.tetrahedra.size());
+    l = first_corners.second;
+    for (Index t = start, n; (n = tetrahedra_[t].neighbor[l]) != none;) {
+      turn(n, ring, t, k, l);
+      if (!accepts(t))
+        return false;
+      ring.tetrahedra.push_back(t);
+      ring.link.push_back(tetrahedra_[t].v[k]);
+    }
+    put_last_first(ring.tetrahedra, forward);
+    put_last_first(ring.link, forward + 1);
+    return true;
   }
 
   /* Takes the tetrahedra `gone` away and puts `come` in their place, all of one region. Both must fill the same cavity,
@@ -397,6 +420,15 @@ public:
   void fill_star(const Base_facets& bases, const Star_links& links, Index v, const Index_list& come_numbers) {
     const std::int32_t region = tetrahedra_[tetrahedron_of(*bases.begin())].region;
     put_star(bases_of(bases), links, v, region, come_numbers);
+  }
+
+  // Other tetrahedra, all alive, in place of those that there are.
+  void assign(std::vector<Tetrahedron> tetrahedra) {
+    tetrahedra_.swap(tetrahedra);
+    free_.clear();
+    visited_.assign(tetrahedra_.size(), 0);
+    stamp_ = 0;
+    collect_vertices();
   }
 
   // A vertex that replace() can use from now on.
@@ -535,11 +567,15 @@ private:
     return sorted({v[c[0]], v[c[1]], v[c[2]]});
   }
 
-  // Steps around a ring's edge into the tetrahedron behind the facet with code n.
-  void turn(Index n, const Ring& ring, Index& t, int& i, int& j) const {
+  // Steps around a ring's edge into the tetrahedron behind the facet with code n; k and l are its corners of the link.
+  void turn(Index n, const Ring& ring, Index& t, int& k, int& l) const {
     t = tetrahedron_of(n);
-    i = corner(t, ring.a);
-    j = corner(t, ring.b);
+    std::tie(k, l) = other_corners(corner(t, ring.a), corner(t, ring.b));
+  }
+  // What comes after the first ones, in reverse.
+  static void put_last_first(Index_list& list, std::ptrdiff_t first) {
+    std::reverse(list.begin() + first, list.end());
+    std::rotate(list.begin(), list.begin() + first, list.end());
   }
 
   void link(Index f, Index g, std::int32_t label) {

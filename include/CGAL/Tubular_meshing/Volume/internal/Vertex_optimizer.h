@@ -37,7 +37,6 @@ public:
       , threads_(threads) {
     locate();
     stars_.build(store, [this](Index v) { return location_[v].dimension != 0; });
-    stars_.list_vertices(store, threads_);
   }
 
   /* Moves the apexes of pyramids, and no other vertices, down the energy of the tetrahedra around them and of the
@@ -51,7 +50,6 @@ public:
     if (pyramids.empty())
       return;
     stars_.build(store_, [this](Index v) { return v >= first_apex() && v - first_apex() < pyramids_->size(); });
-    stars_.list_vertices(store, threads_);
   }
 
   // One visit to each vertex.

@@ -10,12 +10,16 @@
 #include <CGAL/Tubular_meshing/Patches/pieces/Curve_divider.h>
 #include <CGAL/Tubular_meshing/Patches/pieces/Curve_gaps.h>
 #include <CGAL/Tubular_meshing/Patches/pieces/Piece_mesher.h>
+#include <CGAL/Tubular_meshing/base/Box_tree.h>
 #include <CGAL/Tubular_meshing/base/Nearest_tree.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
 #include <CGAL/Tubular_meshing/base/parallel.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Tubular_meshing::internal {
@@ -99,11 +103,19 @@ private:
     std::vector<char> marked(pieces_.size(), 0);
     for (Face f : suspects)
       marked[size_type(result.patch_of_face[f])] = 1;
-    const Nearest_tree<Double_kernel::Triangle_3> old = old_triangles(surface_, cut_, marked);
+    const Box_tree<3> around = boxes_with_nearest(result.surface, suspects);
+    const Nearest_tree<Double_kernel::Triangle_3> old =
+        old_triangles(surface_, cut_, marked, [&](const Double_kernel::Triangle_3& t) {
+          bool is_near = false;
+          around.for_each_overlapping(box_of(t), [&](std::uint32_t) { is_near = true; });
+          return is_near;
+        });
     std::fill(marked.begin(), marked.end(), 0);
     for (Face f : suspects) {
       const auto c = corners(result.surface, f);
-      const auto nearest = old.nearest(as<Double_kernel::Point_3>((1. / 3) * (c[0] + c[1] + c[2])));
+      const auto nearest = old.nearest(as<Double_kernel::Point_3>(middle(c)));
+      if (nearest.index >= old.size())
+        continue; // of corners that have been moved off the surface
       const auto& t = old.shape(nearest.index);
       const Vector_3d p(t.vertex(0)), q(t.vertex(1)), r(t.vertex(2));
       const bool is_on_surface = nearest.squared_distance < near * near * squared_length_of_longest(c);
@@ -115,6 +127,28 @@ private:
       if (marked[k])
         patches.push_back(k);
     return patches;
+  }
+
+  /* Round the middles of faces: what is nearest of the old surface is in there, as their corners are on it. */
+  static Box_tree<3> boxes_with_nearest(const Surface& surface, const std::vector<Face>& faces) {
+    std::vector<Box_tree<3>::Box> boxes;
+    std::vector<Box_tree<3>::Place> centers;
+    for (Face f : faces) {
+      const auto c = corners(surface, f);
+      const Vector_3d m = middle(c);
+      const double reach = std::sqrt(squared_length_of_longest(c));
+      boxes.emplace_back();
+      boxes.back().add({m.x - reach, m.y - reach, m.z - reach});
+      boxes.back().add({m.x + reach, m.y + reach, m.z + reach});
+      centers.push_back({m.x, m.y, m.z});
+    }
+    return Box_tree<3>(std::move(boxes), centers);
+  }
+  static Box_tree<3>::Box box_of(const Double_kernel::Triangle_3& t) {
+    Box_tree<3>::Box box;
+    for (int k = 0; k < 3; ++k)
+      box.add({t[k].x(), t[k].y(), t[k].z()});
+    return box;
   }
 
   // Of patches, on both sides; in order, each once.
@@ -141,6 +175,7 @@ private:
     return {Vector_3d(surface.point(surface.source(h))), Vector_3d(surface.point(surface.target(h))),
             Vector_3d(surface.point(surface.target(surface.next(h))))};
   }
+  static Vector_3d middle(const std::array<Vector_3d, 3>& c) { return (1. / 3) * (c[0] + c[1] + c[2]); }
   static double squared_length_of_longest(const std::array<Vector_3d, 3>& c) {
     return (std::max)({squared_norm(c[1] - c[0]), squared_norm(c[2] - c[1]), squared_norm(c[0] - c[2])});
   }

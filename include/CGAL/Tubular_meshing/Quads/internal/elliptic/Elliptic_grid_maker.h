@@ -63,10 +63,11 @@ public:
     set_rows(heights, rows > 0 ? rows : (std::max)(std::size_t(1), std::size_t(std::lround(heights.back()))));
   }
 
-  /* From the straight grid, with smaller and smaller steps until no cell is folded. */
+  /* From the straight grid, with smaller and smaller steps until no cell is folded; over-relaxed ones first, as waves as
+   * long as the grid die slowly. */
   void smooth() {
     const Ring_nodes straight = nodes_;
-    for (double part = 1; part > 0.2; part /= 2) {
+    for (double part = 1.5; part > 0.2; part /= 2) {
       nodes_ = straight;
       if (smooth(part))
         break;
@@ -83,7 +84,7 @@ public:
   std::size_t point_of_loop_1(std::size_t i) const { return (columns_ - (i + shift_) % columns_) % columns_; }
 
 private:
-  static constexpr std::size_t most_sweeps = 50;
+  static constexpr std::size_t sweeps = 24, most_sweeps = 50; // while cells are folded, the latter
 
   void check_order(std::size_t l) const {
     const std::vector<Eigen::Vector2d>& row = row_[l];
@@ -195,7 +196,7 @@ private:
 
   // False if cells are folded in the end.
   bool smooth(double part) {
-    const double small = 1e-3;
+    const double small = 2e-3;
     Winslow_smoother smoother(nodes_);
     place_on_surface();
     set_shapes(smoother);
@@ -205,7 +206,7 @@ private:
       const double greatest = smoother.sweep(part);
       place_on_surface();
       valid = keep_if_better(smoother);
-      if (valid && greatest < small)
+      if (valid && (greatest < small || k + 1 >= sweeps))
         break;
     }
     return valid;

@@ -100,15 +100,27 @@ private:
     return nodes_.period * sum / double(nodes_.columns) / double(nodes_.number_of_cells());
   }
 
+  // χ of the Jacobian: itself, or above zero if cells are to be unfolded. Else not positive if folded.
+  double positive_part(double jacobian) const {
+    return epsilon_ > 0 ? (jacobian + std::sqrt(jacobian * jacobian + epsilon_ * epsilon_)) / 2 : jacobian;
+  }
+
+  double value_of(const Corner& c, const Cell& cell, std::size_t k) const {
+    const double chi = positive_part(c.jacobian());
+    if (!(chi > 0))
+      return std::numeric_limits<double>::infinity();
+    const Eigen::Matrix2d& metric = cell.metric[k];
+    return (cell.beta * c.a.dot(metric * c.a) + c.b.dot(metric * c.b) / cell.beta) / 2 / chi;
+  }
+
   // As a function of a node on which a and b depend by the factors da and db. Infinite if folded, and ε is 0.
   void add_corner(const Corner& c, const Cell& cell, std::size_t k, double da, double db, Energy& e) const {
-    if (da == 0 && db == 0)
-      return;
-    const double j = c.jacobian(), root = std::hypot(j, epsilon_), chi = epsilon_ > 0 ? (j + root) / 2 : j;
+    const double j = c.jacobian(), chi = positive_part(j);
     if (!(chi > 0)) {
       e.value = std::numeric_limits<double>::infinity();
       return;
     }
+    const double root = 2 * chi - j;
     const double chi1 = epsilon_ > 0 ? (1 + j / root) / 2 : 1;
     const double chi2 = epsilon_ > 0 ? epsilon_ * epsilon_ / (2 * root * root * root) : 0;
     const Eigen::Matrix2d& metric = cell.metric[k];
@@ -124,18 +136,53 @@ private:
                  chi;
   }
 
-  Energy energy(std::size_t i, std::size_t j) const {
-    Energy e;
-    const std::size_t left = i > 0 ? i - 1 : nodes_.columns - 1;
-    for (std::size_t k = 0; k < 4; ++k) {
-      add_corner(corner(i, j, k), cells_[j * nodes_.columns + i], k, k < 2 ? -1 : 0, k == 0 || k == 3 ? -1 : 0, e);
-      add_corner(corner(left, j, k), cells_[j * nodes_.columns + left], k, k < 2 ? 1 : 0, k == 1 || k == 2 ? -1 : 0, e);
-      add_corner(corner(i, j - 1, k), cells_[(j - 1) * nodes_.columns + i], k, k < 2 ? 0 : -1, k == 0 || k == 3 ? 1 : 0,
-                 e);
-      add_corner(corner(left, j - 1, k), cells_[(j - 1) * nodes_.columns + left], k, k < 2 ? 0 : 1,
-                 k == 1 || k == 2 ? 1 : 0, e);
+  // What the energy of a node depends on: the nodes around it, row after row, itself in the middle; and its cells.
+  struct Star {
+    std::array<Eigen::Vector2d, 9> places;
+    std::array<const Cell*, 4> cells;
+  };
+
+  Star star(std::size_t i, std::size_t j) const {
+    const std::size_t left = i > 0 ? i - 1 : nodes_.columns - 1, below = (j - 1) * nodes_.columns,
+                      beside = below + nodes_.columns;
+    Star star;
+    for (std::size_t row = 0; row < 3; ++row) {
+      star.places[3 * row] = nodes_(left, j - 1 + row) - Eigen::Vector2d(i > 0 ? 0 : nodes_.period, 0);
+      star.places[3 * row + 1] = nodes_(i, j - 1 + row);
+      star.places[3 * row + 2] = nodes_(i + 1, j - 1 + row);
     }
+    star.cells = {{&cells_[below + left], &cells_[below + i], &cells_[beside + left], &cells_[beside + i]}};
+    return star;
+  }
+
+  // use(corner, its cell, its number there, da, db) for all corners that depend on the node, three of each cell.
+  template <class Use> static void for_each_corner(const Star& star, Use use) {
+    for (std::size_t n = 0; n < 4; ++n) {
+      const bool is_left = n % 2 == 0, is_below = n < 2;
+      const Eigen::Vector2d* const p = &star.places[(is_left ? 0 : 1) + (is_below ? 0 : 3)];
+      for (std::size_t k = 0; k < 4; ++k) {
+        const bool right = k == 1 || k == 2, top = k > 1;
+        const double da = top == is_below ? (is_left ? 1 : -1) : 0, db = right == is_left ? (is_below ? 1 : -1) : 0;
+        const Eigen::Vector2d* const side_a = p + (top ? 3 : 0);
+        const Eigen::Vector2d* const side_b = p + (right ? 1 : 0);
+        if (da != 0 || db != 0)
+          use(Corner{side_a[1] - side_a[0], side_b[3] - side_b[0]}, *star.cells[n], k, da, db);
+      }
+    }
+  }
+
+  Energy energy(const Star& star) const {
+    Energy e;
+    for_each_corner(star, [&](const Corner& c, const Cell& cell, std::size_t k, double da, double db) {
+      add_corner(c, cell, k, da, db, e);
+    });
     return e;
+  }
+  double energy_value(const Star& star) const {
+    double sum = 0;
+    for_each_corner(
+        star, [&](const Corner& c, const Cell& cell, std::size_t k, double, double) { sum += value_of(c, cell, k); });
+    return sum;
   }
 
   // Where the energy is not convex, down its gradient, as far as the trace of its second derivatives lets expect.
@@ -148,15 +195,18 @@ private:
 
   double move(std::size_t i, std::size_t j, double part) {
     const int most_halvings = 10;
-    const Energy before = energy(i, j);
-    const Eigen::Vector2d place = nodes_.at(i, j);
+    Star around = star(i, j);
+    Eigen::Vector2d& place = around.places[4];
+    const Energy before = energy(around);
+    const Eigen::Vector2d old = place;
     Eigen::Vector2d by = part * step(before);
     for (int k = 0; k < most_halvings; ++k, by /= 2) {
-      nodes_.at(i, j) = place + by;
-      if (energy(i, j).value < before.value)
-        return by.norm() / (std::max)((nodes_(i + 1, j) - place).norm(), (nodes_(i, j + 1) - place).norm());
+      place = old + by;
+      if (energy_value(around) < before.value) {
+        nodes_.at(i, j) = place;
+        return by.norm() / (std::max)((around.places[5] - old).norm(), (around.places[7] - old).norm());
+      }
     }
-    nodes_.at(i, j) = place;
     return 0;
   }
 

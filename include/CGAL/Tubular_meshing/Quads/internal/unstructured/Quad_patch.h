@@ -12,6 +12,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL::Tubular_meshing::internal {
@@ -83,23 +84,27 @@ public:
   }
   bool are_neighbours(int u, int v) const { return quad_left_of(u, v) >= 0 || quad_left_of(v, u) >= 0; }
 
-  /* What a quad is worth: its η (14), or less if it is bent much along a diagonal. Not positive if a corner of it turns
-   * the other way than the surface does: the least sine, then, of an angle about the surface's normal. */
+  /* What a quad is worth: its η (14), or less if it is bent much along a diagonal, or has a side that is so short that it
+   * is nearly a triangle, which angles do not show. Not positive if a corner of it turns the other way than the surface
+   * does: the least sine, then, of an angle about the surface's normal. */
   double quality(int q) const {
     std::array<Vector_3d, 4> p, turns;
-    double least_sine = 1;
+    double least_sine = 1, shortest = (std::numeric_limits<double>::infinity)(), longest = 0; // squared
     for (std::size_t k = 0; k < 4; ++k)
       p[k] = at(q, k).point;
     for (std::size_t k = 0; k < 4; ++k) {
       const Vector_3d a = p[(k + 1) % 4] - p[k], b = p[(k + 3) % 4] - p[k];
       turns[k] = cross(a, b);
-      const double lengths = std::sqrt(squared_norm(a) * squared_norm(b));
+      const double side = squared_norm(a), lengths = std::sqrt(side * squared_norm(b));
+      shortest = (std::min)(shortest, side);
+      longest = (std::max)(longest, side);
       least_sine = (std::min)(least_sine, lengths > 0 ? dot(at(q, k).normal, turns[k]) / lengths : -1);
     }
     if (!(least_sine > 0))
       return least_sine;
     const double flat = (std::min)(cosine(turns[0], turns[2]), cosine(turns[1], turns[3]));
-    return (std::min)(quad_eta(p), (std::max)(worth_if_bent_at_right_angle + flat, 0.01));
+    return (std::min)({quad_eta(p), (std::max)(worth_if_bent_at_right_angle + flat, 0.01),
+                       worth_of_ratio * std::sqrt(shortest / longest)});
   }
 
   double least_quality() const {
@@ -111,7 +116,7 @@ public:
   }
 
 private:
-  static constexpr double worth_if_bent_at_right_angle = 0.2;
+  static constexpr double worth_if_bent_at_right_angle = 0.2, worth_of_ratio = 2; // of the shortest and longest side
 
   static double cosine(const Vector_3d& a, const Vector_3d& b) {
     const double lengths = std::sqrt(squared_norm(a) * squared_norm(b));

@@ -38,7 +38,8 @@ inline void optimize_inside(Tetrahedron_store& store, int passes, int threads, c
       vertices.sweep();
     }
   };
-  optimize_in_passes(store, boundary, passes, threads, move_vertices, [&] { remesh_worst(store, remeshed_below); });
+  optimize_in_passes(store, boundary, passes, threads, move_vertices,
+                     [&] { remesh_worst(store, remeshed_below, threads); });
 }
 
 } // namespace CGAL::Tubular_meshing::internal

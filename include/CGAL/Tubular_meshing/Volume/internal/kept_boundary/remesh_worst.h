@@ -295,10 +295,10 @@ private:
 
 /* Takes inner vertices away from the tetrahedra below `threshold`, or adds some, where that makes the worst of those
  * around better: for the few that flips and moves cannot improve. The boundary stays as it is. */
-inline void remesh_worst(Tetrahedron_store& store, double threshold) {
+inline void remesh_worst(Tetrahedron_store& store, double threshold, int threads) {
   typedef Tetrahedron_store::Index Index;
   const auto is_bad = [&](Index t) { return store.is_alive(t) && gamma_of(store, store[t].v) < threshold; };
-  std::vector<Index> todo = store.tetrahedra(is_bad);
+  std::vector<Index> todo = store.tetrahedra(is_bad, threads);
   Vertex_removal remove(store);
   Vertex_insertion insert(store);
   Tetrahedron_store::Index_list come;

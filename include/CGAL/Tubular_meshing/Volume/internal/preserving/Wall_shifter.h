@@ -16,6 +16,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -45,13 +46,13 @@ public:
 
   /* The vertices' new places, by their numbers. */
   std::vector<Vector_3d> run() {
-    const int rounds = 2; // the second sees what normals that differ have left of the first
-    for (int round = 0; round < rounds; ++round) {
-      move_rims();
-      move_wall();
-    }
+    const Part whole = whole_wall();
+    move_rims();
+    move_wall(whole, Quadrature::coarse);
+    move_rims(); // these see what normals that differ have left of the first, and a coarse quadrature
+    move_wall(whole, Quadrature::fine);
     match_areas();
-    move_wall();
+    move_wall(wall_at_rims(), Quadrature::fine);
     return points_;
   }
 
@@ -173,6 +174,38 @@ private:
 
   bool moves_with_wall(Index v) const { return is_on_wall_[v] && opening_[v] == 0; }
 
+  /* Vertices that are moved, and all facets that have to do with them. */
+  struct Part {
+    std::vector<char> moves; // of each vertex
+    std::vector<Index> facets;
+  };
+
+  Part whole_wall() const {
+    Part result{std::vector<char>(points_.size(), 0), std::vector<Index>(facets_.size())};
+    for (Index v = 0; v < points_.size(); ++v)
+      result.moves[v] = moves_with_wall(v);
+    std::iota(result.facets.begin(), result.facets.end(), Index(0));
+    return result;
+  }
+
+  // The vertices that share facets with those of rims.
+  Part wall_at_rims() const {
+    Part result{std::vector<char>(points_.size(), 0), {}};
+    const auto has = [](const Facet& f, const auto& condition) {
+      return std::any_of(f.corner.begin(), f.corner.end(), [&](Index v) { return v != none && condition(v); });
+    };
+    const auto is_at_rim = [&](const Facet& f) { return has(f, [&](Index v) { return !moves_with_wall(v); }); };
+    for (const Facet& f : facets_)
+      if (is_at_rim(f))
+        for (Index v : f.corner)
+          if (v != none && moves_with_wall(v))
+            result.moves[v] = 1;
+    for (Index i = 0; i < facets_.size(); ++i)
+      if (is_at_rim(facets_[i]) || has(facets_[i], [&](Index v) { return result.moves[v] != 0; }))
+        result.facets.push_back(i);
+    return result;
+  }
+
   /* Calls visit(corners, points) for the triangles of a facet; of a quad, the four around its middle, for which the
    * last number is none. */
   template <class Visit> void for_each_triangle(const Facet& f, const Visit& visit) const {
@@ -203,20 +236,27 @@ private:
   /* Of one facet: what is missing at each of its corners, and how much comes for moving it. */
   typedef std::array<Balance, 4> Facet_balance;
 
-  // `wall`: at the facet.
-  Facet_balance balance_of(const Facet& f, const std::vector<Vector_3d>& normal,
-                           const Input_surface::Wall_nearby& wall) const {
+  // Points of a triangle by their barycentric coordinates, and their weights.
+  enum class Quadrature { coarse, fine };
+  struct Rule {
+    const std::array<double, 4>* points;
+    std::size_t number;
+  };
+  static Rule rule(Quadrature quadrature, bool is_quad) {
     // six points, exact to the fourth degree (D. A. Dunavant, 1985)
     static const double a = 0.445948490915965, wa = 0.223381589678011, b = 0.091576213509771, wb = 0.109951743655322;
-    static const std::array<double, 4> of_triangle[6] = {{1 - 2 * a, a, a, wa}, {a, 1 - 2 * a, a, wa},
-                                                         {a, a, 1 - 2 * a, wa}, {1 - 2 * b, b, b, wb},
-                                                         {b, 1 - 2 * b, b, wb}, {b, b, 1 - 2 * b, wb}};
-    // three points, exact to the second degree, in each of the four triangles of a quad
-    static const std::array<double, 4> of_quad[3] = {
+    static const std::array<double, 4> six[6] = {{1 - 2 * a, a, a, wa}, {a, 1 - 2 * a, a, wa}, {a, a, 1 - 2 * a, wa},
+                                                 {1 - 2 * b, b, b, wb}, {b, 1 - 2 * b, b, wb}, {b, b, 1 - 2 * b, wb}};
+    // three, exact to the second degree
+    static const std::array<double, 4> three[3] = {
         {2. / 3, 1. / 6, 1. / 6, 1. / 3}, {1. / 6, 2. / 3, 1. / 6, 1. / 3}, {1. / 6, 1. / 6, 2. / 3, 1. / 3}};
-    const bool is_quad = f.corner[3] != none;
-    const std::array<double, 4>* rule = is_quad ? of_quad : of_triangle;
-    const std::size_t number = is_quad ? 3 : 6;
+    return quadrature == Quadrature::coarse || is_quad ? Rule{three, 3} : Rule{six, 6}; // a quad has four triangles
+  }
+
+  // `wall`: at the facet.
+  Facet_balance balance_of(const Facet& f, const std::vector<Vector_3d>& normal, const Input_surface::Wall_nearby& wall,
+                           Quadrature quadrature) const {
+    const Rule points = rule(quadrature, f.corner[3] != none);
     Facet_balance result;
     const auto add = [&](Index v, double missing, double area, const Vector_3d& n) {
       for (std::size_t k = 0; k < 4; ++k)
@@ -231,8 +271,8 @@ private:
       const double area = norm(doubled) / 2;
       const double bound = bound_of(p);
       std::array<double, 3> missing = {0, 0, 0};
-      for (std::size_t i = 0; i < number; ++i) {
-        const std::array<double, 4>& q = rule[i];
+      for (std::size_t i = 0; i < points.number; ++i) {
+        const std::array<double, 4>& q = points.points[i];
         const double d = wall.distance(q[0] * p[0] + q[1] * p[1] + q[2] * p[2], n, bound, input_);
         for (std::size_t k = 0; k < 3; ++k)
           missing[k] += q[3] * area * q[k] * d;
@@ -268,24 +308,27 @@ private:
     return result;
   }
 
-  void move_wall() {
+  void move_wall(const Part& part, Quadrature quadrature) {
     const std::vector<Vector_3d> normal = wall_normals();
-    std::vector<Facet_balance> of_facet(facets_.size());
-    for_each_range(facets_.size(), threads_, [&](std::size_t first, std::size_t last) {
+    std::vector<Facet_balance> of_facet(part.facets.size());
+    for_each_range(part.facets.size(), threads_, [&](std::size_t first, std::size_t last) {
       for (std::size_t i = first; i < last; ++i) {
-        around_[i].move_to(surroundings(facets_[i]), input_);
-        of_facet[i] = balance_of(facets_[i], normal, around_[i]);
+        const Index f = part.facets[i];
+        around_[f].move_to(surroundings(facets_[f]), input_);
+        of_facet[i] = balance_of(facets_[f], normal, around_[f], quadrature);
       }
     });
     std::vector<Balance> balance(points_.size());
-    for (std::size_t i = 0; i < facets_.size(); ++i)
-      for (std::size_t k = 0; k < 4 && facets_[i].corner[k] != none; ++k) {
-        balance[facets_[i].corner[k]].missing += of_facet[i][k].missing;
-        balance[facets_[i].corner[k]].response += of_facet[i][k].response;
+    for (std::size_t i = 0; i < part.facets.size(); ++i) {
+      const Facet& f = facets_[part.facets[i]];
+      for (std::size_t k = 0; k < 4 && f.corner[k] != none; ++k) {
+        balance[f.corner[k]].missing += of_facet[i][k].missing;
+        balance[f.corner[k]].response += of_facet[i][k].response;
       }
+    }
     hand_on_from_rims(balance);
     for (Index v = 0; v < points_.size(); ++v)
-      if (moves_with_wall(v) && balance[v].response > 0)
+      if (part.moves[v] && balance[v].response > 0)
         points_[v] += balance[v].missing / balance[v].response * normal[v];
   }
 

@@ -34,32 +34,89 @@ inline bool hold_back(std::vector<std::size_t> points, Shift_holder& shifts) {
   return any;
 }
 
-/* Triangles keep a fair shape, or most of what they had of it: one that has to move far for its size, as at the foot of a
- * branch, would lose it. Ends, as what is held back goes to where it was. */
-inline void keep_shapes(const Surface& mesh, Shift_holder& shifts) {
-  const double fair = 0.55, kept = 0.8; // γ_T, and the part of it that a triangle keeps in any case
-  std::vector<std::array<std::size_t, 3>> triangles;
-  for (auto f : mesh.faces())
-    if (mesh.degree(f) == 3) {
-      const auto h = mesh.halfedge(f);
-      triangles.push_back(
-          {{std::size_t(mesh.source(h)), std::size_t(mesh.target(h)), std::size_t(mesh.target(mesh.next(h)))}});
-    }
-  for (;;) {
-    std::vector<std::size_t> at_fault;
-    for (const auto& t : triangles) {
-      const double gamma = triangle_gamma(shifts[t[0]], shifts[t[1]], shifts[t[2]]);
-      if (gamma < fair && gamma < kept * triangle_gamma(shifts.from(t[0]), shifts.from(t[1]), shifts.from(t[2])))
-        at_fault.insert(at_fault.end(), t.begin(), t.end());
-    }
-    if (!hold_back(std::move(at_fault), shifts))
-      return;
+/* What is looked at when vertices are held back: the triangles of a surface, and the edges between two of them. */
+class Shapes_of_shifted {
+public:
+  Shapes_of_shifted(const Surface& mesh, const Shift_holder& shifts)
+      : mesh_(mesh)
+      , shifts_(shifts) {}
+
+  /* Triangles keep a fair shape, or most of what they had of it: one that has to move far for its size, as at the foot of
+   * a branch, would lose it. */
+  bool is_spoiled(Face f) const {
+    const double fair = 0.55, kept = 0.8; // γ_T, and the part of it that a triangle keeps in any case
+    if (mesh_.is_removed(f) || mesh_.degree(f) != 3)
+      return false;
+    const auto t = corners(mesh_.halfedge(f));
+    const double gamma = triangle_gamma(shifts_[t[0]], shifts_[t[1]], shifts_[t[2]]);
+    return gamma < fair && gamma < kept * triangle_gamma(shifts_.from(t[0]), shifts_.from(t[1]), shifts_.from(t[2]));
   }
+
+  /* Where the surface is folded, it is not folded further: its sides would come to lie on each other. */
+  bool is_folded_further(Edge e) const {
+    const double folded = -0.4, kept = 0.7; // the cosine between the normals, a rim's is near 0; a part of what is left
+    if (mesh_.is_removed(e) || mesh_.is_border(e))
+      return false;
+    const Halfedge h = mesh_.halfedge(e), g = mesh_.opposite(h);
+    if (mesh_.degree(mesh_.face(h)) != 3 || mesh_.degree(mesh_.face(g)) != 3)
+      return false;
+    const auto s = corners(h), t = corners(g);
+    const double now = cosine(s, t, [&](std::size_t v) { return shifts_[v]; });
+    return now < folded && 1 + now < kept * (1 + cosine(
+                                                     s, t, [&](std::size_t v) { return shifts_.from(v); }));
+  }
+
+  void add_corners(Face f, std::vector<std::size_t>& to) const { add(corners(mesh_.halfedge(f)), to); }
+  void add_corners(Edge e, std::vector<std::size_t>& to) const {
+    add(corners(mesh_.halfedge(e)), to);
+    add(corners(mesh_.opposite(mesh_.halfedge(e))), to);
+  }
+
+private:
+  typedef std::array<std::size_t, 3> Corners;
+
+  Corners corners(Halfedge h) const {
+    return {{std::size_t(mesh_.source(h)), std::size_t(mesh_.target(h)), std::size_t(mesh_.target(mesh_.next(h)))}};
+  }
+  template <class Place> static double cosine(const Corners& s, const Corners& t, const Place& place) {
+    const auto area = [&](const Corners& c) { return cross(place(c[1]) - place(c[0]), place(c[2]) - place(c[0])); };
+    const Vector_3d a = area(s), b = area(t);
+    const double lengths = norm(a) * norm(b);
+    return lengths > 0 ? dot(a, b) / lengths : 1;
+  }
+  static void add(const Corners& c, std::vector<std::size_t>& to) { to.insert(to.end(), c.begin(), c.end()); }
+
+  const Surface& mesh_;
+  const Shift_holder& shifts_;
+};
+
+/* Holds back what spoils triangles, or folds the surface further. Ends, as what is held back goes to where it was. */
+inline void keep_shapes(const Surface& mesh, Shift_holder& shifts, int threads) {
+  const Shapes_of_shifted shapes(mesh, shifts);
+  std::vector<char> spoiled(mesh.num_faces()), folded(mesh.num_edges());
+  std::vector<std::size_t> at_fault;
+  do {
+    for_each_range(spoiled.size(), threads, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i)
+        spoiled[i] = shapes.is_spoiled(Face(Surface::size_type(i)));
+    });
+    for_each_range(folded.size(), threads, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i)
+        folded[i] = shapes.is_folded_further(Edge(Surface::size_type(i)));
+    });
+    at_fault.clear();
+    for (std::size_t i = 0; i < spoiled.size(); ++i)
+      if (spoiled[i])
+        shapes.add_corners(Face(Surface::size_type(i)), at_fault);
+    for (std::size_t i = 0; i < folded.size(); ++i)
+      if (folded[i])
+        shapes.add_corners(Edge(Surface::size_type(i)), at_fault);
+  } while (hold_back(at_fault, shifts));
 }
 
 // Moves a surface; where it would meet itself, less. After the first round only what has been held back is looked at.
-inline void move_without_crossings(Surface& mesh, Shift_holder& shifts) {
-  keep_shapes(mesh, shifts);
+inline void move_without_crossings(Surface& mesh, Shift_holder& shifts, int threads) {
+  keep_shapes(mesh, shifts, threads);
   constexpr int most_rounds = 24;
   std::vector<Face> faces(mesh.faces_begin(), mesh.faces_end());
   std::vector<char> is_held(mesh.num_vertices(), 0);

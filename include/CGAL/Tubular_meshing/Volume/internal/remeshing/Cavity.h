@@ -107,7 +107,7 @@ public:
         if (std::find(seen.begin(), seen.end(), v) != seen.end())
           continue;
         seen.push_back(v);
-        const double l = metric_length(kernel_, mesh_.at(v));
+        const double l = mesh_.length(kernel_, mesh_.at(v));
         range = {(std::min)(range[0], l), (std::max)(range[1], l)};
       }
     return range;

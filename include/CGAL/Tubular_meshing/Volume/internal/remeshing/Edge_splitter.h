@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
 
 namespace CGAL::Tubular_meshing::internal {
@@ -42,7 +41,7 @@ public:
   }
   // At the middle of the length that the metrics at its ends give it.
   bool find(Index t, int i, int j, const Operation_bounds& bounds) {
-    return find(t, i, j, middle_of(mesh_.at(mesh_.store[t].v[i]), mesh_.at(mesh_.store[t].v[j])), bounds);
+    return find(t, i, j, metric_middle(mesh_.at(mesh_.store[t].v[i]), mesh_.at(mesh_.store[t].v[j])), bounds);
   }
 
   // Whether what was found still holds, if all changes since are that those tetrahedra have come of which is_new(t).
@@ -60,21 +59,12 @@ private:
   static constexpr double wanted_quality = 0.7; // of cones: those above need not be improved
   static constexpr double by_far = 0.8;         // of the shortest length that is allowed
 
-  static double middle_of(const Metric_point& p, const Metric_point& q) {
-    const Vector_3d e = q.position - p.position;
-    const double a = p.metric.squared_length(e), b = q.metric.squared_length(e);
-    if (!(std::abs(b - a) > 1e-3 * a))
-      return 0.5;
-    const double s = (std::pow((std::pow(a, 1.5) + std::pow(b, 1.5)) / 2, 2. / 3) - a) / (b - a);
-    return (std::min)((std::max)(s, 0.1), 0.9);
-  }
-
   /* Whether new edges would be too short by far, as the ends' metrics tell: most of the edges that cannot be split are
    * refused by this already, and the field need not be asked. */
   bool is_crowded(const Vector_3d& p, double shortest) const {
     const Metric_point middle = {p, 0.5 * (mesh_.metric(ring_.a) + mesh_.metric(ring_.b))};
     return std::any_of(ring_.link.begin(), ring_.link.end(),
-                       [&](Index v) { return metric_length(middle, mesh_.at(v)) < by_far * shortest; });
+                       [&](Index v) { return mesh_.length(middle, mesh_.at(v)) < by_far * shortest; });
   }
 
   bool try_at(const Vector_3d& p, bool on_surface, const Operation_bounds& bounds) {
@@ -99,7 +89,7 @@ private:
 
   // Whether none of the new edges to the vertices around would be too short.
   bool has_room(double shortest) const {
-    const auto is_far = [&](Index v) { return metric_length(cavity_.kernel(), mesh_.at(v)) >= shortest; };
+    const auto is_far = [&](Index v) { return mesh_.length(cavity_.kernel(), mesh_.at(v)) >= shortest; };
     return is_far(ring_.a) && is_far(ring_.b) && std::all_of(ring_.link.begin(), ring_.link.end(), is_far);
   }
 

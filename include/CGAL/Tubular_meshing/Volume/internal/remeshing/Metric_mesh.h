@@ -135,7 +135,19 @@ public:
   // By vertex; the mesh is without metrics after that.
   std::vector<Metric_tensor_3> take_metrics() { return std::move(metric_); }
 
-  double length(Index v, Index w) const { return metric_length(at(v), at(w)); }
+  /* The length in the metric that edges are to have: one, or a multiple of it on the way there. Over a coarse edge the
+   * metric varies much; sizes that grow geometrically along it tell its length, and the volume of a tetrahedron, much more
+   * nearly as the finer mesh will have them than a metric that varies linearly. */
+  void set_unit(double unit) {
+    unit_ = unit;
+    clock.wake_all();
+  }
+  double unit() const { return unit_; }
+
+  double length(const Metric_point& p, const Metric_point& q) const {
+    return unit_ > 1 ? Metric_tensor_3::edge_length(q.position - p.position, p.metric, q.metric) : metric_length(p, q);
+  }
+  double length(Index v, Index w) const { return length(at(v), at(w)); }
   Metric_shape shape(const Store::Vertices& v) const {
     const Vector_3d& p = store.point(v[0]);
     return metric_shape(store.point(v[1]) - p, store.point(v[2]) - p, store.point(v[3]) - p,
@@ -157,15 +169,15 @@ public:
     return n;
   }
 
-  /* For each vertex, the mean volume in the metric of the tetrahedra around it, over that of the regular one, smoothed
-   * once over the neighbors: whether vertices are too many there (below one) or too few. Linear. */
+  /* For each vertex, the mean volume in the metric of the tetrahedra around it, over that of the regular one of unit
+   * edges, smoothed once over the neighbors: whether vertices are too many there (below one) or too few. Linear. */
   std::vector<float> local_volumes() const {
     const std::vector<Index> tetrahedra = store.tetrahedra();
     std::vector<float> of_vertex(store.number_of_vertices()), number(store.number_of_vertices());
     std::vector<float> of_tetrahedron(store.number_of_slots());
     for_each_range(tetrahedra.size(), threads, [&](std::size_t first, std::size_t last) {
       for (std::size_t k = first; k < last; ++k)
-        of_tetrahedron[tetrahedra[k]] = float(shape(store[tetrahedra[k]].v).volume);
+        of_tetrahedron[tetrahedra[k]] = float(unit_volume(store[tetrahedra[k]].v));
     });
     for (int round = 0; round < 2; ++round) {
       std::fill(of_vertex.begin(), of_vertex.end(), 0.f);
@@ -211,6 +223,17 @@ private:
           metric_[v] = at(store.point(Index(v))).metric;
     });
   }
+  // Over that of the regular tetrahedron of the unit at hand.
+  double unit_volume(const Store::Vertices& v) const {
+    if (!(unit_ > 1))
+      return shape(v).volume;
+    double density = 1;
+    for (Index w : v)
+      density *= std::sqrt(std::sqrt(metric_[w].density()));
+    const Vector_3d& p = store.point(v[0]);
+    return std::sqrt(2.) * dot(store.point(v[1]) - p, cross(store.point(v[2]) - p, store.point(v[3]) - p)) * density /
+           (unit_ * unit_ * unit_);
+  }
   Metric_tensor_3 limited(const Metric_tensor_3& m) const {
     const double largest = m.sizes()[2];
     return m.clamped(largest / ratio_, largest);
@@ -229,7 +252,7 @@ private:
 
   Metric_function field_;
   const Metric_limits limits_;
-  double ratio_ = no_limit;
+  double ratio_ = no_limit, unit_ = 1;
   std::vector<Metric_tensor_3> metric_;
   std::vector<Surface_location> location_;
   std::vector<char> on_surface_; // written by several threads, for vertices of their own

@@ -5,9 +5,10 @@
 #define CGAL_TUBULAR_MESHING_VOLUME_INTERNAL_REMESHING_METRIC_RELOCATION_H
 
 #include <CGAL/Tubular_meshing/Volume/internal/Colored_stars.h>
-#include <CGAL/Tubular_meshing/Volume/internal/Shape_energy.h>
 #include <CGAL/Tubular_meshing/Volume/internal/remeshing/Facet_turning.h>
+#include <CGAL/Tubular_meshing/Volume/internal/remeshing/Metric_energy.h>
 #include <CGAL/Tubular_meshing/Volume/internal/remeshing/Metric_mesh.h>
+#include <CGAL/Tubular_meshing/base/newton_steps.h>
 
 #include <boost/container/small_vector.hpp>
 
@@ -18,71 +19,6 @@
 #include <vector>
 
 namespace CGAL::Tubular_meshing::internal {
-
-/* What is to be small around a vertex, as a function of its position: of each tetrahedron its Q, eq. (16), and how far
- * its edges are from unit length, s + 1/s with s their mean square; in a boundary layer the height as well. Q goes to
- * infinity for a flat tetrahedron: descending the sum never inverts one. Derivatives hold the metrics fixed. */
-struct Metric_energy {
-  static constexpr double size_weight = 1;
-  static constexpr double height_weight = 8; // some six of the two dozen tetrahedra have to do with it
-  static constexpr double height_bound = 2;
-
-  double value = 0;
-  Vector_3d gradient;
-  Symmetric_matrix_3d hessian;
-  double size2; // the square of the unit length
-
-  explicit Metric_energy(double size2 = 1)
-      : size2(size2) {}
-
-  // The tetrahedron that the vertex spans with the facet at u, v, w from it, in its mean metric. False if inverted.
-  bool add(const Vector_3d& u, const Vector_3d& v, const Vector_3d& w, const Metric_tensor_3& mean,
-           bool with_derivatives) {
-    const double density = std::sqrt(2.) * mean.density();
-    const double d = density * dot(u, cross(v, w));
-    if (!(d > 0))
-      return false;
-    const Vector_3d sum = u + v + w;
-    const double s =
-        (4 * (mean.squared_length(u) + mean.squared_length(v) + mean.squared_length(w)) - mean.squared_length(sum)) / 6;
-    const double root = std::sqrt(s), q = s * root / d;
-    value += q + size_weight * (s / size2 + size2 / s);
-    if (!with_derivatives)
-      return true;
-    const Symmetric_matrix_3d m = {mean.xx, mean.xy, mean.xz, mean.yy, mean.yz, mean.zz};
-    const Vector_3d ds = (-1. / 3) * (m * sum), dd = -density * cross(v - u, w - u);
-    const double f_s = 1.5 * root / d + size_weight * (1 / size2 - size2 / (s * s)), f_d = -q / d;
-    gradient += f_s * ds;
-    gradient += f_d * dd;
-    // s is quadratic with the Hessian `mean`, d is linear; an indefinite part of it is left out
-    hessian.add((std::max)(f_s, 0.), m);
-    hessian.add_product(0.75 / (root * d) + 2 * size_weight * size2 / (s * s * s), ds, ds);
-    hessian.add_product(-3 * root / (d * d), ds, dd);
-    hessian.add_product(2 * q / (d * d), dd, dd);
-    return true;
-  }
-
-  /* The height h of the vertex above a facet of which the layer is to be as high as the metric's size across it:
-   * s = h + 1/h - 2, in that size. A regular tetrahedron is somewhat lower, and where facets meet at an angle that the
-   * metric does not know of, tetrahedra are much higher. Where they cannot but be so, that must not cost all of their
-   * shape: what counts is s / (1 + s/b), b at most. `n`: the facet's normal, `to_facet`: from the vertex to the facet.
-   */
-  bool add_height(const Vector_3d& n, const Vector_3d& to_facet, const Metric_tensor_3& at_facet,
-                  bool with_derivatives) {
-    const double scale = at_facet.length(n) / std::sqrt(size2), h = scale * dot(n, to_facet);
-    if (!(h > 0))
-      return false;
-    const double s = h + 1 / h - 2, share = 1 / (1 + s / height_bound);
-    value += height_weight * share * s;
-    if (!with_derivatives)
-      return true;
-    // by h; the negative part of the second derivative is left out
-    const Vector_3d dh = -scale * n;
-    gradient += height_weight * share * share * (1 - 1 / (h * h)) * dh;
-    hessian.add_product(height_weight * share * share * 2 / (h * h * h), dh, dh);
-    return true;
-  }
-};
 
 /* Coordinates y = Lᵀ x in which a metric L Lᵀ is the identity: there steps are well scaled, however small a size is
  * beside another one. */
@@ -129,78 +65,113 @@ public:
   typedef Tetrahedron_store Store;
   typedef Store::Index Index;
 
-  Metric_relocation(Metric_mesh& mesh, double size)
-      : Metric_relocation(mesh, size, !mesh.layer_patches.empty(), [](Index) { return true; }) {}
+  explicit Metric_relocation(Metric_mesh& mesh)
+      : Metric_relocation(mesh, !mesh.layer_patches.empty(), [](Index) { return true; }) {}
   // Of those vertices alone for which is_wanted(v), and heights of boundary layers do not count.
   template <class IsWanted>
-  Metric_relocation(Metric_mesh& mesh, double size, const IsWanted& is_wanted)
-      : Metric_relocation(mesh, size, false, is_wanted) {}
+  Metric_relocation(Metric_mesh& mesh, const IsWanted& is_wanted)
+      : Metric_relocation(mesh, false, is_wanted) {}
 
   // One visit to each vertex near which something has changed since the last one.
   void sweep() {
-    for_each_movable([this](Index v) {
-      if (!mesh_.clock.is_awake(store_, v, stars_.facets(v)))
+    for_each_movable([this](Index v, Star& star) {
+      const Store::Facet_vertices* around = stars_.vertices_of_facets(v);
+      if (!mesh_.clock.is_awake(v, around, around + stars_.facets(v).size()))
         return;
-      relocate(v);
+      relocate(v, star);
       mesh_.clock.set_visited(v);
     });
   }
 
   // One visit to each vertex.
   void sweep_all() {
-    for_each_movable([this](Index v) { relocate(v); });
+    for_each_movable([this](Index v, Star& star) { relocate(v, star); });
   }
 
   // Brings vertices that are off the surface, where it was out of reach when they were made, onto it.
   void pull_to_surface() {
-    for_each_movable([this](Index v) {
+    for_each_movable([this](Index v, Star& star) {
       if (mesh_.location(v).dimension < 3 && !mesh_.is_on_surface(v))
-        pull(v);
+        pull(v, star);
     });
   }
 
 private:
   template <class IsWanted>
-  Metric_relocation(Metric_mesh& mesh, double size, bool heights, const IsWanted& is_wanted)
+  Metric_relocation(Metric_mesh& mesh, bool heights, const IsWanted& is_wanted)
       : mesh_(mesh)
-      , size2_(size * size)
+      , unit2_(mesh.unit() * mesh.unit())
       , heights_(heights)
       , store_(mesh.store) {
-    stars_.build(store_, [&](Index v) { return mesh_.location(v).dimension != 0 && is_wanted(v); });
+    stars_.build(
+        store_, [&](Index v) { return mesh_.location(v).dimension != 0 && is_wanted(v); }, Vertex_clock::block);
   }
 
-  static constexpr double over_relaxation = 1.6; // of steps: neighbors follow, and fewer sweeps do
-  static constexpr double least_gain = 1e-4;     // of the energy; less is not worth the visit
+  static constexpr double over_relaxation = 1.4; // of steps: neighbors follow, and fewer sweeps do
+  static constexpr double least_gain = 3e-4;     // of the energy; less is not worth the visit
   static constexpr double most_loss = 1.5;       // for getting onto the surface
   static constexpr double negligible = 1e-9;     // distance from the surface, in the metric
   static constexpr double noticeable = 0.05;     // a way, in the metric, that is of interest to the neighbors
 
+  /* All that the energy of a vertex depends on but for its own place, in one piece of memory. */
+  struct Star {
+    struct Layer_facet {
+      Vector_3d normal, corner;
+      Metric_tensor_3 metric;
+    };
+    std::vector<Four_facets> facets;
+    std::vector<Layer_facet> layer;
+  };
+
   // Each color is one step of time.
   template <class Visit> void for_each_movable(const Visit& visit) const {
-    stars_.for_each_movable(mesh_.threads, visit, [this] { mesh_.clock.tick(); });
+    stars_.for_each_movable(
+        mesh_.threads, [&visit, star = Star()](Index v) mutable { visit(v, star); }, [this] { mesh_.clock.tick(); });
   }
 
-  void relocate(Index v) const {
+  void gather(Index v, Star& star) const {
+    const auto facets = stars_.facets(v);
+    star.facets.resize((facets.size() + 3) / 4);
+    star.layer.clear();
+    std::size_t n = 0;
+    for (Index s : facets) {
+      const Store::Facet_vertices& f = stars_.vertices_of_facets(v)[n];
+      star.facets[n / 4].set(int(n % 4), mesh_.at(f[0]), mesh_.at(f[1]), mesh_.at(f[2]));
+      ++n;
+      if (has_layer(s))
+        star.layer.push_back(layer_facet(f));
+    }
+    if (n % 4 != 0)
+      star.facets.back().fill(int(n % 4));
+  }
+  typename Star::Layer_facet layer_facet(const Store::Facet_vertices& f) const {
+    const Vector_3d &p = store_.point(f[0]), &q = store_.point(f[1]), &r = store_.point(f[2]);
+    return {normalized(cross(q - p, r - p)), p,
+            (1. / 3) * (mesh_.metric(f[0]) + mesh_.metric(f[1]) + mesh_.metric(f[2]))};
+  }
+
+  void relocate(Index v, Star& star) const {
     const Surface_location at = mesh_.location(v);
     const Metric_point old = mesh_.at(v);
-    Metric_energy here(size2_);
-    if (!energy(v, old, true, here))
+    gather(v, star);
+    Metric_energy here(unit2_);
+    if (!energy<true>(star, old, here))
       return;
     Vector_3d step = newton(v, at, old, here);
     if (-dot(step, here.gradient) < least_gain * here.value)
       return;
     step = over_relaxation * step;
     const double length2 = old.metric.squared_length(step);
-    if (length2 > size2_) // further than to a neighbor
-      step = std::sqrt(size2_ / length2) * step;
+    if (length2 > unit2_) // further than to a neighbor
+      step = std::sqrt(unit2_ / length2) * step;
     backtrack(step, [&](const Vector_3d& s) {
       const Vector_3d moved = old.position + s, p = mesh_.project(moved, at);
       // a projection longer than the step has landed on another part of the surface
       if (at.dimension < 3 && squared_norm(p - moved) > squared_norm(s))
         return false;
       const Metric_point there = mesh_.at(p);
-      Metric_energy e(size2_);
-      if (!energy(v, there, false, e, here.value) || !keeps_surface(v, p) || !is_valid(v, p))
+      Metric_energy e(unit2_);
+      if (!energy<false>(star, there, e, here.value) || !keeps_surface(v, p))
         return false;
       move(v, there, true);
       return true;
@@ -209,27 +180,27 @@ private:
 
   void move(Index v, const Metric_point& there, bool on_surface) const {
     const double way2 = there.metric.squared_length(there.position - store_.point(v));
-    if (way2 > noticeable * noticeable * size2_)
+    if (way2 > noticeable * noticeable * unit2_)
       mesh_.clock.set_moved(v);
     mesh_.move(v, there, on_surface);
   }
 
-  void pull(Index v) const {
+  void pull(Index v, Star& star) const {
     const Metric_point old = mesh_.at(v);
     const Vector_3d p = mesh_.project(old.position, mesh_.location(v));
     const double distance2 = old.metric.squared_length(p - old.position);
-    Metric_energy here(size2_);
-    if (distance2 < negligible * negligible * size2_)
+    Metric_energy here(unit2_);
+    if (distance2 < negligible * negligible * unit2_)
       return mesh_.move(v, old, true);
-    if (!energy(v, old, false, here))
+    gather(v, star);
+    if (!energy<false>(star, old, here))
       return;
     // a part of the way, if all of it is too far for the elements as they are; they will give way
     for (double share = 1; share > 0.1; share /= 2) {
       const Vector_3d x = old.position + share * (p - old.position);
       const Metric_point there = mesh_.at(share == 1 ? p : x);
-      Metric_energy e(size2_);
-      if (energy(v, there, false, e, most_loss * here.value) && keeps_surface(v, there.position) &&
-          is_valid(v, there.position)) {
+      Metric_energy e(unit2_);
+      if (energy<false>(star, there, e, most_loss * here.value) && keeps_surface(v, there.position)) {
         move(v, there, share == 1);
         return;
       }
@@ -249,15 +220,14 @@ private:
   }
 
   // False if a tetrahedron is inverted, or as soon as the energy is not below the bound: it is a sum of positive terms.
-  bool energy(Index v, const Metric_point& x, bool with_derivatives, Metric_energy& e, double bound = 1e300) const {
-    for (Index s : stars_.facets(v)) {
-      const auto f = store_.vertices(s);
-      const Metric_tensor_3 mean = 0.25 * (x.metric + mesh_.metric(f[0]) + mesh_.metric(f[1]) + mesh_.metric(f[2]));
-      if (!e.add(store_.point(f[0]) - x.position, store_.point(f[1]) - x.position, store_.point(f[2]) - x.position,
-                 mean, with_derivatives) ||
-          (has_layer(s) && !add_height(s, x.position, with_derivatives, e)) || !(e.value < bound))
+  template <bool With_derivatives>
+  static bool energy(const Star& star, const Metric_point& x, Metric_energy& e, double bound = 1e300) {
+    for (const Four_facets& f : star.facets)
+      if (!e.add<With_derivatives>(f, x) || !(e.value < bound))
         return false;
-    }
+    for (const auto& f : star.layer)
+      if (!e.add_height(f.normal, f.corner - x.position, f.metric, With_derivatives) || !(e.value < bound))
+        return false;
     return true;
   }
 
@@ -267,21 +237,6 @@ private:
     const std::int32_t label = store_.label(facet);
     return label != 0 &&
            std::find(mesh_.layer_patches.begin(), mesh_.layer_patches.end(), label) != mesh_.layer_patches.end();
-  }
-  bool add_height(Index facet, const Vector_3d& x, bool with_derivatives, Metric_energy& e) const {
-    const auto f = store_.vertices(facet);
-    const Vector_3d &p = store_.point(f[0]), &q = store_.point(f[1]), &r = store_.point(f[2]);
-    const Metric_tensor_3 mean = (1. / 3) * (mesh_.metric(f[0]) + mesh_.metric(f[1]) + mesh_.metric(f[2]));
-    return e.add_height(normalized(cross(q - p, r - p)), p - x, mean, with_derivatives);
-  }
-
-  bool is_valid(Index v, const Vector_3d& p) const {
-    for (Index s : stars_.facets(v)) {
-      const auto f = store_.vertices(s);
-      if (!is_positive(store_.point(f[0]), store_.point(f[2]), store_.point(f[1]), p))
-        return false;
-    }
-    return true;
   }
 
   // Of the labelled facets at a vertex: their mean normals, those with the lowest label first, the others second.
@@ -333,7 +288,7 @@ private:
   }
 
   Metric_mesh& mesh_;
-  const double size2_;
+  const double unit2_;
   const bool heights_;
   Store& store_;
   Colored_stars stars_;

@@ -9,6 +9,7 @@
 #include <CGAL/Tubular_meshing/Volume/internal/remeshing/Edge_list.h>
 #include <CGAL/Tubular_meshing/Volume/internal/remeshing/Edge_splitter.h>
 #include <CGAL/Tubular_meshing/Volume/internal/remeshing/Metric_relocation.h>
+#include <CGAL/Tubular_meshing/Volume/internal/remeshing/Uniform_refinement.h>
 #include <CGAL/Tubular_meshing/base/interruption.h>
 
 #include <algorithm>
@@ -20,13 +21,16 @@ namespace CGAL::Tubular_meshing::internal {
 
 /* The passes of the remesher, in their order.
  *
- * First sizes are brought about, from coarse to fine: for unit lengths 4, 2 and 1 edges longer than √2 units are split,
- * the longest first, and edges shorter than 1/√2 units are collapsed, with flips and a relocation in between. A mesh
- * that has the metric's shape at a coarse size is cheap to come by, and what is split from it has that shape from the
- * start. The full size is done when few splits are left to do. Then shapes: relocations, flips, and what they leave to
- * split or collapse in turn, vertices being taken out where they are denser than the metric asks, and put in where there
- * are too few. Edges are listed once for all that a round does with them. Each round's work is proportional to what the
- * one before has changed, or a linear sweep.
+ * First sizes are brought about: edges longer than √2 units are split, the longest first, and edges shorter than 1/√2
+ * units are collapsed, with flips and a relocation in between. That is done at twice the metric's own unit, where there
+ * are an eighth of the tetrahedra, and there the mesh is given the metric's shape; then all edges are split at once. So
+ * most vertices come about near their places, in tetrahedra of fair shapes. Where the mesh is finer from the start, comes
+ * to no fair shapes while it is coarse, or has a boundary that has to stay, edges are split one by one at the metric's
+ * unit, until few splits are left to do.
+ *
+ * Shapes are improved by relocations, flips, and what they leave to split or collapse in turn, vertices being taken out
+ * where they are denser than the metric asks, and put in where there are too few. Edges are listed once for all that a
+ * round does with them. Each round's work is proportional to what the one before has changed, or a linear sweep.
  */
 class Metric_remesher {
 public:
@@ -47,19 +51,18 @@ public:
          ratio *= S::ratio_at_once) {
       mesh_.limit_ratio(ratio);
       flips_.update_all();
-      adapt_by_steps();
-      improve(S::rounds_with_limited_ratio);
+      fit(S::rounds_with_limited_ratio);
       mesh_.limit_ratio(Metric_mesh::no_limit);
       flips_.update_all();
     }
-    adapt_by_steps();
-    improve(S::rounds_of_improvement);
+    fit(S::rounds_of_improvement);
     for (int round = 0; round < S::rounds_of_repair; ++round) {
-      relocate(1);
+      relocate();
       repair_below(S::repaired);
       flip(S::flipped_at_the_end);
     }
-    for (int round = 0; round < S::rounds_of_last_repair; ++round) {
+    for (int round = 0; round < S::most_rounds_of_last_repair && !tetrahedra_below(S::repaired_at_last).empty();
+         ++round) {
       relax_below(S::repaired_at_last);
       repair_below(S::repaired_at_last);
       flip(S::flipped_at_the_end);
@@ -70,32 +73,57 @@ private:
   typedef Remeshing_schedule S;
   typedef Remeshing_flips::Time Time;
 
-  void adapt_by_steps() {
-    for (double size : S::coarse_sizes)
-      if (has_edges_above(S::sqrt_2 * size))
-        adapt(size);
-    for (int round = 0; round < S::most_rounds_at_full_size && adapt(1) > S::few_splits * store_.number_of_vertices();
+  // Sizes, and shapes by so many rounds.
+  void fit(int rounds) {
+    if (has_edges_above(S::sqrt_2 * S::coarse_unit)) {
+      mesh_.set_unit(S::coarse_unit);
+      adapt();
+      if (!mesh_.keep_boundary)
+        improve(S::rounds_while_coarse);
+      if (can_refine()) {
+        refine();
+        return improve(rounds - 1);
+      }
+    }
+    mesh_.set_unit(1);
+    for (int round = 0; round < S::most_rounds_at_full_size && adapt() > S::few_splits * store_.number_of_vertices();
          ++round)
       ;
+    improve(rounds);
   }
 
   // Returns the number of splits.
-  std::size_t adapt(double size) {
+  std::size_t adapt() {
     check_interruption();
-    const std::size_t splits = fit_lengths(size);
+    const std::size_t splits = fit_lengths();
     flip(S::flipped_while_adapting);
-    renumber();
-    relocate(size);
+    relocate();
     return splits;
+  }
+
+  // Where the coarse mesh has poor shapes, each of them would be eight.
+  bool can_refine() const {
+    const double all = double(store_.tetrahedra().size()), poor = double(tetrahedra_below(S::poor).size());
+    return !mesh_.keep_boundary && poor < S::few_poor * all;
+  }
+
+  // All edges are split at once.
+  void refine() {
+    check_interruption();
+    renumber();
+    mesh_.set_unit(1);
+    Uniform_refinement(mesh_).run();
+    relocate();
+    flip(S::flipped_while_adapting);
   }
 
   // In later rounds no edges are split for their length: balancing takes out most of what that puts in.
   void improve(int rounds) {
     for (int round = 0; round < rounds; ++round) {
       check_interruption();
-      relocate(1);
+      relocate();
       flip(S::flipped_while_improving);
-      fit_lengths(1, round < S::rounds_with_splits);
+      fit_lengths(round < S::rounds_with_splits);
       balance();
     }
   }
@@ -105,45 +133,44 @@ private:
   void find_hidden() {
     std::vector<Index> todo = store_.tetrahedra();
     for (int round = 0; round < 8 && !todo.empty(); ++round) {
-      const Edge_list edges = list_edges(mesh_, todo, [](double, Index, Index) { return true; });
-      std::vector<float> share(edges.size(), 0);
-      for_each_range(edges.size(), mesh_.threads, [&](std::size_t first, std::size_t last) {
-        for (std::size_t k = first; k < last; ++k)
-          share[k] = float(hidden_middle(edges[k]));
-      });
+      const Edge_list edges =
+          list_edges(mesh_, todo, [this](double l, Index a, Index b) { return hidden_middle(l, a, b) > 0; });
       todo.clear();
       apply(
-          splitters_, edges.size(), [&](std::size_t k) { return share[k] > 0; },
-          [&](Edge_splitter& s, std::size_t k) { return find(s, edges[k], share[k], S::split(1, 1)); },
+          splitters_, edges.size(), always,
+          [&](Edge_splitter& s, std::size_t k) {
+            return find(s, edges[k], hidden_middle(edges[k].length, edges[k].a, edges[k].b), S::split(1, 1));
+          },
           [&](const Store::Index_list& come) { todo.insert(todo.end(), come.begin(), come.end()); });
     }
   }
-  // Where the finest of a few samples lies, if the edge is much longer than its ends tell; else 0.
-  double hidden_middle(const Listed_edge& edge) const {
-    const Vector_3d a = store_.point(edge.a), e = store_.point(edge.b) - a;
+  // Where the finest of a few samples lies, if the edge ab is much longer than its ends tell; else 0.
+  double hidden_middle(double told, Index a, Index b) const {
+    const Vector_3d from = store_.point(a), e = store_.point(b) - from;
     const int samples = 3;
     double length = 0, largest = 0, where = 0;
     for (int k = 1; k <= samples; ++k) {
-      const double s = double(k) / (samples + 1), l = mesh_.at(a + s * e).metric.length(e);
+      const double s = double(k) / (samples + 1), l = mesh_.at(from + s * e).metric.length(e);
       length += l / samples;
       if (l > largest) {
         largest = l;
         where = s;
       }
     }
-    return length > S::sqrt_2 && length > 1.5 * edge.length ? where : 0;
+    return length > S::sqrt_2 && length > 1.5 * told ? where : 0;
   }
 
   bool has_edges_above(double length) const {
     return !list_edges(mesh_, store_.tetrahedra(), [=](double l, Index, Index) { return l > length; }).empty();
   }
 
-  void relocate(double size) {
-    wake_vertices_of_new_tetrahedra();
-    if (size != last_size_)
-      mesh_.clock.wake_all();
-    last_size_ = size;
-    Metric_relocation relocation(mesh_, size);
+  // New vertices are numbered in space first, among the others.
+  void relocate() {
+    if (store_.number_of_vertices() > numbered_)
+      renumber();
+    else
+      wake_vertices_of_new_tetrahedra();
+    Metric_relocation relocation(mesh_);
     if (!mesh_.keep_boundary)
       relocation.pull_to_surface();
     relocation.sweep();
@@ -163,7 +190,7 @@ private:
     for (Index t : bad)
       for (Index v : store_[t].v)
         is_near[v] = 1;
-    Metric_relocation relocation(mesh_, 1, [&](Index v) { return is_near[v] != 0; });
+    Metric_relocation relocation(mesh_, [&](Index v) { return is_near[v] != 0; });
     for (int i = 0; i < 3; ++i)
       relocation.sweep_all();
     flips_.update_all();
@@ -172,7 +199,7 @@ private:
   void renumber() {
     wake_vertices_of_new_tetrahedra();
     mesh_.renumber();
-    flips_.update_all();
+    numbered_ = store_.number_of_vertices();
   }
 
   void wake_vertices_of_new_tetrahedra() {
@@ -207,9 +234,10 @@ private:
   }
 
   // Splits edges that are too long, then collapses those that are too short. They are listed once for both.
-  std::size_t fit_lengths(double size, bool split_long = true) {
-    const auto is_long = [=](double l) { return l > S::sqrt_2 * size; };
-    const auto is_short = [=](double l) { return l < size / S::sqrt_2; };
+  std::size_t fit_lengths(bool split_long = true) {
+    const double unit = mesh_.unit();
+    const auto is_long = [=](double l) { return l > S::sqrt_2 * unit; };
+    const auto is_short = [=](double l) { return l < unit / S::sqrt_2; };
     Edge_list edges =
         list_edges(mesh_, store_.tetrahedra(), [&](double l, Index, Index) { return is_long(l) || is_short(l); });
     const auto first_short =
@@ -217,8 +245,8 @@ private:
     Edge_list short_edges(first_short, edges.end());
     edges.erase(first_short, edges.end());
     const Time listed = flips_.now();
-    const std::size_t splits = split_long ? split(std::move(edges), size, is_long) : 0;
-    collapse(updated(std::move(short_edges), listed, is_short), size, is_short);
+    const std::size_t splits = split_long ? split(std::move(edges), is_long) : 0;
+    collapse(updated(std::move(short_edges), listed, is_short), is_short);
     return splits;
   }
 
@@ -243,7 +271,7 @@ private:
 
   /* The longest edges first, those much shorter in a later round, with flips in between: splits of tetrahedra out of
    * shape would make more of them. */
-  template <class IsLong> std::size_t split(Edge_list edges, double size, const IsLong& is_long) {
+  template <class IsLong> std::size_t split(Edge_list edges, const IsLong& is_long) {
     const std::size_t most = most_splits();
     std::size_t n = 0;
     double longest = 1e300;
@@ -256,13 +284,26 @@ private:
           std::find_if(edges.begin(), edges.end(), [=](const Listed_edge& e) { return e.length < longest; });
       n += apply(
           splitters_, std::size_t(later - edges.begin()), always,
-          [&](Edge_splitter& s, std::size_t k) { return find(s, edges[k], S::split(size, edges[k].length)); },
+          [&](Edge_splitter& s, std::size_t k) { return find(s, edges[k], S::split(mesh_.unit(), edges[k].length)); },
           [&](const Store::Index_list& come) { made.insert(made.end(), come.begin(), come.end()); });
+      made = spread(made);
       flips_.improve_these(made, S::flipped_after_splits);
       edges.erase(edges.begin(), later);
       edges = updated(std::move(edges), listed, is_long);
     }
     return n;
+  }
+
+  /* What has come of one split is next to each other in a list, and in space: of several flips there that are looked for
+   * at the same time, only the first would hold. So they are taken from all over the list. */
+  static std::vector<Index> spread(const std::vector<Index>& tetrahedra) {
+    const std::size_t step = 64;
+    std::vector<Index> result;
+    result.reserve(tetrahedra.size());
+    for (std::size_t first = 0; first < step; ++first)
+      for (std::size_t k = first; k < tetrahedra.size(); k += step)
+        result.push_back(tetrahedra[k]);
+    return result;
   }
 
   // Whether an edge, if it is still there, can be split or collapsed.
@@ -298,14 +339,14 @@ private:
   std::size_t most_splits() const { return 10000 + std::size_t(mesh_.number_of_unit_tetrahedra()); }
 
   // The shortest edges first, again where new ones come about; few rounds do most.
-  template <class IsShort> void collapse(Edge_list edges, double size, const IsShort& is_short) {
+  template <class IsShort> void collapse(Edge_list edges, const IsShort& is_short) {
     std::vector<Index> todo;
     for (int round = 0; round < S::most_rounds_of_collapses && !edges.empty(); ++round) {
       std::reverse(edges.begin(), edges.end());
       todo.clear();
       apply(
           collapsers_, edges.size(), always,
-          [&](Edge_collapser& c, std::size_t k) { return find(c, edges[k], S::collapse(size)); },
+          [&](Edge_collapser& c, std::size_t k) { return find(c, edges[k], S::collapse(mesh_.unit())); },
           [&](const Store::Index_list& come) { todo.insert(todo.end(), come.begin(), come.end()); });
       edges = list_edges(mesh_, todo, [&](double l, Index, Index) { return is_short(l); });
     }
@@ -315,6 +356,7 @@ private:
    * are too small all around, vertices are taken out; where they are too large, put in; no two next to each other in
    * one pass, as relocation is to spread what each of them changes. */
   void balance() {
+    const double unit = mesh_.unit(), longest_collapsed = S::longest_collapsed * unit;
     const std::vector<float> volume = mesh_.local_volumes();
     std::vector<char> locked(volume.size(), 0);
     const auto lock = [&](const Store::Index_list& tetrahedra) {
@@ -325,25 +367,25 @@ private:
     };
     const auto is_free = [&](const Listed_edge& e) { return !locked[e.a] && !locked[e.b]; };
     const auto is_dense = [&](double l, Index a, Index b) {
-      return l < S::longest_collapsed && volume[a] < S::dense && volume[b] < S::dense;
+      return l < longest_collapsed && volume[a] < S::dense && volume[b] < S::dense;
     };
     const auto is_sparse = [&](double l, Index a, Index b) {
-      return l > S::shortest_split && volume[a] > S::sparse && volume[b] > S::sparse;
+      return l > S::shortest_split * unit && volume[a] > S::sparse && volume[b] > S::sparse;
     };
     // those that a collapse has changed are not free, so that one list will do
     Edge_list edges = list_edges(mesh_, store_.tetrahedra(),
                                  [&](double l, Index a, Index b) { return is_dense(l, a, b) || is_sparse(l, a, b); });
     const auto first_dense =
-        std::find_if(edges.begin(), edges.end(), [](const Listed_edge& e) { return e.length < S::longest_collapsed; });
+        std::find_if(edges.begin(), edges.end(), [=](const Listed_edge& e) { return e.length < longest_collapsed; });
     Edge_list dense(first_dense, edges.end());
     std::reverse(dense.begin(), dense.end());
     edges.erase(first_dense, edges.end());
     apply(
         collapsers_, dense.size(), [&](std::size_t k) { return is_free(dense[k]); },
-        [&](Edge_collapser& c, std::size_t k) { return find(c, dense[k], S::collapse_where_dense()); }, lock);
+        [&](Edge_collapser& c, std::size_t k) { return find(c, dense[k], S::collapse_where_dense(unit)); }, lock);
     apply(
         splitters_, edges.size(), [&](std::size_t k) { return is_free(edges[k]); },
-        [&](Edge_splitter& s, std::size_t k) { return find(s, edges[k], S::split_where_sparse()); }, lock);
+        [&](Edge_splitter& s, std::size_t k) { return find(s, edges[k], S::split_where_sparse(unit)); }, lock);
   }
 
   /* The worst tetrahedra, which neither flips nor relocation have improved: an edge of them is collapsed or
@@ -368,9 +410,10 @@ private:
   Speculation<Edge_splitter> splitters_;
   Speculation<Edge_collapser> collapsers_;
   Store::Index_list come_;
-  double last_size_ = 0, last_threshold_ = 0;
+  double last_threshold_ = 0;
   Vertex_clock::Time last_flips_ = 0;
   Time last_woken_ = 0;
+  Index numbered_ = 0; // vertices, in space
 };
 
 } // namespace CGAL::Tubular_meshing::internal

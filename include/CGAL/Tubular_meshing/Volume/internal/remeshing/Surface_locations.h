@@ -40,6 +40,11 @@ public:
       for (int i = 0; i < 4; ++i)
         if (store[t].v[i] != ring.a && store[t].v[i] != ring.b && store[t].label[i] != 0)
           add(store[t].label[i], patches);
+    return of_patches(patches);
+  }
+
+  // The location of an edge at which facets of these patches meet, sorted.
+  Surface_location of_patches(const Patches& patches) const {
     if (patches.empty())
       return {};
     if (patches.size() == 1)

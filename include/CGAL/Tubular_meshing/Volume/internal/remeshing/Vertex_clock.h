@@ -17,7 +17,8 @@ namespace CGAL::Tubular_meshing::internal {
 /* When vertices moved last, and when each was looked at last: most of a mesh is at rest soon, and need not be looked at
  * again before something near it has changed.
  *
- * Time goes on by tick(). In between, threads may write for vertices of their own, if these are no neighbors.
+ * Time goes on by tick(), and in between by the vertices of a block, one after the other, see Colored_stars. Threads may
+ * write at the same time for vertices of blocks that are no neighbors.
  */
 class Vertex_clock {
 public:
@@ -35,8 +36,10 @@ public:
       put_in_order(order, *times);
   }
 
+  static constexpr Index block = 128;
+
   Time now() const { return now_; }
-  void tick() { ++now_; }
+  void tick() { now_ += block; }
 
   // Another neighborhood than before.
   void wake(Index v) {
@@ -44,21 +47,20 @@ public:
     renewed_[v] = now_;
   }
   void wake_all() { std::fill(visited_.begin(), visited_.end(), Time(0)); }
-  void set_visited(Index v) { visited_[v] = now_; }
-  void set_moved(Index v) { moved_[v] = now_; }
+  void set_visited(Index v) { visited_[v] = now_ + v % block; }
+  void set_moved(Index v) { moved_[v] = now_ + v % block; }
 
   template <class Vertices> bool any_stirred_since(const Vertices& vertices, Time t) const {
     return std::any_of(vertices.begin(), vertices.end(), [&](Index v) { return moved_[v] > t || renewed_[v] > t; });
   }
 
-  // Whether something has moved among v and its neighbors since it was visited; `star`: facet codes around v.
-  template <class Star> bool is_awake(const Store& store, Index v, const Star& star) const {
+  // Whether something has moved among v and its neighbors since it was visited; these are the vertices of facets.
+  bool is_awake(Index v, const Store::Facet_vertices* first, const Store::Facet_vertices* last_facet) const {
     const Time last = visited_[v];
     if (last == 0 || moved_[v] >= last) // its own move at that time may have been a first step only
       return true;
-    return std::any_of(star.begin(), star.end(), [&](Index f) {
-      const auto& w = store[Store::tetrahedron_of(f)].v;
-      return (std::max)((std::max)(moved_[w[0]], moved_[w[1]]), (std::max)(moved_[w[2]], moved_[w[3]])) > last;
+    return std::any_of(first, last_facet, [&](const Store::Facet_vertices& w) {
+      return (std::max)((std::max)(moved_[w[0]], moved_[w[1]]), moved_[w[2]]) > last;
     });
   }
 

@@ -51,6 +51,16 @@ inline double metric_quality(const Metric_point& a, const Metric_point& b, const
   return sum > 0 ? 2 * std::sqrt(3.) * area / sum : 0;
 }
 
+/* Where the middle, in the metric, of an edge is, from 0 to 1; no nearer to its ends than a tenth. */
+inline double metric_middle(const Metric_point& p, const Metric_point& q) {
+  const Vector_3d e = q.position - p.position;
+  const double a = p.metric.squared_length(e), b = q.metric.squared_length(e);
+  if (!(std::abs(b - a) > 1e-3 * a))
+    return 0.5;
+  const double s = (std::pow((std::pow(a, 1.5) + std::pow(b, 1.5)) / 2, 2. / 3) - a) / (b - a);
+  return (std::min)((std::max)(s, 0.1), 0.9);
+}
+
 /* The length (10) of an edge, the metric varying linearly between its ends. */
 inline double metric_length(const Metric_point& a, const Metric_point& b) {
   return Metric_tensor_3::edge_length_linear(b.position - a.position, a.metric, b.metric);
