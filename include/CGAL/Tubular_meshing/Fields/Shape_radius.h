@@ -46,10 +46,12 @@ struct Shape_radius_options {
  * further from the plane of their neighbors than these are from their middle, do not stop a ball. Caps are not part of the
  * wall, and do not either. No ball is smaller than the shortest edge at its vertex: what edges do not resolve is no shape.
  *
+ * Where triangles are long and thin, a copy of the wall is measured in which their edges are divided until none is longer
+ * than .7 of the radius: what the vertices tell of the shape counts, not how triangles join them.
+ *
  * Built in O(n log n) for n triangles, less than 10 µs each; a query is O(log n), allocates nothing, and is safe from
  * several threads. Copies share the balls. Shapes scaled, moved or turned give the same radii, scaled, but for rounding. The
- * order of the triangles matters little: it decides which vertices, a fifth of the radius apart, stop balls. Among long,
- * thin triangles it matters more, and balls may be too small: bisect such edges first.
+ * order of the triangles matters little: it decides which vertices, a fifth of the radius apart, stop balls.
  */
 class Shape_radius {
 public:
@@ -88,7 +90,7 @@ public:
   /// The ball there; its radius and center are interpolated between those of the triangle's corners.
   Ball ball(const Point_3& x) const;
 
-  /// The balls at all of the wall's vertices.
+  /// The balls at all of the wall's vertices, then those where edges of long, thin triangles are divided.
   std::vector<Ball> balls() const;
 
 private:

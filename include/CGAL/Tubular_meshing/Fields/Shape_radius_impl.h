@@ -8,6 +8,7 @@
 #include <CGAL/Tubular_meshing/Fields/curvature.h>
 #include <CGAL/Tubular_meshing/Fields/internal/Indexed_wall.h>
 #include <CGAL/Tubular_meshing/Fields/internal/Wall_balls.h>
+#include <CGAL/Tubular_meshing/Fields/internal/Wall_refiner.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
 #include <algorithm>
@@ -15,6 +16,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -26,19 +28,21 @@ public:
   Impl(const Wall_distance& wall, const Shape_radius_options& options)
       : wall_(wall)
       , faces_(welded(wall)) {
-    const internal::Indexed_wall indexed(faces_);
-    const internal::Wall_balls balls(indexed, options.turned_inward ? -1 : 1, options.number_of_threads);
-    radii_ = balls.radii();
-    directions_ = balls.directions();
-    is_on_rim_.reserve(faces_.points.size());
-    for (std::uint32_t v = 0; v < faces_.points.size(); ++v)
-      is_on_rim_.push_back(indexed.is_on_rim(v));
+    const internal::Indexed_wall whole(faces_);
+    const double orientation = options.turned_inward ? -1 : 1;
+    const internal::Wall_refiner refiner(whole, orientation, options.number_of_threads);
+    if (refiner.has_divided()) {
+      divide_faces(refiner);
+      measure(internal::Indexed_wall(faces_), refiner.resolved(), orientation, options.number_of_threads);
+    } else
+      measure(whole, whole.shortest_edges(), orientation, options.number_of_threads);
   }
 
   Ball at(const Point_3& x) const {
     const Wall_distance::Place place = wall_.closest_place(x);
-    const auto& t = faces_.triangles[place.triangle];
-    const std::array<double, 3> weights = coordinates(internal::Vector_3d(place.point), t);
+    const internal::Vector_3d p(place.point);
+    const Triangle& t = faces_.triangles[part_at(p, place.triangle)];
+    const std::array<double, 3> weights = inside(coordinates(p, t));
     const double rounding = 1e-9;
     double log_radius = 0, sum = 0;
     bool is_at_rim = true;
@@ -111,6 +115,48 @@ private:
     return result;
   }
 
+  void measure(const internal::Indexed_wall& wall, const std::vector<double>& resolved, double orientation,
+               int threads) {
+    const internal::Wall_balls balls(wall, resolved, orientation, threads);
+    radii_ = balls.radii();
+    directions_ = balls.directions();
+    is_on_rim_.reserve(faces_.points.size());
+    for (std::uint32_t v = 0; v < faces_.points.size(); ++v)
+      is_on_rim_.push_back(wall.is_on_rim(v));
+  }
+
+  // faces_ becomes the parts of each triangle, one triangle after the other.
+  void divide_faces(const internal::Wall_refiner& refiner) {
+    const std::vector<std::uint32_t>& parents = refiner.parents();
+    first_part_.assign(faces_.triangles.size() + 1, 0);
+    for (std::uint32_t parent : parents)
+      ++first_part_[parent + 1];
+    std::partial_sum(first_part_.begin(), first_part_.end(), first_part_.begin());
+    std::vector<std::size_t> next(first_part_.begin(), first_part_.end());
+    faces_.triangles.resize(parents.size());
+    for (std::size_t i = 0; i < parents.size(); ++i)
+      faces_.triangles[next[parents[i]]++] = refiner.triangles()[i];
+    for (std::size_t v = faces_.points.size(); v < refiner.points().size(); ++v)
+      faces_.points.push_back(internal::as<Point_3>(refiner.points()[v]));
+  }
+
+  // The part of a triangle that a point on it is in, or least outside of.
+  std::size_t part_at(const internal::Vector_3d& p, std::size_t triangle) const {
+    if (first_part_.empty())
+      return triangle;
+    std::size_t best = first_part_[triangle];
+    double inside = -(std::numeric_limits<double>::infinity)();
+    for (std::size_t i = best; inside < 0 && i < first_part_[triangle + 1]; ++i) {
+      const std::array<double, 3> c = coordinates(p, faces_.triangles[i]);
+      const double least = (std::min)({c[0], c[1], c[2]});
+      if (least > inside) {
+        inside = least;
+        best = i;
+      }
+    }
+    return best;
+  }
+
   internal::Vector_3d center(std::uint32_t v) const {
     return internal::Vector_3d(faces_.points[v]) + radii_[v] * directions_[v];
   }
@@ -119,14 +165,19 @@ private:
     const internal::Vector_3d a(faces_.points[t[0]]), b(faces_.points[t[1]]), c(faces_.points[t[2]]);
     const internal::Vector_3d n = cross(b - a, c - a);
     const double area = squared_norm(n);
-    const double u = (std::max)(0., dot(cross(c - b, p - b), n) / area);
-    const double v = (std::max)(0., dot(cross(a - c, p - c), n) / area);
-    const double w = (std::max)(0., 1 - u - v);
+    const double u = dot(cross(c - b, p - b), n) / area, v = dot(cross(a - c, p - c), n) / area;
+    return {u, v, 1 - u - v};
+  }
+
+  static std::array<double, 3> inside(const std::array<double, 3>& coordinates) {
+    const double u = (std::max)(0., coordinates[0]), v = (std::max)(0., coordinates[1]),
+                 w = (std::max)(0., coordinates[2]);
     return {u / (u + v + w), v / (u + v + w), w / (u + v + w)};
   }
 
   Wall_distance wall_;
-  internal::Indexed_triangles faces_;
+  internal::Indexed_triangles faces_;   // the wall's triangles, or parts of them
+  std::vector<std::size_t> first_part_; // of each of the wall's triangles, and the end; empty where all are whole
   std::vector<double> radii_;
   std::vector<internal::Vector_3d> directions_;
   std::vector<char> is_on_rim_;

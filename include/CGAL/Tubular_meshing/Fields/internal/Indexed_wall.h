@@ -16,6 +16,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <numeric>
 #include <unordered_map>
 #include <utility>
@@ -53,6 +54,15 @@ public:
   /* The normal of a triangle; its length is twice the area. */
   Vector_3d doubled_area(const std::array<Index, 3>& t) const {
     return cross(points_[t[1]] - points_[t[0]], points_[t[2]] - points_[t[0]]);
+  }
+
+  /* At each vertex. */
+  std::vector<double> shortest_edges() const {
+    std::vector<double> result(points_.size(), (std::numeric_limits<double>::infinity)());
+    for (Index v = 0; v < points_.size(); ++v)
+      for (const Index* w = neighbors_begin(v); w != neighbors_end(v); ++w)
+        result[v] = (std::min)(result[v], norm(points_[*w] - points_[v]));
+    return result;
   }
 
   /* The tree of the triangles, by their numbers here. */

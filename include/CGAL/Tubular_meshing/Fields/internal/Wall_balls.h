@@ -7,6 +7,7 @@
 #include <CGAL/Tubular_meshing/Fields/curvature.h>
 #include <CGAL/Tubular_meshing/Fields/internal/Indexed_wall.h>
 #include <CGAL/Tubular_meshing/Fields/internal/Point_boxes.h>
+#include <CGAL/Tubular_meshing/Fields/internal/find_spikes.h>
 #include <CGAL/Tubular_meshing/Fields/internal/opposite_ball.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
 #include <CGAL/Tubular_meshing/base/parallel.h>
@@ -26,18 +27,20 @@ class Wall_balls {
 public:
   typedef Indexed_wall::Index Index;
 
-  /* `orientation` is 1 if the triangles are turned outward, else -1. */
-  Wall_balls(const Indexed_wall& wall, double orientation, int threads)
+  /* `resolved`, at each vertex: the length below which nothing is a shape, that of its shortest edge, or of those of the
+   * surface that was divided. `orientation` is 1 if the triangles are turned outward, else -1. */
+  Wall_balls(const Indexed_wall& wall, const std::vector<double>& resolved, double orientation, int threads)
       : wall_(wall)
+      , resolved_(resolved)
       , orientation_(orientation)
-      , threads_(threads) {
+      , threads_(threads)
+      , is_spike_(find_spikes(wall)) {
     measure_edges();
-    find_spikes();
     make_normals();
     // once at some vertices, for an idea of the radius; then at all, against as many obstacles as the radius needs
     chosen_.assign(size(), 1);
     collect_obstacles(false);
-    choose_apart([&](Index v) { return 1.01 * longest_edge_[v]; });
+    choose_apart([&](Index v) { return reach(v); });
     shrink(chosen_, std::vector<double>(size(), 0.));
     spread_to_neighbours();
     filter(touching_at_first);
@@ -49,9 +52,9 @@ public:
     filter(touching);
     give_mouths_to_necks();
     smooth();
-    for (Index v = 0; v < size(); ++v) // what the edges of the wall do not resolve is no shape
+    for (Index v = 0; v < size(); ++v)
       if (radii_[v] > 0 && !is_spike_[v])
-        radii_[v] = (std::max)(radii_[v], shortest_edge(v));
+        radii_[v] = (std::max)(radii_[v], resolved_[v]);
   }
 
   /* 0 where nothing lies opposite. */
@@ -72,30 +75,6 @@ private:
   static constexpr std::size_t witnesses = 4;  // that many balls are to be as large, where there are as many at all
 
   std::size_t size() const { return wall_.number_of_vertices(); }
-
-  /* A vertex that is further from the plane of its neighbours than they are from their middle. */
-  void find_spikes() {
-    is_spike_.assign(size(), 0);
-    std::vector<Vector_3d> area(size()), corner(size());
-    for (const auto& t : wall_.triangles())
-      for (int k = 0; k < 3; ++k) // what the opposite edges enclose, seen from any point of their plane
-        area[t[k]] +=
-            cross(wall_.point(t[(k + 1) % 3]) - wall_.point(t[k]), wall_.point(t[(k + 2) % 3]) - wall_.point(t[k]));
-    for (Index v = 0; v < size(); ++v) {
-      const double n = double(wall_.neighbors_end(v) - wall_.neighbors_begin(v));
-      if (n < 3)
-        continue;
-      Vector_3d middle;
-      for (const Index* w = wall_.neighbors_begin(v); w != wall_.neighbors_end(v); ++w)
-        middle += (1 / n) * wall_.point(*w);
-      double apart = 0;
-      for (const Index* w = wall_.neighbors_begin(v); w != wall_.neighbors_end(v); ++w)
-        apart += norm(wall_.point(*w) - middle) / n;
-      const Vector_3d d = wall_.point(v) - middle;
-      is_spike_[v] =
-          wall_.is_on_rim(v) ? norm(d) > as_far * 1.5 * apart : std::abs(dot(d, normalized(area[v]))) > as_far * apart;
-    }
-  }
 
   // Inward; triangles at spikes count only where there are no others.
   void make_normals() {
@@ -121,7 +100,7 @@ private:
    * touches them, and it would have their normal averaged over next to nothing. What half of the vertices say counts. */
   void raise_to_medians() {
     const std::vector<double> before = radii_;
-    const auto distance = [&](Index v) { return 2.02 * longest_edge_[v]; };
+    const auto distance = [&](Index v) { return 2 * reach(v); };
     for_each_window(distance, [&](Index v, Wall_neighborhood& near, double reach) {
       std::array<double, most_near> radii{};
       std::size_t n = 0;
@@ -281,7 +260,7 @@ private:
    * of single balls, but not what the balls of a sac, which pass by the vertices of its neck, are. */
   std::vector<double> large_nearby() const {
     std::vector<double> result(size(), 0.);
-    const auto distance = [&](Index v) { return (std::max)(window * radii_[v], 2.02 * longest_edge_[v]); };
+    const auto distance = [&](Index v) { return (std::max)(window * radii_[v], 2 * reach(v)); };
     for_each_window(distance, [&](Index v, Wall_neighborhood& near, double reach) {
       std::array<double, witnesses> largest{};
       near.for_each(v, reach, [&](Index w, double) { insert(radii_[w], largest); });
@@ -302,13 +281,6 @@ private:
       for (double& r : descending)
         if (radius > r)
           std::swap(radius, r);
-  }
-
-  double shortest_edge(Index v) const {
-    double result = (std::numeric_limits<double>::infinity)();
-    for (const Index* w = wall_.neighbors_begin(v); w != wall_.neighbors_end(v); ++w)
-      result = (std::min)(result, norm(wall_.point(*w) - wall_.point(v)));
-    return result;
   }
 
   void measure_edges() {
@@ -370,9 +342,11 @@ private:
   }
 
   // As far as the neighbours at least.
-  double window_of(Index v) const { return (std::max)(window * radii_[v], 1.01 * longest_edge_[v]); }
+  double window_of(Index v) const { return (std::max)(window * radii_[v], reach(v)); }
+  double reach(Index v) const { return 1.01 * (std::max)(longest_edge_[v], resolved_[v]); }
 
   const Indexed_wall& wall_;
+  const std::vector<double>& resolved_;
   double orientation_;
   int threads_;
   std::vector<char> is_spike_, chosen_;

@@ -14,9 +14,12 @@
 namespace CGAL::Tubular_meshing::internal {
 
 /* The largest radius, below the bound, of a ball that touches x in the direction n, of unit length, with no obstacle
- * inside that lies opposite, within 36 degrees of n; 0 if there is none in the ball of the bound. It is that of the obstacle
- * whose ball is the smallest, in whatever order they are found, wherever it all lies in space. */
-inline double ball_within(const Point_boxes& obstacles, const Vector_3d& x, const Vector_3d& n, double bound) {
+ * inside that lies opposite, within 36 degrees of n, and for whose value counts(value) holds; 0 if there is none in the ball
+ * of the bound. It is that of the obstacle whose ball is the smallest, in whatever order they are found, wherever it all lies
+ * in space. */
+template <class Counts>
+double ball_within(const Point_boxes& obstacles, const Vector_3d& x, const Vector_3d& n, double bound,
+                   const Counts& counts) {
   // 36 degrees and 1e-7 of one: a regular tube has points right there
   const double cosine = 0.809016993, sine = 0.587785254;
   const double as_near = 1 + 1e-12;
@@ -32,15 +35,19 @@ inline double ball_within(const Point_boxes& obstacles, const Vector_3d& x, cons
         const double along = dot(d, n), across = std::sqrt((std::max)(0., squared_norm(d) - along * along));
         return cosine * across - sine * along <= box.half_diagonal;
       },
-      [&](const Vector_3d& q, double) {
+      [&](const Vector_3d& q, double value) {
         const Vector_3d d = q - x;
         const double along = dot(d, n), length2 = squared_norm(d);
-        if (along > 0 && along * along >= cosine * cosine * length2 && length2 < 2 * along * radius) {
+        if (along > 0 && along * along >= cosine * cosine * length2 && length2 < 2 * along * radius && counts(value)) {
           radius = length2 / (2 * along);
           center = x + radius * n;
         }
       });
   return radius < bound ? radius : 0;
+}
+
+inline double ball_within(const Point_boxes& obstacles, const Vector_3d& x, const Vector_3d& n, double bound) {
+  return ball_within(obstacles, x, n, bound, [](double) { return true; });
 }
 
 /* The same up to four times the extent of all obstacles; 0 if nothing lies opposite. Balls of about `first` are tried first,
