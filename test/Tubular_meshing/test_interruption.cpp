@@ -49,6 +49,15 @@ TEST(Interruption, A_check_is_called_in_its_thread_and_not_too_often) {
   EXPECT_EQ(calls, before);
 }
 
+TEST(Interruption, A_check_is_called_in_any_case_before_what_is_not_taken_back) {
+  TM::internal::check_interruption_now();
+  int calls = 0;
+  const TM::Interruption_check check([&] { ++calls; });
+  for (int i = 0; i < 3; ++i)
+    TM::internal::check_interruption_now();
+  EXPECT_EQ(calls, 3);
+}
+
 TEST(Interruption, The_one_made_last_counts) {
   int outer = 0, inner = 0;
   const TM::Interruption_check first([&] { ++outer; });

@@ -117,7 +117,7 @@ void write(const Run& run, Run_report& report, Stage_clock& clock) {
                          : report.json());
   for (auto& output : outputs)
     output->finish();
-  tubular::internal::check_interruption();
+  tubular::internal::check_interruption_now();
   const tubular::IO::Commit_guard all_or_none;
   for (auto& output : outputs)
     output->commit();

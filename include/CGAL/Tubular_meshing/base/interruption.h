@@ -34,6 +34,8 @@ public:
 
   /// Calls the function, unless it was called a moment ago.
   void operator()();
+  /// Calls the function in any case: before what is not to be taken back.
+  void call() const { check_(); }
 
 private:
   std::function<void()> check_;
@@ -45,6 +47,8 @@ namespace internal {
 
 /* Where a long stage can be stopped: calls the function of this thread's Interruption_check, if it has one. */
 void check_interruption();
+/* The same, however recently it was called: before what is not to be taken back. */
+void check_interruption_now();
 
 } // namespace internal
 } // namespace CGAL::Tubular_meshing

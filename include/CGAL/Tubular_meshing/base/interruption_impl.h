@@ -21,6 +21,11 @@ CGAL_TUBULAR_MESHING_INLINE void check_interruption() {
     (*check)();
 }
 
+CGAL_TUBULAR_MESHING_INLINE void check_interruption_now() {
+  if (const Interruption_check* check = interruption_of_this_thread())
+    check->call();
+}
+
 } // namespace internal
 
 CGAL_TUBULAR_MESHING_INLINE Interruption_check::Interruption_check(std::function<void()> check)
