@@ -167,9 +167,7 @@ TEST(Hexahedral_mesh_by_subdivision, Holds_no_vertex_back_from_a_curved_wall) {
         const auto& report = mesher.report().hexahedral;
         EXPECT_EQ(report.boundary.held_back, 0u) << points << " " << has_layers;
         EXPECT_EQ(report.boundary.not_found, 0u) << points << " " << has_layers;
-        const bool is_coarse_crotch = has_crotch && points < 14;
-        EXPECT_GT(report.optimization.min_scaled_jacobian, has_layers || is_coarse_crotch ? 0.25 : 0.33)
-            << points << " " << has_layers;
+        EXPECT_GT(report.optimization.min_scaled_jacobian, has_layers ? 0.25 : 0.33) << points << " " << has_layers;
       }
   }
 }
