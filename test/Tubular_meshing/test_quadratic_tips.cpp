@@ -8,6 +8,7 @@
 
 #include <CGAL/Tubular_meshing/Quadratic/internal/Smooth_wall.h>
 #include <CGAL/Tubular_meshing/base/labels.h>
+#include <CGAL/Tubular_meshing/base/cgal_compatibility.h>
 
 #include <gtest/gtest.h>
 
@@ -103,7 +104,7 @@ struct Deviation {
 
 Deviation deviation_of_smooth_wall(const Tipped_tube& tube, std::size_t sides) {
   const Surface surface = tube.surface(sides, true);
-  const auto patch = surface.property_map<Surface::Face_index, int>("f:patch").first;
+  const auto patch = *tubular::internal::property_map_of<Surface::Face_index, int>(surface, "f:patch");
   const tubular::internal::Smooth_wall wall(surface, patch, 1);
   Deviation result;
   for (auto f : surface.faces()) {
