@@ -141,7 +141,7 @@ private:
     visit(f[lowest], Face(others, owner, number, is_reversed));
   }
 
-  std::unique_ptr<Face[]> faces_; // in the order of their lowest corners
+  std::unique_ptr<Face[]> faces_;  // in the order of their lowest corners
   std::vector<std::size_t> begin_; // of each vertex
 };
 
