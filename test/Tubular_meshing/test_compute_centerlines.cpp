@@ -128,6 +128,15 @@ TEST(Compute_centerlines, Noisy_surface) {
   expect_close_to_truth(s, 24, 0.03);
 }
 
+// Where few of the vertices are looked at.
+TEST(Compute_centerlines, Surfaces_of_small_triangles) {
+  for (const auto& s : {tubular::curved_tube(), tubular::curved_tube(2.5, CGAL_PI), tubular::y_bifurcation()}) {
+    expect_close_to_truth(s, 50);
+    expect_close_to_truth(s, 100);
+  }
+  expect_close_to_truth(tubular::y_bifurcation(), 60, 0.01);
+}
+
 TEST(Compute_centerlines, Loop_keeps_all_branches_unless_asked_not_to) {
   const auto s = tubular::willis_loop();
   expect_close_to_truth(s, 24, 0, true);

@@ -51,8 +51,8 @@ public:
       bool everywhere, int threads = 0, Function_view<void()> beside = [] {});
   ~Centerline_computation();
 
-  /* Adds a line to a vertex of the wall; false if none leads there. */
-  bool add_end(Surface::Vertex_index v);
+  /* Adds a line to each of these vertices of the wall to which one leads; false if there are none. */
+  bool add_ends(const std::vector<Surface::Vertex_index>& vertices);
 
   /* Lets the lines lead from that of their ends that is nearest to a point to all others. Only where all ends are places
    * of the wall, and none is an opening, and with `everywhere`. */
@@ -85,8 +85,9 @@ void compute_centerlines(const Surface& surface, const std::vector<Point_3>& end
  * minimize the integral of 1/R, R being the radius of the maximal inscribed sphere (section 2.1; L. Antiga,
  * B. Ene-Iordache and A. Remuzzi, 2003).
  *
- * The surface's vertices, with further points where triangles are large against the vessel, are samples of a Delaunay
- * triangulation. The circumcentres of its inner tetrahedra make an approximate medial axis, over whose faces one front
+ * The surface's vertices are samples of a Delaunay triangulation: with further points where triangles are large against
+ * the vessel, and, where they are small against it, only so many that all are within a quarter of the local radius of
+ * one. The circumcentres of its inner tetrahedra make an approximate medial axis, over whose faces one front
  * runs from the inlet to all outlets. Paths are traced back by steepest descent, smoothed by local fits over one
  * radius, which keeps them in the middle, and merged into branches with build_centerline_graph(). They end at the caps'
  * centres; the radii are distances to the wall, caps left out.

@@ -74,15 +74,11 @@ inline std::size_t number_of_loops(const Centerline_graph& graph) {
 }
 
 struct Centerline_computation::Impl {
-  Impl(const Surface& surface, const Face_patch_map& patch, const std::vector<std::pair<Point_3, int>>& ends,
-       std::size_t needed, int number_of_threads)
+  Impl(const Surface& surface, const std::vector<std::pair<Point_3, int>>& ends, std::size_t needed,
+       int number_of_threads)
       : threads(number_of_threads)
       , frame(points_of(surface, ends.size(), needed))
-      , root(ends.front().first) {
-    Sampled_surface samples(surface, patch, frame, number_of_threads);
-    wall_triangles = std::move(samples.wall_triangles);
-    tracer = std::make_unique<Centerline_tracer>(std::move(samples), canonical(ends), number_of_threads);
-  }
+      , root(ends.front().first) {}
 
   static std::vector<Double_kernel::Point_3> points_of(const Surface& surface, std::size_t number_of_ends,
                                                        std::size_t needed) {
@@ -113,6 +109,34 @@ struct Centerline_computation::Impl {
         result.back().push_back(frame.to_canonical(to_double_point(surface.point(v))));
     }
     return result;
+  }
+
+  // What else there is to do, is done beside what is the work of one thread: the front, and the insertion of few samples.
+  void trace(const Surface& surface, const Face_patch_map& patch, const std::vector<std::pair<Point_3, int>>& ends,
+             bool with_loops, bool everywhere, Function_view<void()> beside) {
+    Sampled_surface samples(surface, patch, frame, threads);
+    const std::vector<Double_kernel::Triangle_3> triangles = std::move(samples.wall_triangles);
+    std::vector<std::vector<Double_kernel::Point_3>> on_surface;
+    if (with_loops && !everywhere)
+      on_surface = loops_on(surface); // how far the front is to run depends on it
+    Task_beside others;
+    const auto do_others = [&] {
+      if (with_loops && everywhere)
+        on_surface = loops_on(surface);
+      wall = Corner_tree<Double_kernel::Triangle_3>(triangles);
+      beside();
+    };
+    const bool are_few = !Centerline_tracer::Diagram::are_inserted_side_by_side(samples.number_in_use(), threads);
+    if (are_few)
+      others.run(do_others);
+    tracer = std::make_unique<Centerline_tracer>(std::move(samples), canonical(ends), threads);
+    if (!are_few)
+      others.run(do_others);
+    tracer->trace(everywhere || !on_surface.empty());
+    others.wait();
+    loops = on_surface.size() / 2;
+    if (!on_surface.empty())
+      tracer->add_loops(on_surface, Essential_meetings::Wall(triangles));
   }
 
   Centerline_graph merged(const std::vector<Sampled_line>& lines, const Build_centerline_graph_options& options) const {
@@ -169,7 +193,6 @@ struct Centerline_computation::Impl {
   Point_3 root;
   std::size_t loops = 0; // of the lumen; 0 also if they are not wanted
   std::unique_ptr<Centerline_tracer> tracer;
-  std::vector<Double_kernel::Triangle_3> wall_triangles; // till lines are traced
   Corner_tree<Double_kernel::Triangle_3> wall;
   mutable std::unordered_map<Point_3, double> known_radii; // in the frame, of points of lines and graphs
 };
@@ -181,30 +204,14 @@ Centerline_computation::Centerline_computation(const Surface& surface, const Fac
   if (ends.empty()) // before one is taken for the root
     throw Input_error("Centerlines lead from an inlet to outlets, but the surface has no opening; name its ends, by "
                       "points.");
-  impl_ = std::make_unique<Impl>(surface, patch, ends, everywhere ? 1 : 2, threads);
-  std::vector<std::vector<Double_kernel::Point_3>> on_surface;
-  if (loops)
-    on_surface = impl_->loops_on(surface);
-  impl_->loops = on_surface.size() / 2;
-  const std::vector<Double_kernel::Triangle_3> triangles = std::move(impl_->wall_triangles);
-  run_on(threads, [&] {
-    Task_beside others; // the front is the work of one thread
-    others.run([&] {
-      impl_->wall = Corner_tree<Double_kernel::Triangle_3>(triangles);
-      beside();
-    });
-    Essential_meetings::Wall crossed; // of use for loops only
-    if (!on_surface.empty())
-      crossed = Essential_meetings::Wall(triangles);
-    impl_->tracer->trace(on_surface, crossed, everywhere);
-    others.wait();
-  });
+  impl_ = std::make_unique<Impl>(surface, ends, everywhere ? 1 : 2, threads);
+  run_on(threads, [&] { impl_->trace(surface, patch, ends, loops, everywhere, beside); });
 }
 
 CGAL_TUBULAR_MESHING_INLINE Centerline_computation::~Centerline_computation() = default;
 
-CGAL_TUBULAR_MESHING_INLINE bool Centerline_computation::add_end(Surface::Vertex_index v) {
-  return impl_->tracer->add_end(std::size_t(v));
+CGAL_TUBULAR_MESHING_INLINE bool Centerline_computation::add_ends(const std::vector<Surface::Vertex_index>& vertices) {
+  return impl_->tracer->add_ends(std::vector<std::size_t>(vertices.begin(), vertices.end()));
 }
 
 CGAL_TUBULAR_MESHING_INLINE void Centerline_computation::start_from(const Point_3& end) {
@@ -227,7 +234,8 @@ CGAL_TUBULAR_MESHING_INLINE double Centerline_computation::longest_line() const 
 CGAL_TUBULAR_MESHING_INLINE void
 Centerline_computation::make_graph(Centerline_graph& graph, const Build_centerline_graph_options& options) const {
   std::vector<Sampled_line> lines = impl_->tracer->lines();
-  Centerline_graph merged = impl_->merged(lines, options);
+  Centerline_graph merged;
+  run_on(impl_->threads, [&] { merged = impl_->merged(lines, options); });
   // The two lines of a loop may part once more where the lumen is wide: one that adds nothing else is left out.
   for (std::size_t i = lines.size(); i-- > 0 && impl_->loops > 0 && number_of_loops(merged) > impl_->loops;) {
     std::vector<Sampled_line> fewer = lines;

@@ -5,7 +5,7 @@
 #define CGAL_TUBULAR_MESHING_FIELDS_LOCAL_RADIUS_IMPL_H
 
 #include <CGAL/Tubular_meshing/Fields/Local_radius.h>
-#include <CGAL/Tubular_meshing/Fields/internal/Point_boxes.h>
+#include <CGAL/Tubular_meshing/base/Point_boxes.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
 #include <CGAL/Tubular_meshing/base/parallel.h>
 

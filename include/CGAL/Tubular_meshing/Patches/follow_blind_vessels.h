@@ -24,10 +24,7 @@ void follow_blind_vessels(Surface& surface, Face_patch_map patch, Computation& c
                           const Parameters& parameters) {
   const int most_generations = 6; // blind vessels may leave blind vessels
   for (int generation = 0; generation < most_generations; ++generation) {
-    bool is_longer = false;
-    for (Vertex tip : tips_of_blind_vessels(surface, patch, graph))
-      is_longer = computation.add_end(tip) || is_longer;
-    if (!is_longer)
+    if (!computation.add_ends(tips_of_blind_vessels(surface, patch, graph)))
       return;
     computation.make_graph(graph, parameters);
   }

@@ -49,7 +49,7 @@ public:
     // Each round at least halves the edges that are too long. A surface of a few triangles round each vessel asks for
     // many samples at first, and for ever more then, as the spheres between the facets are found to be smaller still:
     // its centerlines are as good without these.
-    Sample_refiner refiner(surface_);
+    Sample_refiner refiner(surface_, threads);
     const int most_rounds = 6;
     const std::size_t enough = (std::max)(std::size_t(20000), 4 * surface_.points.size());
     for (int round = 0; round < most_rounds && surface_.points.size() < enough && refiner.refine(diagram_); ++round)
@@ -59,14 +59,11 @@ public:
     find_poles(samples);
   }
 
-  /* Traces one line to each end but the first; and one line or two for each independent loop of the lumen, if loops of
-   * the surface are given, see Loop_linking. Further ends can be added afterwards if the front is to run everywhere,
-   * not only as far as the ends. */
-  void trace(const std::vector<std::vector<Diagram::Point>>& surface_loops, const Essential_meetings::Wall& wall,
-             bool everywhere) {
+  /* Traces one line to each end but the first. Further ends and loops can be added afterwards if the front is to run
+   * everywhere, not only as far as the ends. */
+  void trace(bool everywhere) {
     const std::vector<Index> outlets(poles_.begin() + 1, poles_.end());
-    front_.reset(
-        new Voronoi_front(diagram_, poles_[0], !surface_loops.empty() || everywhere ? std::vector<Index>() : outlets));
+    front_.reset(new Voronoi_front(diagram_, poles_[0], everywhere ? std::vector<Index>() : outlets));
     std::vector<std::size_t> reached;
     for (std::size_t i = 1; i < ends_.size(); ++i) {
       if (!front_->has_reached(poles_[i]))
@@ -75,24 +72,30 @@ public:
       reached.push_back(i);
     }
     trace_to(reached);
-    if (surface_loops.empty())
-      return;
+  }
+
+  /* Traces one line or two for each independent loop of the lumen: see Loop_linking. */
+  void add_loops(const std::vector<std::vector<Diagram::Point>>& surface_loops, const Essential_meetings::Wall& wall) {
     const Essential_meetings found(diagram_, *front_, surface_loops, wall);
     for (const auto& meeting : found.meetings())
       add_loop(*front_, meeting[0], meeting[1], lines_);
   }
 
-  /* Traces a line to a vertex of the wall, by its number; false if none leads there. */
-  bool add_end(std::size_t vertex) {
-    const std::size_t sample = surface_.sample_of(vertex);
-    const Index pole = diagram_.poles[sample];
-    if (pole == Diagram::none || pole == poles_[0] || !front_->has_reached(pole))
-      return false;
-    ends_.push_back(Centerline_end{surface_.points[sample], labels::wall});
-    centers_.push_back(std::size_t(-1));
-    poles_.push_back(pole);
-    trace_to({ends_.size() - 1});
-    return true;
+  /* Traces a line to each of these vertices of the wall, by their numbers, to which one leads; false if there are none. */
+  bool add_ends(const std::vector<std::size_t>& vertices) {
+    std::vector<std::size_t> reached;
+    for (std::size_t v : vertices) {
+      const std::size_t sample = surface_.sample_of(v);
+      const Index pole = diagram_.poles[sample];
+      if (pole == Diagram::none || pole == poles_[0] || !front_->has_reached(pole))
+        continue;
+      reached.push_back(ends_.size());
+      ends_.push_back(Centerline_end{surface_.points[sample], labels::wall});
+      centers_.push_back(std::size_t(-1));
+      poles_.push_back(pole);
+    }
+    trace_to(reached);
+    return !reached.empty();
   }
 
   /* Traces all lines once more, from that of their ends that is nearest to a point. The ends have to be points, and the front

@@ -23,7 +23,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -57,7 +56,14 @@ public:
   explicit Interior_voronoi_diagram(int threads = 0)
       : threads_(threads) {}
 
-  /* Takes in those of the surface's samples that are not in the diagram yet. */
+  /* Whether so many samples, the first ones, are inserted by several threads: of fewer, to join the parts takes as long
+   * as it saves, so that threads do better with other work. */
+  static bool are_inserted_side_by_side(std::size_t samples, int threads) {
+    const std::size_t few = 30000;
+    return samples >= few && Delaunay_in_parts<Delaunay>::number_of_parts(threads) > 1;
+  }
+
+  /* Takes in those of the surface's samples that are not in the diagram yet, but for those that others stand for. */
   void insert_samples(const Sampled_surface& surface) {
     const std::size_t before = pole_radii_.size();
     inserted_.clear();
@@ -125,8 +131,11 @@ private:
       const std::uint64_t along_p = place_on_curve(p), along_q = place_on_curve(q);
       return along_p != along_q ? along_p < along_q : p != q ? p < q : a < b;
     };
-    std::vector<Index> order(surface.points.size() - first);
-    std::iota(order.begin(), order.end(), Index(first));
+    std::vector<Index> order;
+    order.reserve(surface.points.size() - first);
+    for (std::size_t i = first; i < surface.points.size(); ++i)
+      if (!surface.is_left_out(i))
+        order.push_back(Index(i));
     const auto sorted_end = std::is_sorted_until(order.begin(), order.end(), less); // the vertices of the wall are
     std::sort(sorted_end, order.end(), less);
     std::inplace_merge(order.begin(), sorted_end, order.end(), less);
@@ -142,7 +151,8 @@ private:
   void insert(std::vector<std::pair<Delaunay::Point, Index>>& samples) {
     if (delaunay_.number_of_vertices() == 0) {
       typedef Delaunay_in_parts<Delaunay> In_parts;
-      In_parts::triangulate(samples, In_parts::number_of_parts(threads_), threads_, delaunay_);
+      const int parts = are_inserted_side_by_side(samples.size(), threads_) ? In_parts::number_of_parts(threads_) : 1;
+      In_parts::triangulate(samples, parts, threads_, delaunay_);
       for (auto v = delaunay_.finite_vertices_begin(); v != delaunay_.finite_vertices_end(); ++v)
         inserted_.push_back(v);
     } else
@@ -151,14 +161,21 @@ private:
   }
 
   void measure_everywhere(const Sampled_surface& surface) {
-    measure_new_cells(surface);
+    const bool are_all_new = balls_.empty();
+    measure_new_cells(surface); // raises the radii at their corners
+    if (are_all_new)
+      return;
     std::fill(pole_radii_.begin(), pole_radii_.end(), 0.);
     for (auto c = delaunay_.finite_cells_begin(); c != delaunay_.finite_cells_end(); ++c)
-      if (c->info().ball < outside)
-        for (int k = 0; k < 4; ++k) {
-          double& radius = pole_radii_[c->vertex(k)->info()];
-          radius = (std::max)(radius, balls_[c->info().ball].radius);
-        }
+      raise_pole_radii(c);
+  }
+
+  void raise_pole_radii(Cell c) {
+    if (c->info().ball < outside)
+      for (int k = 0; k < 4; ++k) {
+        double& radius = pole_radii_[c->vertex(k)->info()];
+        radius = (std::max)(radius, balls_[c->info().ball].radius);
+      }
   }
 
   // All new cells have a new corner, and all whose corners have lost cells, a new neighbour.
@@ -208,8 +225,10 @@ private:
         for (std::size_t i = first; i < last; ++i)
           measure_cell(surface, cells[i], balls[i]);
       });
-      for (std::size_t i = 0; i < cells.size(); ++i)
+      for (std::size_t i = 0; i < cells.size(); ++i) {
         keep(cells[i], balls[i]);
+        raise_pole_radii(cells[i]);
+      }
       cells.clear();
     };
     for (auto c = delaunay_.finite_cells_begin(); c != delaunay_.finite_cells_end(); ++c)
@@ -283,28 +302,27 @@ private:
       return p != q ? p < q : samples_of(a.second) < samples_of(b.second);
     };
     parallel_sort(order.begin(), order.end(), less, threads_);
-    points.clear();
-    radii.clear();
-    points.reserve(order.size());
-    radii.reserve(order.size());
-    for (const auto& [place, c] : order) {
-      const Ball& ball = balls_[c->info().ball];
-      points.push_back(ball.center);
-      radii.push_back(ball.radius);
-    }
-    std::vector<Ball>().swap(balls_);
-    samples_of_.resize(order.size());
+    points.resize(order.size());
+    radii.resize(order.size());
     for_each_range(order.size(), threads_, [&](std::size_t first, std::size_t last) {
       for (std::size_t i = first; i < last; ++i) {
-        order[i].second->info().ball = Index(i);
-        for (std::size_t k = 0; k < 4; ++k)
-          samples_of_[i][k] = order[i].second->vertex(int(k))->info();
+        Index& number = order[i].second->info().ball;
+        const Ball& ball = balls_[number];
+        points[i] = ball.center;
+        radii[i] = ball.radius;
+        number = Index(i);
       }
     });
-    cells_.clear();
-    cells_.reserve(order.size());
-    for (const auto& o : order)
-      cells_.push_back(o.second);
+    std::vector<Ball>().swap(balls_); // before there is more
+    samples_of_.resize(order.size());
+    cells_.resize(order.size());
+    for_each_range(order.size(), threads_, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i) {
+        cells_[i] = order[i].second;
+        for (std::size_t k = 0; k < 4; ++k)
+          samples_of_[i][k] = cells_[i]->vertex(int(k))->info();
+      }
+    });
   }
 
   void copy_cells() {

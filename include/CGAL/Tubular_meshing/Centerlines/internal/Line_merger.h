@@ -7,6 +7,7 @@
 #include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/Centerlines/internal/Growing_segment_tree.h>
 #include <CGAL/Tubular_meshing/Centerlines/internal/Sampled_line.h>
+#include <CGAL/Tubular_meshing/base/parallel.h>
 
 #include <algorithm>
 #include <array>
@@ -88,22 +89,31 @@ private:
   static constexpr std::size_t none = std::size_t(-1);
 
   void locate(const Sampled_line& line) {
-    feet_.clear();
-    for (const Line_point& p : line) {
-      const Growing_segment_tree::Result found = tree_.nearest(p.point);
-      Foot foot = {none, 0, found.squared_distance, p.radius, false};
-      if (found.index < tree_.size()) {
-        const Line_point& a = vertices_[segments_[found.index][0]];
-        const Line_point& b = vertices_[segments_[found.index][1]];
-        const double whole = distance(a.point, b.point);
-        foot.segment = found.index;
-        foot.t = whole > 0 ? (std::min)(1., distance(a.point, found.point) / whole) : 0;
-        foot.distance = std::sqrt(found.squared_distance);
-        foot.radius = (1 - foot.t) * a.radius + foot.t * b.radius;
-        foot.on = foot.distance <= tolerance_ * p.radius;
-      }
-      feet_.push_back(foot);
+    feet_.resize(line.size());
+    const std::size_t few = 32; // searches that are worth a task
+    for_each_range(
+        line.size(), 0,
+        [&](std::size_t first, std::size_t last) {
+          for (std::size_t i = first; i < last; ++i)
+            feet_[i] = foot_of(line[i]);
+        },
+        few);
+  }
+
+  Foot foot_of(const Line_point& p) const {
+    const Growing_segment_tree::Result found = tree_.nearest(p.point);
+    Foot foot = {none, 0, found.squared_distance, p.radius, false};
+    if (found.index < tree_.size()) {
+      const Line_point& a = vertices_[segments_[found.index][0]];
+      const Line_point& b = vertices_[segments_[found.index][1]];
+      const double whole = distance(a.point, b.point);
+      foot.segment = found.index;
+      foot.t = whole > 0 ? (std::min)(1., distance(a.point, found.point) / whole) : 0;
+      foot.distance = std::sqrt(found.squared_distance);
+      foot.radius = (1 - foot.t) * a.radius + foot.t * b.radius;
+      foot.on = foot.distance <= tolerance_ * p.radius;
     }
+    return foot;
   }
 
   // Adds the run [begin, end[ of points that are off, if it is worth it.

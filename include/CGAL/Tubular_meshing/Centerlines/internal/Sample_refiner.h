@@ -6,6 +6,7 @@
 
 #include <CGAL/Tubular_meshing/Centerlines/internal/Interior_voronoi_diagram.h>
 #include <CGAL/Tubular_meshing/Centerlines/internal/Sampled_surface.h>
+#include <CGAL/Tubular_meshing/base/parallel.h>
 
 #include <algorithm>
 #include <cmath>
@@ -25,8 +26,9 @@ public:
   typedef Sampled_surface::Point Point;
   typedef Sampled_surface::Vector Vector;
 
-  explicit Sample_refiner(Sampled_surface& surface)
+  explicit Sample_refiner(Sampled_surface& surface, int threads = 0)
       : surface_(surface)
+      , threads_(threads)
       , shortest_edge_(surface.points.size(), (std::numeric_limits<double>::infinity)()) {
     for (const Sampled_surface::Triangle& t : surface_.wall)
       for (int k = 0; k < 3; ++k) {
@@ -41,22 +43,19 @@ public:
   bool refine(const Interior_voronoi_diagram& diagram) {
     const std::size_t before = surface_.points.size();
     std::map<Edge, Vector> long_edges; // and their normals
-    for (const Sampled_surface::Triangle& t : surface_.wall) {
+    const std::vector<char> is_large = large_triangles(diagram);
+    for (std::size_t i = 0; i < is_large.size(); ++i) {
+      if (!is_large[i])
+        continue;
+      const Sampled_surface::Triangle& t = surface_.wall[i];
       const Point p = surface_.points[t[0]], q = surface_.points[t[1]], r = surface_.points[t[2]];
-      bool is_large = false;
-      Vector normal(0, 0, 0);
-      for (int k = 0; k < 3; ++k) {
-        const Edge edge((std::min)(t[k], t[(k + 1) % 3]), (std::max)(t[k], t[(k + 1) % 3]));
-        if (parts(length(edge), radius(edge, diagram)) > 1) {
-          if (!is_large)
-            normal = Sampled_surface::unit(CGAL::cross_product(q - p, r - p));
-          is_large = true;
+      const Vector normal = Sampled_surface::unit(CGAL::cross_product(q - p, r - p));
+      for (int k = 0; k < 3; ++k)
+        if (const Edge edge = edge_of(t, k); is_long(edge, diagram)) {
           Vector& sum = long_edges.emplace(edge, Vector(0, 0, 0)).first->second;
           sum = sum + normal;
         }
-      }
-      if (is_large)
-        fill(t, normal, diagram);
+      fill(t, normal, diagram);
     }
     for (const auto& e : long_edges)
       fill(surface_.points[e.first.first], surface_.points[e.first.second],
@@ -66,6 +65,25 @@ public:
 
 private:
   typedef std::pair<std::size_t, std::size_t> Edge; // lower sample first
+
+  static Edge edge_of(const Sampled_surface::Triangle& t, int k) {
+    return Edge((std::min)(t[k], t[(k + 1) % 3]), (std::max)(t[k], t[(k + 1) % 3]));
+  }
+
+  bool is_long(const Edge& e, const Interior_voronoi_diagram& diagram) const {
+    return parts(length(e), radius(e, diagram)) > 1;
+  }
+
+  // Those with a long edge.
+  std::vector<char> large_triangles(const Interior_voronoi_diagram& diagram) const {
+    std::vector<char> result(surface_.wall.size(), 0);
+    for_each_range(result.size(), threads_, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i)
+        for (int k = 0; k < 3; ++k)
+          result[i] |= is_long(edge_of(surface_.wall[i], k), diagram);
+    });
+    return result;
+  }
 
   double length(const Edge& e) const {
     return std::sqrt(CGAL::squared_distance(surface_.points[e.first], surface_.points[e.second]));
@@ -124,6 +142,7 @@ private:
   }
 
   Sampled_surface& surface_;
+  const int threads_;
   std::vector<double> shortest_edge_; // at each sample that is a vertex of the wall
   std::set<Point> added_;
 };

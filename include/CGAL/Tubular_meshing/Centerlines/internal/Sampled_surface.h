@@ -7,9 +7,12 @@
 #include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/base/Canonical_frame.h>
 #include <CGAL/Tubular_meshing/base/place_on_curve.h>
+#include <CGAL/Tubular_meshing/Centerlines/internal/Sample_thinner.h>
+#include <CGAL/Tubular_meshing/Centerlines/internal/Wall_stars.h>
 #include <CGAL/Tubular_meshing/Centerlines/internal/parallel_sort.h>
 #include <CGAL/Tubular_meshing/base/Nearest_tree.h>
 #include <CGAL/Tubular_meshing/base/labels.h>
+#include <CGAL/Tubular_meshing/base/parallel.h>
 
 #include <CGAL/Surface_mesh.h>
 
@@ -28,13 +31,14 @@ namespace CGAL::Tubular_meshing::internal {
 /* Points on a closed surface with their outward normals, in canonical coordinates and canonical order: all that the
  * Voronoi diagram is made from. Built in O(n log n).
  *
- * The vertices of the wall come first, along a curve that fills space. A cap is sampled again, whatever its triangles
- * are: by its centre, and by copies of its rim shrunk towards it. */
+ * The vertices of the wall come first, along a curve that fills space; where they are denser than is of use, others stand
+ * for them, see Sample_thinner. A cap is sampled again, whatever its triangles are: by its centre, and by copies of its
+ * rim shrunk towards it. */
 class Sampled_surface {
 public:
   typedef Double_kernel::Point_3 Point;
   typedef Double_kernel::Vector_3 Vector;
-  typedef std::array<std::size_t, 3> Triangle;
+  typedef Wall_stars::Triangle Triangle;
 
   std::vector<Point> points;
   std::vector<Vector> normals;
@@ -51,13 +55,25 @@ public:
         caps_.emplace_back(corners(mesh, f), get(patch, f));
     parallel_sort(wall.begin(), wall.end(), std::less<Triangle>(), threads);
     wall_triangles.reserve(wall.size());
-    for (const Triangle& t : wall) {
-      add_normal(t);
+    for (const Triangle& t : wall)
       wall_triangles.emplace_back(points[t[0]], points[t[1]], points[t[2]]);
-    }
-    for (Vector& n : normals)
-      n = unit(n);
+    const Wall_stars stars(points.size(), wall);
+    for_each_range(points.size(), threads, [&](std::size_t first, std::size_t last) {
+      for (std::size_t v = first; v < last; ++v)
+        normals[v] = normal_at(v, stars);
+    });
+    instead_ = Sample_thinner(points, normals, stars, on_caps(), threads).instead();
   }
+
+  std::size_t number_in_use() const {
+    std::size_t result = points.size();
+    for (std::size_t i = 0; i < instead_.size(); ++i)
+      result -= is_left_out(i);
+    return result;
+  }
+
+  /* Whether a sample is one of those that others stand for. */
+  bool is_left_out(std::size_t sample) const { return sample < instead_.size() && instead_[sample] != sample; }
 
   /* Samples a cap: returns the sample at its centre. The rim runs counterclockwise, seen from outside. */
   std::size_t add_cap(const std::vector<std::size_t>& rim, const Point& center) {
@@ -126,8 +142,11 @@ public:
     return result;
   }
 
-  /* The sample at a vertex of the mesh, by number, that is on the wall. */
-  std::size_t sample_of(std::size_t vertex) const { return sample_of_[vertex]; }
+  /* The sample that stands for a vertex of the mesh, by number, that is on the wall. */
+  std::size_t sample_of(std::size_t vertex) const {
+    const std::size_t sample = sample_of_[vertex];
+    return sample < instead_.size() ? instead_[sample] : sample;
+  }
 
   static Vector unit(const Vector& v) {
     const double l = std::sqrt(v.squared_length());
@@ -157,10 +176,14 @@ private:
           sample_of_[v] = 0;
     std::vector<Vertex_in_space> order;
     order.reserve(mesh.number_of_vertices());
-    for (auto v : mesh.vertices()) {
-      const Point p = frame.to_canonical(to_double_point(mesh.point(v)));
-      order.push_back({place_on_curve(p), p, std::size_t(v)});
-    }
+    for (auto v : mesh.vertices())
+      order.push_back({0, Point(), std::size_t(v)});
+    for_each_range(order.size(), threads, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i) {
+        order[i].point = frame.to_canonical(to_double_point(mesh.point(Surface::Vertex_index(order[i].number))));
+        order[i].along = place_on_curve(order[i].point);
+      }
+    });
     parallel_sort(order.begin(), order.end(), std::less<Vertex_in_space>(), threads);
     points.reserve(order.size());
     for (const Vertex_in_space& v : order)
@@ -183,15 +206,27 @@ private:
   }
 
   // Weighted by the angle, so that it does not depend on how the surface is triangulated.
-  void add_normal(const Triangle& t) {
-    const Vector n = unit(CGAL::cross_product(points[t[1]] - points[t[0]], points[t[2]] - points[t[0]]));
-    for (int k = 0; k < 3; ++k) {
-      const Vector u = points[t[(k + 1) % 3]] - points[t[k]], v = points[t[(k + 2) % 3]] - points[t[k]];
-      normals[t[k]] = normals[t[k]] + std::atan2(std::sqrt(CGAL::cross_product(u, v).squared_length()), u * v) * n;
-    }
+  Vector normal_at(std::size_t v, const Wall_stars& stars) const {
+    Vector sum(0, 0, 0);
+    stars.for_each_triangle(v, [&](const Triangle& t, std::size_t k) {
+      const Vector n = unit(CGAL::cross_product(points[t[1]] - points[t[0]], points[t[2]] - points[t[0]]));
+      const Vector u = points[t[(k + 1) % 3]] - points[t[k]], w = points[t[(k + 2) % 3]] - points[t[k]];
+      sum = sum + std::atan2(std::sqrt(CGAL::cross_product(u, w).squared_length()), u * w) * n;
+    });
+    return unit(sum);
+  }
+
+  std::vector<char> on_caps() const {
+    std::vector<char> result(points.size(), 0);
+    for (const auto& c : caps_)
+      for (std::size_t v : c.first)
+        if (v < result.size())
+          result[v] = 1;
+    return result;
   }
 
   std::vector<std::size_t> sample_of_;         // by vertex of the mesh
+  std::vector<Sample_thinner::Index> instead_; // of each vertex of the wall, by sample: the one that stands for it
   std::vector<std::pair<Triangle, int>> caps_; // faces and their labels
 };
 

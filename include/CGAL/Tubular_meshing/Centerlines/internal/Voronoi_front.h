@@ -37,7 +37,10 @@ public:
 
   /* Lets the front run until it has reached all targets, or everything if there are none. */
   Voronoi_front(const Diagram& diagram, Index source, const std::vector<Index>& targets)
-      : diagram_(diagram) {
+      : diagram_(diagram)
+      , of_face_(diagram.number_of_faces()) {
+    for (Index f = 0; f < of_face_.size(); ++f)
+      of_face_[f] = Face_state{diagram.face_begin[f + 1] - diagram.face_begin[f], none};
     at_.reserve(diagram.points.size());
     for (std::size_t v = 0; v < diagram.points.size(); ++v)
       at_.push_back(State{diagram.points[v], diagram.radii[v], (std::numeric_limits<double>::infinity)(), none, none});
@@ -60,6 +63,7 @@ public:
         break;
       spread_from(v);
     }
+    std::vector<Face_state>().swap(of_face_);
   }
 
   bool has_reached(Index v) const { return at_[v].rank != none; }
@@ -93,6 +97,11 @@ private:
     Point point;
     double radius, time;
     Index rank, parent; // the rank in the order of arrival
+  };
+
+  struct Face_state {
+    Index missing; // vertices that have not been reached
+    Index first;   // that was reached
   };
 
   // A point at a vertex (a == b) or on an edge of the diagram.
@@ -183,22 +192,18 @@ private:
     for (Index f : diagram_.faces_of[v]) {
       if (f == none)
         break;
+      Face_state& face = of_face_[f];
+      if (face.first == none)
+        face.first = v;
+      if (--face.missing == 0)
+        continue;
       const Index* const begin = &diagram_.face_vertices[diagram_.face_begin[f]];
       const Index* const end = &diagram_.face_vertices[0] + diagram_.face_begin[f + 1];
       const Index* const here = std::find(begin, end, v);
-      Index earliest = v; // of the face
-      std::size_t missing = 0;
-      for (const Index* w = begin; w != end; ++w)
-        if (!has_reached(*w))
-          ++missing;
-        else if (at_[*w].rank < at_[earliest].rank)
-          earliest = *w;
-      if (missing == 0)
-        continue;
       const Index before = here == begin ? end[-1] : here[-1], after = here + 1 == end ? *begin : here[1];
       std::array<Way_in, 3> ways;
       std::size_t n = 0;
-      for (Index u : {before, after, earliest})
+      for (Index u : {before, after, face.first})
         if (u != v && has_reached(u) &&
             std::none_of(ways.begin(), ways.begin() + std::ptrdiff_t(n),
                          [&](const Way_in& way) { return way.end == u; }))
@@ -274,6 +279,7 @@ private:
 
   const Diagram& diagram_;
   std::vector<State> at_;
+  std::vector<Face_state> of_face_; // while the front runs
   typedef std::pair<double, Index> Event;
   std::priority_queue<Event, std::vector<Event>, std::greater<Event>> queue_;
 };

@@ -6,9 +6,9 @@
 
 #include <CGAL/Tubular_meshing/Fields/curvature.h>
 #include <CGAL/Tubular_meshing/Fields/internal/Indexed_wall.h>
-#include <CGAL/Tubular_meshing/Fields/internal/Point_boxes.h>
+#include <CGAL/Tubular_meshing/base/Point_boxes.h>
 #include <CGAL/Tubular_meshing/Fields/internal/find_spikes.h>
-#include <CGAL/Tubular_meshing/Fields/internal/opposite_ball.h>
+#include <CGAL/Tubular_meshing/base/opposite_ball.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
 #include <CGAL/Tubular_meshing/base/parallel.h>
 

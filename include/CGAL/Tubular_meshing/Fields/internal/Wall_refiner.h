@@ -5,9 +5,9 @@
 #define CGAL_TUBULAR_MESHING_FIELDS_INTERNAL_WALL_REFINER_H
 
 #include <CGAL/Tubular_meshing/Fields/internal/Indexed_wall.h>
-#include <CGAL/Tubular_meshing/Fields/internal/Point_boxes.h>
+#include <CGAL/Tubular_meshing/base/Point_boxes.h>
 #include <CGAL/Tubular_meshing/Fields/internal/find_spikes.h>
-#include <CGAL/Tubular_meshing/Fields/internal/opposite_ball.h>
+#include <CGAL/Tubular_meshing/base/opposite_ball.h>
 #include <CGAL/Tubular_meshing/base/Growing_numbering.h>
 #include <CGAL/Tubular_meshing/base/Triangle_soup.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>

@@ -5,8 +5,8 @@
 #define CGAL_TUBULAR_MESHING_FIELDS_INTERNAL_WALL_SAMPLER_H
 
 #include <CGAL/Tubular_meshing/Fields/Wall_samples.h>
-#include <CGAL/Tubular_meshing/Fields/internal/Point_boxes.h>
-#include <CGAL/Tubular_meshing/Fields/internal/opposite_ball.h>
+#include <CGAL/Tubular_meshing/base/Point_boxes.h>
+#include <CGAL/Tubular_meshing/base/opposite_ball.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
 #include <CGAL/Tubular_meshing/base/parallel.h>
 

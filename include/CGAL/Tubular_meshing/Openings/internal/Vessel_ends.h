@@ -204,10 +204,10 @@ private:
   // Where a dent or a needle beside the tip parts the ball at it from those of the vessel, that at a neighbour will do.
   void add_end(Centerline_computation& computation, Vertex tip) const {
     const auto& mesh = closed_.surface;
-    if (computation.add_end(tip))
+    if (computation.add_ends({tip}))
       return;
     for (Vertex v : CGAL::vertices_around_target(mesh.halfedge(tip), mesh))
-      if (computation.add_end(v))
+      if (computation.add_ends({v}))
         return;
   }
 

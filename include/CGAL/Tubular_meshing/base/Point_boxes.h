@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Tubular_meshing authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_TUBULAR_MESHING_FIELDS_INTERNAL_POINT_BOXES_H
-#define CGAL_TUBULAR_MESHING_FIELDS_INTERNAL_POINT_BOXES_H
+#ifndef CGAL_TUBULAR_MESHING_BASE_POINT_BOXES_H
+#define CGAL_TUBULAR_MESHING_BASE_POINT_BOXES_H
 
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
@@ -123,4 +123,4 @@ private:
 
 } // namespace CGAL::Tubular_meshing::internal
 
-#endif // CGAL_TUBULAR_MESHING_FIELDS_INTERNAL_POINT_BOXES_H
+#endif // CGAL_TUBULAR_MESHING_BASE_POINT_BOXES_H

@@ -1,10 +1,10 @@
 // Copyright (c) 2026 The Tubular_meshing authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_TUBULAR_MESHING_FIELDS_INTERNAL_OPPOSITE_BALL_H
-#define CGAL_TUBULAR_MESHING_FIELDS_INTERNAL_OPPOSITE_BALL_H
+#ifndef CGAL_TUBULAR_MESHING_BASE_OPPOSITE_BALL_H
+#define CGAL_TUBULAR_MESHING_BASE_OPPOSITE_BALL_H
 
-#include <CGAL/Tubular_meshing/Fields/internal/Point_boxes.h>
+#include <CGAL/Tubular_meshing/base/Point_boxes.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
 
 #include <algorithm>
@@ -75,4 +75,4 @@ inline double extent_of(const std::vector<Vector_3d>& points) {
 
 } // namespace CGAL::Tubular_meshing::internal
 
-#endif // CGAL_TUBULAR_MESHING_FIELDS_INTERNAL_OPPOSITE_BALL_H
+#endif // CGAL_TUBULAR_MESHING_BASE_OPPOSITE_BALL_H
