@@ -119,7 +119,7 @@ public:
     kept_ = Remeshed_surface();
     structure_ = Block_structure();
     moves_wall_ = options_.preserve_volume;
-    coarsening_ = 1;
+    coarsening_ = coarsening_inside_ = 1;
     try {
       auto mesh = make();
       frame_.bring_back(mesh);
@@ -146,7 +146,7 @@ public:
         throw Parameter_error("An anisotropic mesh has its layers in tetrahedra: leave the layers of prisms out, or "
                               "make an isotropic mesh.");
       moves_wall_ = false; // remeshing would bring it back to the surface
-      Mixed_mesh mesh = isotropic_in_frame(Surface_mesher::parametric);
+      Mixed_mesh mesh = to_be_remeshed();
       kept_ = Remeshed_surface(); // remeshing does not keep it
       const Labelled_surface& wall = by_patches_ ? by_patches_->surface : frame_.surface();
       stage("metric field");
@@ -225,7 +225,7 @@ private:
     std::vector<Patch_parameterization> maps;
   };
 
-  /* The mesh size, or that of cells which are to be subdivided: larger. */
+  /* The mesh size, or that of cells which are to be subdivided or remeshed: larger. */
   struct Scaled_size {
     const Centerline_sizing_field* size;
     double factor;
@@ -350,6 +350,27 @@ private:
     return by_mesh_3();
   }
 
+  /* What remeshing starts from: tetrahedra about as coarse as the remesher has them itself before it refines its mesh, so
+   * that there are few to collapse; triangles less so, as larger ones would cross a surface's creases. At full size where
+   * that is too coarse for the surface. */
+  Mixed_mesh to_be_remeshed() {
+    if (!options_.remeshing.keep_boundary) {
+      coarsening_ = internal::coarsening_for_remeshing(points());
+      coarsening_inside_ = internal::coarsening_inside_for_remeshing;
+    }
+    if (coarsening_ > 1) {
+      size_and_cut();
+      check_fits_into_memory();
+      try {
+        return by_patches();
+      } catch (const Meshing_error&) {
+      } catch (const Parameter_error&) { // if it is not for the coarse size, it is thrown again
+      }
+      coarsening_ = 1;
+    }
+    return isotropic_in_frame(Surface_mesher::parametric);
+  }
+
   std::string fallback_sentence(Error e) const {
     e.transform_places([&](const Place& p) { return frame_.from_frame(p); });
     return "Mesh_3 made this mesh, since meshing by patches failed at the stage \"" + stage_ + "\": " + e.what();
@@ -370,7 +391,8 @@ private:
       if (keeps) {
         Fill_keeping_boundary_options filling_options = options_.filling;
         filling_options.optimization_passes = options_.optimization.optimization_passes;
-        internal::fill_keeping_boundary(closed, patch, size, filling, filling_options, optimization);
+        const Scaled_size inside{size.size, (std::max)(size.factor, coarsening_inside_)};
+        internal::fill_keeping_boundary(closed, patch, inside, filling, filling_options, optimization);
         return;
       }
       internal::fill_with_mesh_3(closed, patch, size, filling, options_.mesh_3);
@@ -469,7 +491,8 @@ private:
   std::optional<Patches> by_patches_;
   Remeshed_surface kept_;
   Block_structure structure_;
-  double coarsening_ = 1; // of the mesh size, for cells that are to be subdivided
+  double coarsening_ = 1;        // of the mesh size, for cells that are to be subdivided or remeshed
+  double coarsening_inside_ = 1; // the same of tetrahedra between triangles, if it is larger
 };
 
 CGAL_TUBULAR_MESHING_INLINE Mesher::Mesher(const Tubular_model& model, const Mesher_options& options)

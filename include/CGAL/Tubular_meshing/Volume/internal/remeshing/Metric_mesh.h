@@ -22,14 +22,19 @@
 namespace CGAL::Tubular_meshing::internal {
 
 /* Whether a tetrahedron is positively oriented with a thousand times the rounding error of its determinant to spare:
- * exact arithmetic would say the same, and still would if the coordinates were written to a file with fewer digits. */
-inline bool is_positive(const Vector_3d& a, const Vector_3d& b, const Vector_3d& c, const Vector_3d& d) {
-  const Vector_3d u = b - a, v = c - a, w = d - a;
+ * exact arithmetic would say the same, and still would if the coordinates were written to a file with fewer digits.
+ * `u`, `v`, `w`: its edges from `a`; `determinant`: u (v x w). */
+inline bool is_positive(const Vector_3d& a, const Vector_3d& u, const Vector_3d& v, const Vector_3d& w,
+                        double determinant) {
   const auto magnitude = [](const Vector_3d& x) { return std::abs(x.x) + std::abs(x.y) + std::abs(x.z); };
   const double rounding = std::numeric_limits<double>::epsilon() *
                           (magnitude(a) + magnitude(u) + magnitude(v) + magnitude(w)); // of a difference
   const double lu = magnitude(u), lv = magnitude(v), lw = magnitude(w);
-  return dot(u, cross(v, w)) > 1000 * rounding * (lu * lv + lv * lw + lw * lu);
+  return determinant > 1000 * rounding * (lu * lv + lv * lw + lw * lu);
+}
+inline bool is_positive(const Vector_3d& a, const Vector_3d& b, const Vector_3d& c, const Vector_3d& d) {
+  const Vector_3d u = b - a, v = c - a, w = d - a;
+  return is_positive(a, u, v, w, dot(u, cross(v, w)));
 }
 
 /* A mesh with the metric at its vertices, and where each of them lies: what all operations of the remesher work on.
@@ -155,8 +160,12 @@ public:
   }
   // The measures that flips compare, see Topology_optimizer.
   double tetrahedron(Index a, Index b, Index c, Index d) const {
-    return is_positive(store.point(a), store.point(b), store.point(c), store.point(d)) ? shape({a, b, c, d}).quality()
-                                                                                       : 0;
+    const Vector_3d &p = store.point(a), u = store.point(b) - p, v = store.point(c) - p, w = store.point(d) - p;
+    const double determinant = dot(u, cross(v, w));
+    if (!is_positive(p, u, v, w, determinant))
+      return 0;
+    const Metric_tensor_3 mean = 0.25 * (metric_[a] + metric_[b] + metric_[c] + metric_[d]);
+    return metric_shape(u, v, w, determinant, mean).quality();
   }
   double triangle(Index a, Index b, Index c) const { return metric_quality(at(a), at(b), at(c)); }
 

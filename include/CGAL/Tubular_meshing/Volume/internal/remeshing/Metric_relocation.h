@@ -104,7 +104,7 @@ private:
       , heights_(heights)
       , store_(mesh.store) {
     stars_.build(
-        store_, [&](Index v) { return mesh_.location(v).dimension != 0 && is_wanted(v); }, mesh_.threads,
+        store_, [&](Index v) { return mesh_.location(v).dimension != 0; }, is_wanted, mesh_.threads,
         Vertex_clock::block);
   }
 

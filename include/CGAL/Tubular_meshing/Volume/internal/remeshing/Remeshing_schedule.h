@@ -69,7 +69,7 @@ struct Remeshing_schedule {
   static constexpr int most_rounds_of_last_repair = 6; // while there is something to repair
 
   // The qualities below which tetrahedra are flipped, and repaired.
-  static constexpr double flipped_after_splits = 0.4;
+  static constexpr double flipped_after_splits = 0.5;
   static constexpr double flipped_while_adapting = 0.5;
   static constexpr double flipped_while_improving = 0.75;
   static constexpr double flipped_at_the_end = 0.8;

@@ -27,12 +27,16 @@ struct Metric_shape {
   double quality() const { return volume / (mean_square * std::sqrt(mean_square)); }
 };
 
-/* The tetrahedron spanned by u, v, w from one of its vertices, in the metric `mean`. */
-inline Metric_shape metric_shape(const Vector_3d& u, const Vector_3d& v, const Vector_3d& w,
+/* The tetrahedron spanned by u, v, w from one of its vertices, of which `determinant` is u (v x w), in the metric `mean`. */
+inline Metric_shape metric_shape(const Vector_3d& u, const Vector_3d& v, const Vector_3d& w, double determinant,
                                  const Metric_tensor_3& mean) {
   const double sum =
       4 * (mean.squared_length(u) + mean.squared_length(v) + mean.squared_length(w)) - mean.squared_length(u + v + w);
-  return {sum / 6, std::sqrt(2.) * dot(u, cross(v, w)) * mean.density()};
+  return {sum / 6, std::sqrt(2.) * determinant * mean.density()};
+}
+inline Metric_shape metric_shape(const Vector_3d& u, const Vector_3d& v, const Vector_3d& w,
+                                 const Metric_tensor_3& mean) {
+  return metric_shape(u, v, w, dot(u, cross(v, w)), mean);
 }
 
 inline double metric_quality(const Metric_point& a, const Metric_point& b, const Metric_point& c,
