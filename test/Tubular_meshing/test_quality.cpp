@@ -19,6 +19,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -110,6 +111,63 @@ TEST(Measure_statistics, Of_known_numbers) {
   EXPECT_EQ(s.histogram()[19], 0u);
   EXPECT_EQ(tubular::Measure_statistics().mean(), 0);
   EXPECT_EQ(tubular::Measure_statistics().percentile(50), 0);
+}
+
+// What a sorted copy of the values gives.
+void expect_statistics_of(std::vector<double> values) {
+  const tubular::Measure_statistics s(values);
+  std::sort(values.begin(), values.end());
+  const std::size_t n = values.size();
+  ASSERT_EQ(s.count(), n);
+  EXPECT_EQ(s.min(), values.front());
+  EXPECT_EQ(s.max(), values.back());
+  for (double percent : {0., 0.1, 5., 50., 66.6, 95., 99.9, 100.}) {
+    const double at = percent / 100 * double(n - 1);
+    const std::size_t i = std::size_t(at), j = (std::min)(i + 1, n - 1);
+    const double wanted =
+        values[i] < values[j] && at > double(i) ? values[i] + (at - double(i)) * (values[j] - values[i]) : values[i];
+    EXPECT_EQ(s.percentile(percent), wanted) << percent;
+  }
+  for (double bound : {-1., 0., 0.3, values[n / 3], values.back(), values.back() + 1})
+    EXPECT_EQ(s.share_below(bound),
+              double(std::lower_bound(values.begin(), values.end(), bound) - values.begin()) / double(n))
+        << bound;
+}
+
+TEST(Measure_statistics, Are_those_of_sorted_values) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> unit;
+  const double infinite = (std::numeric_limits<double>::infinity)();
+  for (std::size_t n : {1u, 2u, 3u, 1000u, 20001u}) {
+    std::vector<double> even(n), wide(n), few(n);
+    for (std::size_t k = 0; k < n; ++k) {
+      even[k] = unit(random);
+      wide[k] = (unit(random) < 0.4 ? -1 : 1) * std::pow(10., 600 * unit(random) - 300);
+      few[k] = std::floor(3 * unit(random)) - 1;
+    }
+    expect_statistics_of(even);
+    expect_statistics_of(wide);
+    expect_statistics_of(few);
+    expect_statistics_of(std::vector<double>(n, 0.7));
+    even[n / 2] = infinite;
+    expect_statistics_of(even);
+    even.assign(n, infinite);
+    expect_statistics_of(even);
+    even.assign(n, 0.);
+    even[n / 2] = -0.;
+    expect_statistics_of(even);
+  }
+}
+
+// A measure that is no number spoils its own place alone.
+TEST(Measure_statistics, Numbers_beside_one_that_is_none) {
+  std::vector<double> values(1000, 0.5);
+  values[500] = std::numeric_limits<double>::quiet_NaN();
+  const tubular::Measure_statistics s(values);
+  EXPECT_EQ(s.min(), 0.5);
+  EXPECT_EQ(s.percentile(50), 0.5);
+  EXPECT_EQ(s.share_below(0.4), 0);
+  EXPECT_TRUE(std::isnan(s.mean()));
 }
 
 /* A cube of side 1 as a hexahedron, a pyramid on its top whose apex is 1 above, and a prism at its side x = 1; all

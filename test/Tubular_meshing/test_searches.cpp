@@ -120,6 +120,36 @@ TEST(Corner_tree, finds_the_nearest_triangle_of_a_tube) {
       expect_nearest(tube(12, 30, stretch, noise, random), 2 * (1 + 3 * stretch), 2);
 }
 
+// Enough of them for several threads; points in between are no corners.
+TEST(Corner_tree, is_the_same_of_corners_by_their_numbers_on_any_number_of_threads) {
+  typedef internal::Corner_tree<Triangle> Tree;
+  Random random(7);
+  const std::vector<Triangle> triangles = tube(200, 100, 1, 0.01, random);
+  std::map<Point, Tree::Index> numbers;
+  std::vector<Point> points;
+  std::vector<Tree::Numbers> shapes;
+  for (const Triangle& t : triangles) {
+    shapes.emplace_back();
+    for (int k = 0; k < 3; ++k) {
+      const auto found = numbers.emplace(t[k], Tree::Index(points.size()));
+      if (found.second) {
+        points.push_back(t[k]);
+        points.push_back(random.point(0.1));
+      }
+      shapes.back()[std::size_t(k)] = found.first->second;
+    }
+  }
+  const Tree by_shapes(triangles), on_one(points, shapes, 1), on_three(points, shapes, 3);
+  ASSERT_EQ(on_one.number_of_corners(), numbers.size());
+  for (int i = 0; i < 2000; ++i) {
+    const Point q = random.point(4);
+    const auto found = by_shapes.nearest(q);
+    EXPECT_EQ(on_one.nearest(q).index, found.index);
+    EXPECT_EQ(on_three.nearest(q).index, found.index);
+    EXPECT_EQ(on_three.nearest(q).squared_distance, found.squared_distance);
+  }
+}
+
 TEST(Corner_tree, finds_the_nearest_of_triangles_that_have_nothing_in_common) {
   Random random(3);
   std::vector<Triangle> triangles; // of all shapes, needles among them

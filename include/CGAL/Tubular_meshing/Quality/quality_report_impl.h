@@ -10,25 +10,67 @@
 #include <CGAL/Tubular_meshing/base/parallel.h>
 #include <CGAL/Tubular_meshing/base/edges_of.h>
 
-#include <boost/sort/spreadsort/float_sort.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <functional>
+#include <numeric>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Tubular_meshing {
 
-CGAL_TUBULAR_MESHING_INLINE Measure_statistics::Measure_statistics(std::vector<double> values)
-    : values_(std::move(values)) {
-  boost::sort::spreadsort::float_sort(values_.begin(), values_.end()); // by digits: a half of the time of std::sort
-  for (double v : values_)
-    mean_ += v;
-  if (!values_.empty())
-    mean_ /= double(values_.size());
+namespace internal {
+
+// Ordered as the numbers are, infinite ones as well.
+inline std::uint64_t ordered_bits(double value) {
+  constexpr std::uint64_t sign = std::uint64_t(1) << 63;
+  std::uint64_t bits;
+  std::memcpy(&bits, &value, sizeof(bits));
+  return (bits & sign) != 0 ? ~bits : bits | sign;
+}
+
+} // namespace internal
+
+CGAL_TUBULAR_MESHING_INLINE Measure_statistics::Measure_statistics(std::vector<double> values) {
+  if (values.empty())
+    return;
+  double sum = 0;
+  min_ = max_ = values.front();
+  for (double v : values) {
+    sum += v;
+    min_ = (std::min)(min_, v);
+    max_ = (std::max)(max_, v);
+  }
+  mean_ = sum / double(values.size());
+  constexpr std::size_t most_bins = 4096;
+  while (bin(max_) >= most_bins)
+    ++shift_;
+  begin_.assign(bin(max_) + 2, 0);
+  for (double v : values)
+    ++begin_[bin(v) + 1];
+  std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
+  values_.resize(values.size());
+  std::vector<std::size_t> end(begin_.begin(), begin_.end() - 1);
+  for (double v : values)
+    values_[end[bin(v)]++] = v;
+}
+
+// A number that is none is put with the largest.
+CGAL_TUBULAR_MESHING_INLINE std::size_t Measure_statistics::bin(double value) const {
+  const double bounded = value < max_ ? (std::max)(min_, value) : max_; // min_ where zeros differ in sign
+  return std::size_t((internal::ordered_bits(bounded) - internal::ordered_bits(min_)) >> shift_);
+}
+
+CGAL_TUBULAR_MESHING_INLINE double Measure_statistics::value_of_rank(std::size_t k) const {
+  const auto end = std::upper_bound(begin_.begin(), begin_.end(), k), begin = end - 1;
+  std::vector<double> in_bin(values_.begin() + std::ptrdiff_t(*begin), values_.begin() + std::ptrdiff_t(*end));
+  const auto wanted = in_bin.begin() + std::ptrdiff_t(k - *begin);
+  std::nth_element(in_bin.begin(), wanted, in_bin.end(),
+                   [](double v, double w) { return internal::ordered_bits(v) < internal::ordered_bits(w); });
+  return *wanted;
 }
 
 CGAL_TUBULAR_MESHING_INLINE double Measure_statistics::percentile(double percent) const {
@@ -36,13 +78,21 @@ CGAL_TUBULAR_MESHING_INLINE double Measure_statistics::percentile(double percent
     return 0;
   const double at = (std::min)((std::max)(percent, 0.), 100.) / 100 * double(values_.size() - 1);
   const std::size_t i = std::size_t(at);
-  return i + 1 < values_.size() ? values_[i] + (at - double(i)) * (values_[i + 1] - values_[i]) : values_.back();
+  const double low = value_of_rank(i), part = at - double(i);
+  const double high = part > 0 ? value_of_rank(i + 1) : low;
+  return low < high ? low + part * (high - low) : low;
 }
 
 CGAL_TUBULAR_MESHING_INLINE double Measure_statistics::share_below(double bound) const {
-  return values_.empty() ? 0
-                         : double(std::lower_bound(values_.begin(), values_.end(), bound) - values_.begin()) /
-                               double(values_.size());
+  if (values_.empty() || !(bound > min_))
+    return 0;
+  if (bound > max_)
+    return 1;
+  const std::size_t b = bin(bound);
+  const auto below =
+      std::count_if(values_.begin() + std::ptrdiff_t(begin_[b]), values_.begin() + std::ptrdiff_t(begin_[b + 1]),
+                    [bound](double v) { return v < bound; });
+  return double(begin_[b] + std::size_t(below)) / double(values_.size());
 }
 
 CGAL_TUBULAR_MESHING_INLINE std::array<std::size_t, Measure_statistics::number_of_bins>

@@ -112,7 +112,7 @@ private:
       region_.insert(region_.end(), labels->begin(), labels->end());
     boost::disjoint_sets_with_storage<> pieces(report_.cells); // of regions; at last, of all
     for (std::size_t v = 0; v < mesh_.points.size(); ++v)
-      faces_.for_each_group(v, [&](std::size_t first, std::size_t last) { match_face(Index(v), first, last, pieces); });
+      faces_.for_each_group(v, [&](std::size_t first, std::size_t last) { match_face(first, last, pieces); });
     for (std::size_t c = 0; c < report_.cells; ++c)
       if (pieces.find_set(c) == c)
         ++report_.region_components[region_[c]];
@@ -122,14 +122,14 @@ private:
       report_.connected_components += pieces.find_set(c) == c;
   }
 
-  // A face whose lowest corner is v: all those that are the same, cells before facets.
-  template <class Sets> void match_face(Index v, std::size_t first, std::size_t last, Sets& pieces) {
+  // All faces that are the same, cells before facets.
+  template <class Sets> void match_face(std::size_t first, std::size_t last, Sets& pieces) {
     std::size_t cells = 0;
     while (cells < last - first && !faces_[first + cells].is_facet())
       ++cells;
     const std::size_t facets = last - first - cells;
     const Face &face = faces_[first], &other = faces_[last - 1 - facets];
-    if (cells > 2 || (cells == 2 && face.is_reversed() == other.is_reversed()))
+    if (cells > 2 || (cells == 2 && faces_.overlap(face, other)))
       ++report_.overfull_faces;
     if (cells == 2) {
       if (region_[face.owner()] == region_[other.owner()])
@@ -143,7 +143,7 @@ private:
       ++report_.misplaced_facets;
     if (cells == 1) {
       report_.unlabelled_faces += facets == 0;
-      add_boundary_face({v, face.others[0], face.others[1], face.others[2]});
+      add_boundary_face(faces_.corners(face));
     }
   }
 

@@ -9,11 +9,15 @@
 #include <CGAL/Tubular_meshing/Rims/disk_rim.h>
 #include <CGAL/Tubular_meshing/Rims/wall_at_cap.h>
 #include <CGAL/Tubular_meshing/base/Kernel.h>
+#include <CGAL/Tubular_meshing/base/parallel.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <iterator>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -40,9 +44,16 @@ public:
       , inwards_(inside_out ? 1 : -1)
       , normals_(unit_normals(mesh))
       , areas_(mesh.num_faces(), 0)
+      , sharpness_(mesh.num_halfedges(), 0)
       , taken_(mesh.num_faces(), false) {
-    for (Face f : mesh.faces())
-      area_ += areas_[std::size_t(f)] = std::sqrt(area_vector(mesh.halfedge(f), mesh).squared_length());
+    for (std::size_t k = 0; k < angles.size(); ++k)
+      cosines_[k] = std::cos(angles[k] * CGAL_PI / 180);
+    for_each_range(mesh.num_faces(), 0, [&](std::size_t first, std::size_t last) {
+      for (std::size_t f = first; f < last; ++f)
+        if (!mesh_.is_removed(Face(Surface::size_type(f))))
+          measure(Face(Surface::size_type(f)));
+    });
+    area_ = std::accumulate(areas_.begin(), areas_.end(), 0.);
   }
 
   /* Ends that have been found already: their caps are not looked at. */
@@ -55,12 +66,11 @@ public:
   /* Linear in the size of the mesh (expected, as it hashes). */
   std::vector<Opening_site> find() {
     std::vector<Opening_site> ends;
-    for (double angle : {40., 25., 15.}) {
-      min_cosine_ = std::cos(angle * CGAL_PI / 180);
-      visited_ = taken_;
+    for (least_sharpness_ = angles.size(); least_sharpness_ > 0; --least_sharpness_) {
+      visited_.assign(mesh_.num_faces(), no_seed);
       std::vector<Opening_site> found;
       for (Face f : mesh_.faces())
-        if (!visited_[std::size_t(f)]) {
+        if (visited_[std::size_t(f)] == no_seed && !taken_[std::size_t(f)] && is_at_crease(f)) {
           Opening_site region;
           if (collect(f, region.cap) && is_end(region))
             found.push_back(std::move(region));
@@ -72,35 +82,55 @@ public:
   }
 
 private:
-  // At the edge of h, between its face and the one behind.
-  bool is_crease(Halfedge h) const {
-    const Face f = mesh_.face(h), g = mesh_.face(mesh_.opposite(h));
-    if (normals_[std::size_t(f)] * normals_[std::size_t(g)] >= min_cosine_)
-      return false;
-    const Point_3& beyond = mesh_.point(mesh_.target(mesh_.next(mesh_.opposite(h))));
-    return inwards_ * ((beyond - mesh_.point(mesh_.target(h))) * normals_[std::size_t(f)]) > 0;
+  void measure(Face f) {
+    areas_[std::size_t(f)] = std::sqrt(area_vector(mesh_.halfedge(f), mesh_).squared_length());
+    for (Halfedge h : CGAL::halfedges_around_face(mesh_.halfedge(f), mesh_))
+      sharpness_[std::size_t(h)] = sharpness(f, h);
   }
 
-  // The faces reached from the first without passing a crease; false if they reach a border or an end that is taken, or
-  // are half of the surface.
+  // At the edge of h, between its face and the one behind: at how many of the angles there is a crease.
+  std::uint8_t sharpness(Face f, Halfedge h) const {
+    const Face g = mesh_.face(mesh_.opposite(h));
+    if (g == Surface::null_face())
+      return 0;
+    const double cosine = normals_[std::size_t(f)] * normals_[std::size_t(g)];
+    const auto n = std::count_if(cosines_.begin(), cosines_.end(), [cosine](double least) { return cosine < least; });
+    if (n == 0)
+      return 0;
+    const Point_3& beyond = mesh_.point(mesh_.target(mesh_.next(mesh_.opposite(h))));
+    const bool is_outward = inwards_ * ((beyond - mesh_.point(mesh_.target(h))) * normals_[std::size_t(f)]) > 0;
+    return is_outward ? std::uint8_t(n) : 0;
+  }
+  bool is_crease(Halfedge h) const { return sharpness_[std::size_t(h)] >= least_sharpness_; }
+  bool is_at_crease(Face f) const {
+    const Halfedge h = mesh_.halfedge(f);
+    return is_crease(h) || is_crease(mesh_.next(h)) || is_crease(mesh_.prev(h));
+  }
+
+  // The faces reached from the first without passing a crease. False, as soon as this is known, if they reach a border
+  // or an end that is taken, are half of the surface, or are part of what has been left for such a reason.
   bool collect(Face first, std::vector<Face>& region) {
-    bool may_be = true;
     double area = 0;
-    visited_[std::size_t(first)] = true;
+    const std::size_t seed = std::size_t(first);
+    visited_[seed] = seed;
     region = {first};
     for (std::size_t i = 0; i < region.size(); ++i) {
       area += areas_[std::size_t(region[i])];
+      if (area >= 0.5 * area_)
+        return false;
       for (Halfedge h : CGAL::halfedges_around_face(mesh_.halfedge(region[i]), mesh_)) {
         const Face g = mesh_.face(mesh_.opposite(h));
         if (g == Surface::null_face() || taken_[std::size_t(g)])
-          may_be = false;
-        else if (!visited_[std::size_t(g)] && !is_crease(h)) {
-          visited_[std::size_t(g)] = true;
-          region.push_back(g);
-        }
+          return false;
+        if (is_crease(h) || visited_[std::size_t(g)] == seed)
+          continue;
+        if (visited_[std::size_t(g)] != no_seed)
+          return false;
+        visited_[std::size_t(g)] = seed;
+        region.push_back(g);
       }
     }
-    return may_be && area < 0.5 * area_;
+    return true;
   }
 
   bool is_end(Opening_site& region) const {
@@ -121,12 +151,20 @@ private:
 
   static constexpr double max_sag = 0.2, min_roundness = 0.55, max_wall_cosine = 0.5;
 
+  // Of a crease, in degrees.
+  static constexpr std::array<double, 3> angles = {40, 25, 15};
+  static constexpr std::size_t no_seed = std::size_t(-1);
+
   const Surface& mesh_;
-  const double inwards_;          // the direction into the lumen along a face's normal
-  std::vector<Vector_3> normals_; // by face, unit; zero for a degenerate face
-  std::vector<double> areas_;     // likewise
-  std::vector<bool> taken_, visited_;
-  double area_ = 0, min_cosine_ = 0;
+  const double inwards_; // the direction into the lumen along a face's normal
+  std::array<double, angles.size()> cosines_;
+  std::vector<Vector_3> normals_;       // by face, unit; zero for a degenerate face
+  std::vector<double> areas_;           // likewise
+  std::vector<std::uint8_t> sharpness_; // by halfedge
+  std::vector<bool> taken_;
+  std::vector<std::size_t> visited_; // from which face
+  double area_ = 0;
+  std::size_t least_sharpness_ = 0;
 };
 
 /* Those that are not among the sites already. */

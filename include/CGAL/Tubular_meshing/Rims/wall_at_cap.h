@@ -6,6 +6,7 @@
 
 #include <CGAL/Tubular_meshing/Rims/Opening_site.h>
 #include <CGAL/Tubular_meshing/base/Kernel.h>
+#include <CGAL/Tubular_meshing/base/parallel.h>
 
 #include <cmath>
 #include <cstddef>
@@ -16,12 +17,17 @@ namespace CGAL::Tubular_meshing::internal {
 /* By face, of length one; zero for a degenerate face. */
 inline std::vector<Vector_3> unit_normals(const Surface& mesh) {
   std::vector<Vector_3> normals(mesh.num_faces(), Vector_3(0, 0, 0));
-  for (Face f : mesh.faces()) {
-    const Vector_3 n = area_vector(mesh.halfedge(f), mesh);
-    const double length = std::sqrt(n.squared_length());
-    if (length > 0)
-      normals[std::size_t(f)] = n / length;
-  }
+  for_each_range(normals.size(), 0, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      const Face f = Face(Surface::size_type(i));
+      if (mesh.is_removed(f))
+        continue;
+      const Vector_3 n = area_vector(mesh.halfedge(f), mesh);
+      const double length = std::sqrt(n.squared_length());
+      if (length > 0)
+        normals[i] = n / length;
+    }
+  });
   return normals;
 }
 

@@ -91,7 +91,7 @@ private:
 CGAL_TUBULAR_MESHING_INLINE Move_boundary_to_surface_report
 move_boundary_to_surface(Mixed_mesh& mesh, const Surface& input, Face_patch_map input_patch, Length_function radius,
                          const Move_boundary_to_surface_options& options) {
-  const Input_surface truth(input, input_patch);
+  const Input_surface truth(input, input_patch, options.number_of_threads);
   Boundary_surface boundary(mesh);
   Move_boundary_to_surface_report report;
   std::vector<Vector_3d> from;

@@ -57,7 +57,7 @@ inline void describe(const Surface& mesh, Face_patch_map patch, const Shift_hold
 CGAL_TUBULAR_MESHING_INLINE Preserve_volume_report preserve_volume(Surface& mesh, Face_patch_map mesh_patch,
                                                                    const Surface& input, Face_patch_map input_patch,
                                                                    const Preserve_volume_options& options) {
-  const Input_surface truth(input, input_patch);
+  const Input_surface truth(input, input_patch, options.number_of_threads);
   Preserve_volume_report report;
   report.input_volume = truth.volume();
   report.volume_before = enclosed_volume(mesh);
@@ -70,7 +70,7 @@ CGAL_TUBULAR_MESHING_INLINE Preserve_volume_report preserve_volume(Surface& mesh
 CGAL_TUBULAR_MESHING_INLINE Preserve_volume_report preserve_volume(Mixed_mesh& mesh, const Surface& input,
                                                                    Face_patch_map input_patch, Length_function radius,
                                                                    const Preserve_volume_options& options) {
-  const Input_surface truth(input, input_patch);
+  const Input_surface truth(input, input_patch, options.number_of_threads);
   Boundary_surface boundary(mesh);
   Preserve_volume_report report;
   report.input_volume = truth.volume();

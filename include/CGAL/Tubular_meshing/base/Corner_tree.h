@@ -7,6 +7,7 @@
 #include <CGAL/Tubular_meshing/base/Growing_numbering.h>
 #include <CGAL/Tubular_meshing/base/Nearest_tree.h>
 #include <CGAL/Tubular_meshing/base/Triangle_soup.h>
+#include <CGAL/Tubular_meshing/base/parallel.h>
 
 #include <CGAL/Bbox_3.h>
 
@@ -17,6 +18,7 @@
 #include <limits>
 #include <numeric>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Tubular_meshing::internal {
@@ -30,8 +32,9 @@ namespace CGAL::Tubular_meshing::internal {
  * than those with boxes closer than d, which an AABB tree looks at. Corners that shapes share are one.
  *
  * Of shapes that are equally near, but for rounding, the one with the lowest number is found: the answer depends neither on
- * the tree, nor on where the search began, nor on the unit, position and direction of it all. Built once in O(n log n); a query is O(log n) for shapes such as surfaces and centerlines,
- * allocates nothing, and is safe from several threads. */
+ * the tree, nor on where the search began, nor on the unit, position and direction of it all. Built once in O(n log n),
+ * on all threads where corners are numbered; a query is O(log n) for shapes such as surfaces and centerlines, allocates
+ * nothing, and is safe from several threads. */
 template <class Shape> class Corner_tree {
 public:
   typedef Double_kernel::Point_3 Point;
@@ -41,16 +44,18 @@ public:
   typedef std::array<Index, N> Numbers;
 
   Corner_tree() = default;
-  explicit Corner_tree(const std::vector<Shape>& shapes)
-      : shapes_(shapes.size()) {
-    if (shapes.empty())
-      return;
-    std::vector<Numbered_corner> order = number_corners(shapes);
-    nodes_.reserve(4 * order.size() / leaf_size + 2);
-    nodes_.push_back(Node());
-    build(0, order, 0, Index(order.size()));
-    place_corners(order);
-    collect_stars();
+  explicit Corner_tree(const std::vector<Shape>& shapes) {
+    Growing_numbering<Coordinates, Hash_of_coordinates> places;
+    shapes_.resize(shapes.size());
+    for (std::size_t s = 0; s < shapes.size(); ++s)
+      for (std::size_t k = 0; k < N; ++k)
+        shapes_[s][k] = places.number_of(place(shapes[s].vertex(int(k))));
+    build([&](Index c) { return places[c]; }, places.size(), 1);
+  }
+  /* Of shapes by the numbers of their corners, which are in different places. */
+  Corner_tree(const std::vector<Point>& points, std::vector<Numbers> shapes, int threads)
+      : shapes_(std::move(shapes)) {
+    build([&](Index c) { return place(points[c]); }, points.size(), threads);
   }
 
   bool empty() const { return shapes_.empty(); }
@@ -120,42 +125,70 @@ private:
 
   static Place place(const Point& p) { return {p.x(), p.y(), p.z()}; }
 
+  // Corners have the numbers that they are given by for the time being.
+  template <class Place_of> void build(const Place_of& place_of, std::size_t points, int threads) {
+    if (shapes_.empty())
+      return;
+    std::vector<Numbered_corner> order = corners_of_shapes(place_of, points, threads);
+    nodes_.resize(1 + descendants(Index(order.size())).first);
+    build(0, 1, order, 0, Index(order.size()), threads);
+    place_corners(order, points);
+    collect_stars();
+  }
+
   /* The square of the radius of the smallest ball round a shape: no point of it is further from all corners; nor is one
    * of a side from both of the side's ends. */
-  static double reach_of(const Shape& shape) {
+  static double reach_of(const std::array<Place, N>& corner) {
     std::array<double, 3> side = {0, 0, 0}; // squared
     for (std::size_t k = 0; k < (N == 2 ? 1 : 3); ++k)
-      side[k] = CGAL::squared_distance(shape.vertex(int(k)), shape.vertex(int((k + 1) % N)));
+      side[k] = squared_distance(corner[k], corner[(k + 1) % N]);
     std::sort(side.begin(), side.end());
     const double a = side[2], b = side[1], c = side[0], d = b + c - a;
     const double reach = d > 0 ? (std::min)(a * b * c / (4 * b * c - d * d), a / 3) : a / 4;
     return (1 + 1e-9) * reach;
   }
 
-  // Fills shapes_, by these numbers for the time being.
-  std::vector<Numbered_corner> number_corners(const std::vector<Shape>& shapes) {
-    Growing_numbering<Coordinates, Hash_of_coordinates> places;
-    std::vector<double> reach;
-    for (std::size_t s = 0; s < shapes.size(); ++s) {
-      const double of_shape = reach_of(shapes[s]);
-      for (std::size_t k = 0; k < N; ++k) {
-        const Index c = shapes_[s][k] = places.number_of(place(shapes[s].vertex(int(k))));
-        if (c == reach.size())
-          reach.push_back(0);
-        reach[c] = (std::max)(reach[c], of_shape);
+  // Without points that no shape has.
+  template <class Place_of>
+  std::vector<Numbered_corner> corners_of_shapes(const Place_of& place_of, std::size_t points, int threads) const {
+    std::vector<double> of_shape(shapes_.size());
+    for_each_range(shapes_.size(), threads, [&](std::size_t first, std::size_t last) {
+      for (std::size_t s = first; s < last; ++s) {
+        std::array<Place, N> corner;
+        for (std::size_t k = 0; k < N; ++k)
+          corner[k] = place_of(shapes_[s][k]);
+        of_shape[s] = reach_of(corner);
       }
-    }
-    std::vector<Numbered_corner> result(places.size());
-    for (Index c = 0; c < result.size(); ++c) {
-      result[c].at = places[c];
-      result[c].reach = reach[c];
-      result[c].number = c;
-    }
+    });
+    std::vector<double> reach(points, -1);
+    for (std::size_t s = 0; s < shapes_.size(); ++s)
+      for (Index c : shapes_[s])
+        reach[c] = (std::max)((std::max)(reach[c], 0.), of_shape[s]);
+    std::vector<Numbered_corner> result;
+    result.reserve(points);
+    for (Index c = 0; c < points; ++c)
+      if (reach[c] >= 0) {
+        result.emplace_back();
+        result.back().at = place_of(c);
+        result.back().reach = reach[c];
+        result.back().number = c;
+      }
     return result;
   }
 
-  void build(Index n, std::vector<Numbered_corner>& order, Index first, Index last) {
-    Node node;
+  // Of nodes of n and of n + 1 corners: how many nodes are below them.
+  static std::pair<std::size_t, std::size_t> descendants(Index n) {
+    if (n < leaf_size)
+      return {0, 0};
+    const auto [low, high] = descendants(n / 2); // a node is halved
+    const bool is_even = n % 2 == 0;
+    return {n == leaf_size ? 0 : 2 + low + (is_even ? low : high), 2 + high + (is_even ? low : high)};
+  }
+
+  // The node n, and those below it, from `below` on.
+  void build(std::size_t n, std::size_t below, std::vector<Numbered_corner>& order, Index first, Index last,
+             int threads) {
+    Node& node = nodes_[n];
     node.low.fill((std::numeric_limits<double>::infinity)());
     node.high.fill(-(std::numeric_limits<double>::infinity)());
     node.reach = 0;
@@ -168,28 +201,32 @@ private:
     }
     node.first = first;
     node.last = last;
-    if (last - first > leaf_size) {
-      std::size_t axis = 0;
-      for (std::size_t k = 1; k < 3; ++k)
-        if (node.high[k] - node.low[k] > node.high[axis] - node.low[axis])
-          axis = k;
-      const Index middle = first + (last - first) / 2;
-      std::nth_element(order.begin() + first, order.begin() + middle, order.begin() + last,
-                       [axis](const Numbered_corner& a, const Numbered_corner& b) {
-                         return a.at[axis] < b.at[axis] || (a.at[axis] == b.at[axis] && a.number < b.number);
-                       });
-      node.first = Index(nodes_.size());
-      node.last = 0;
-      nodes_.resize(nodes_.size() + 2);
-      build(node.first, order, first, middle);
-      build(node.first + 1, order, middle, last);
-    }
-    nodes_[n] = node;
+    if (last - first <= leaf_size)
+      return;
+    std::size_t axis = 0;
+    for (std::size_t k = 1; k < 3; ++k)
+      if (node.high[k] - node.low[k] > node.high[axis] - node.low[axis])
+        axis = k;
+    const Index middle = first + (last - first) / 2;
+    std::nth_element(order.begin() + first, order.begin() + middle, order.begin() + last,
+                     [axis](const Numbered_corner& a, const Numbered_corner& b) {
+                       return a.at[axis] < b.at[axis] || (a.at[axis] == b.at[axis] && a.number < b.number);
+                     });
+    node.first = Index(below);
+    node.last = 0;
+    const std::size_t below_second = below + 2 + descendants(middle - first).first;
+    const Index worth_a_task = 4096;
+    for_each_task(2, last - first > worth_a_task ? threads : 1, [&](std::size_t k) {
+      if (k == 0)
+        build(below, below + 2, order, first, middle, threads);
+      else
+        build(below + 1, below_second, order, middle, last, threads);
+    });
   }
 
   // Corners are numbered in the order of the tree from here on.
-  void place_corners(const std::vector<Numbered_corner>& order) {
-    std::vector<Index> place_of(order.size());
+  void place_corners(const std::vector<Numbered_corner>& order, std::size_t points) {
+    std::vector<Index> place_of(points);
     corners_.reserve(order.size());
     for (const Numbered_corner& c : order) {
       place_of[c.number] = Index(corners_.size());

@@ -68,12 +68,20 @@ inline bool is_in_blocks(Mesh_type type, Surface_elements elements, const Mesher
          (type == Mesh_type::surface && elements == Surface_elements::structured_quads);
 }
 
-/* How much larger the mesh size of what is to be subdivided is: as many hexahedra come as tetrahedra otherwise, but a vessel
- * has points enough round it. */
-inline double coarsening_for_subdivision(double points) {
-  const double cube_root_of_four = 1.5874, fewest_points = 6;
-  return (std::min)((std::max)(points / fewest_points, 1.), cube_root_of_four);
+/* How much larger the mesh size of a coarse mesh is: by a factor, if a vessel has so many points round it then. */
+inline double coarsening(double factor, double points, double fewest_points) {
+  return (std::min)((std::max)(points / fewest_points, 1.), factor);
 }
+// Of what is to be subdivided: as many hexahedra come as tetrahedra otherwise.
+inline double coarsening_for_subdivision(double points) {
+  const double cube_root_of_four = 1.5874;
+  return coarsening(cube_root_of_four, points, 6);
+}
+// Of triangles that are to be remeshed, and of the tetrahedra between them.
+inline double coarsening_for_remeshing(double points) {
+  return coarsening(1.5, points, 12);
+}
+constexpr double coarsening_inside_for_remeshing = 2;
 
 /* A lumen's integrals with a mesh size that is larger by a factor. */
 inline Lumen_integrals coarser(Lumen_integrals n, double factor) {

@@ -205,12 +205,12 @@ private:
     const Build_centerline_graph_options merging;
     Centerline_computation computation(s.surface, s.patch, ends, true, true, options_.size.number_of_threads);
     Centerline_graph graph;
-    for (Vertex tip : tips_of_blind_ends())
-      computation.add_end(tip);
+    computation.add_ends(tips_of_blind_ends());
     computation.make_graph(graph, merging);
     bool is_longer = false;
     for (const std::vector<Vertex>& part : missed_parts_)
-      is_longer = std::any_of(part.begin(), part.end(), [&](Vertex v) { return computation.add_end(v); }) || is_longer;
+      is_longer =
+          std::any_of(part.begin(), part.end(), [&](Vertex v) { return computation.add_ends({v}); }) || is_longer;
     if (is_longer) {
       computation.make_graph(graph, merging);
       graph_ = std::move(graph);

@@ -16,6 +16,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <vector>
 
@@ -88,11 +89,16 @@ private:
   void measure_cells() {
     centers_.resize(cells_.size());
     aspect_.assign(cells_.size(), nothing);
+    const std::size_t tetrahedra = cells_.first_cell(1);
     for_each_range(cells_.size(), threads_, [&](std::size_t first, std::size_t last) {
       std::array<Polygon, 6> faces;
       for (std::size_t c = first; c < last; ++c) {
         if (region_ != nullptr && cells_.region(c) != *region_)
           continue;
+        if (c < tetrahedra) {
+          measure(mesh_.tetrahedra.vertices[c], centers_[c], aspect_[c]);
+          continue;
+        }
         const std::size_t n = cells_.number_of_faces(c);
         for (std::size_t f = 0; f < n; ++f)
           faces[f] = polygon(cells_.face(c, f));
@@ -102,27 +108,49 @@ private:
     aspect_.erase(std::remove(aspect_.begin(), aspect_.end(), nothing), aspect_.end());
   }
 
+  typedef std::array<double, 3> Projections; // areas of faces along the axes
+  static void add(const Vector_3d& area, Projections& sum) {
+    for (int i = 0; i < 3; ++i)
+      sum[std::size_t(i)] += std::abs(area[i]);
+  }
+
   /* A cell's center is that of the pyramids over its faces from the mean of the faces' centers, by their volumes. */
   static void measure(const Polygon* faces, std::size_t n, Vector_3d& center, double& aspect) {
     Vector_3d middle, moment;
     for (std::size_t f = 0; f < n; ++f)
       middle += (1. / double(n)) * faces[f].center;
     double three_volumes = 0;
-    std::array<double, 3> areas = {0, 0, 0}; // of the faces' projections along the axes
+    Projections areas = {0, 0, 0};
     for (std::size_t f = 0; f < n; ++f) {
       const double part = dot(faces[f].area, faces[f].center - middle);
       three_volumes += part;
       moment += part * (0.75 * faces[f].center + 0.25 * middle);
-      for (int i = 0; i < 3; ++i)
-        areas[std::size_t(i)] += std::abs(faces[f].area[i]);
+      add(faces[f].area, areas);
     }
     center = three_volumes != 0 ? (1 / three_volumes) * moment : middle;
+    aspect = aspect_of(areas, three_volumes / 3);
+  }
+
+  // The same of a tetrahedron, of which most meshes have the most: its center is the mean of its corners.
+  void measure(const std::array<std::uint32_t, 4>& cell, Vector_3d& center, double& aspect) const {
+    const Vector_3d p(mesh_.points[cell[0]]);
+    const Vector_3d a = Vector_3d(mesh_.points[cell[1]]) - p, b = Vector_3d(mesh_.points[cell[2]]) - p,
+                    c = Vector_3d(mesh_.points[cell[3]]) - p;
+    center = p + 0.25 * (a + b + c);
+    const Vector_3d ab = 0.5 * cross(a, b), bc = 0.5 * cross(b, c), ca = 0.5 * cross(c, a);
+    Projections areas = {0, 0, 0};
+    for (const Vector_3d& area : {ab, bc, ca, ab + bc + ca})
+      add(area, areas);
+    aspect = aspect_of(areas, dot(ab, c) / 3);
+  }
+
+  static double aspect_of(const Projections& areas, double volume) {
     const double least = *std::min_element(areas.begin(), areas.end());
     const double most = *std::max_element(areas.begin(), areas.end());
-    const double infinite = (std::numeric_limits<double>::infinity)();
-    const double side2 = three_volumes > 0 ? std::pow(three_volumes / 3, 2. / 3) : 0;
-    aspect =
-        least > 0 && side2 > 0 ? (std::max)(most / least, (areas[0] + areas[1] + areas[2]) / (6 * side2)) : infinite;
+    if (!(least > 0 && volume > 0))
+      return (std::numeric_limits<double>::infinity)();
+    const double side = std::cbrt(volume);
+    return (std::max)(most / least, (areas[0] + areas[1] + areas[2]) / (6 * side * side));
   }
 
   // Faces of the same corners are one. They are measured in the order of their lowest corners, in parts side by side.

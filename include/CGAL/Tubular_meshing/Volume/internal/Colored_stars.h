@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -36,16 +37,23 @@ public:
 
   // `is_movable(v)`: only these are visited. `block`: how many vertices are one, at most.
   template <class IsMovable> void build(const Store& store, const IsMovable& is_movable, int threads, Index block = 1) {
-    collect(store, threads);
+    build(
+        store, is_movable, [](Index) { return true; }, threads, block);
+  }
+  /* The same where only vertices of which has_star(v) holds are asked about, the movable ones among them: the others have
+   * no stars. */
+  template <class IsMovable, class HasStar>
+  void build(const Store& store, const IsMovable& is_movable, const HasStar& has_star, int threads, Index block) {
+    collect(store, has_star, threads);
     color(collect_blocks(is_movable, block));
     grain_ = (std::max)(std::size_t(1), std::size_t(128 / block));
   }
 
   // The facets opposite to v in the tetrahedra around it.
-  Range facets(Index v) const { return {star_.data() + star_begin_[v], star_.data() + star_begin_[v + 1]}; }
+  Range facets(Index v) const { return {star_.get() + star_begin_[v], star_.get() + star_begin_[v + 1]}; }
 
   // Their vertices, in this order: who needs no more of the tetrahedra reads them from one place.
-  const Store::Facet_vertices* vertices_of_facets(Index v) const { return vertices_.data() + star_begin_[v]; }
+  const Store::Facet_vertices* vertices_of_facets(Index v) const { return vertices_.get() + star_begin_[v]; }
 
   /* visit(v) for each movable vertex, color by color, those of a color on `threads` threads, each piece of them by a copy
    * of `visit`, which may have memory of its own, those of a block in their order; before_color() is called once before
@@ -70,7 +78,7 @@ public:
 private:
   /* Tetrahedra in a few parts, one after the other, of each of which it is known how many facets it has at each vertex:
    * they can be put in their places side by side, in the same order on any number of threads. */
-  void collect(const Store& store, int threads) {
+  template <class HasStar> void collect(const Store& store, const HasStar& has_star, int threads) {
     const std::size_t parts = 4;
     const Index n = store.number_of_vertices(), slots = store.number_of_slots();
     std::array<std::vector<Index>, parts> place; // where the next facet of a part at each vertex goes
@@ -83,7 +91,7 @@ private:
       place[part].assign(n, 0);
       for_each_of(part, [&](Index t) {
         for (Index v : store[t].v)
-          ++place[part][v];
+          place[part][v] += has_star(v);
       });
     });
     star_begin_.assign(n + 1, 0);
@@ -93,11 +101,13 @@ private:
         next += std::exchange(of_part[v], next);
       star_begin_[v + 1] = next;
     }
-    star_.resize(star_begin_[n]);
-    vertices_.resize(star_begin_[n]);
+    star_.reset(new Index[star_begin_[n]]); // not set to zero, which would be the work of one thread
+    vertices_.reset(new Store::Facet_vertices[star_begin_[n]]);
     for_each_task(parts, threads, [&](std::size_t part) {
       for_each_of(part, [&](Index t) {
         for (int i = 0; i < 4; ++i) {
+          if (!has_star(store[t].v[i]))
+            continue;
           const Index k = place[part][store[t].v[i]]++;
           star_[k] = Store::facet(t, i);
           vertices_[k] = store.vertices(star_[k]);
@@ -152,9 +162,10 @@ private:
       by_color_[next[color_of[b]]++] = blocks[b];
   }
 
-  std::vector<Index> star_begin_, star_;
-  std::vector<Store::Facet_vertices> vertices_; // of the facets in star_
-  std::vector<Index> movable_, block_of_;       // the latter by vertex
+  std::vector<Index> star_begin_;                     // of each vertex in the next two
+  std::unique_ptr<Index[]> star_;                     // facets
+  std::unique_ptr<Store::Facet_vertices[]> vertices_; // of these
+  std::vector<Index> movable_, block_of_;             // the latter by vertex
   std::vector<std::size_t> color_begin_;
   std::vector<Range> by_color_; // blocks
   std::size_t grain_ = 1;

@@ -9,6 +9,7 @@
 #include <CGAL/Tubular_meshing/base/Nearest_tree.h>
 #include <CGAL/Tubular_meshing/base/Vector_3d.h>
 #include <CGAL/Tubular_meshing/base/labels.h>
+#include <CGAL/Tubular_meshing/base/parallel.h>
 
 #include <algorithm>
 #include <cmath>
@@ -51,33 +52,15 @@ public:
     Nearest_tree<Double_kernel::Segment_3> rim;
   };
 
-  Input_surface(const Surface& surface, Face_patch_map patch)
-      : volume_(enclosed_volume(surface)) {
-    std::vector<Double_kernel::Triangle_3> wall;
-    std::map<int, Vector_3d> areas;
-    std::map<int, std::vector<Double_kernel::Segment_3>> rims;
-    for (auto f : surface.faces()) {
-      const auto h = surface.halfedge(f);
-      const auto point = [&](Surface::Halfedge_index g) { return to_double_point(surface.point(surface.target(g))); };
-      const Double_kernel::Triangle_3 t(point(h), point(surface.next(h)), point(surface.prev(h)));
-      const Vector_3d area = 0.5 * cross(Vector_3d(t[1]) - Vector_3d(t[0]), Vector_3d(t[2]) - Vector_3d(t[0]));
-      if (patch[f] == labels::wall) {
-        if (squared_norm(area) > 0)
-          wall.push_back(t);
-        continue;
+  Input_surface(const Surface& surface, Face_patch_map patch, int threads) {
+    for_each_task(2, threads, [&](std::size_t which) {
+      if (which == 0) {
+        collect_wall(surface, patch, threads);
+      } else {
+        volume_ = enclosed_volume(surface);
+        collect_openings(surface, patch);
       }
-      areas[patch[f]] += area;
-      for (auto g : surface.halfedges_around_face(h)) {
-        const auto beyond = surface.face(surface.opposite(g));
-        if (beyond != Surface::null_face() && patch[beyond] == labels::wall)
-          rims[patch[f]].emplace_back(point(surface.opposite(g)), point(g));
-      }
-    }
-    wall_ = Corner_tree<Double_kernel::Triangle_3>(wall);
-    for (auto& r : rims) {
-      const Vector_3d& a = areas[r.first];
-      openings_[r.first] = Opening{normalized(a), norm(a), Nearest_tree<Double_kernel::Segment_3>(std::move(r.second))};
-    }
+    });
   }
 
   double volume() const { return volume_; }
@@ -184,6 +167,47 @@ public:
   }
 
 private:
+  typedef Corner_tree<Double_kernel::Triangle_3> Wall;
+
+  void collect_wall(const Surface& surface, Face_patch_map patch, int threads) {
+    std::vector<Double_kernel::Point_3> points(surface.num_vertices());
+    for (auto v : surface.vertices())
+      points[std::size_t(v)] = to_double_point(surface.point(v));
+    std::vector<Wall::Numbers> triangles;
+    triangles.reserve(surface.number_of_faces());
+    for (auto f : surface.faces())
+      if (patch[f] == labels::wall) {
+        const auto h = surface.halfedge(f);
+        const auto number = [&](Surface::Halfedge_index g) { return Wall::Index(surface.target(g)); };
+        const Wall::Numbers t = {number(h), number(surface.next(h)), number(surface.prev(h))};
+        if (CGAL::cross_product(points[t[1]] - points[t[0]], points[t[2]] - points[t[0]]).squared_length() > 0)
+          triangles.push_back(t);
+      }
+    wall_ = Wall(points, std::move(triangles), threads);
+  }
+
+  void collect_openings(const Surface& surface, Face_patch_map patch) {
+    std::map<int, Vector_3d> areas;
+    std::map<int, std::vector<Double_kernel::Segment_3>> rims;
+    for (auto f : surface.faces()) {
+      if (patch[f] == labels::wall)
+        continue;
+      const auto h = surface.halfedge(f);
+      const auto point = [&](Surface::Halfedge_index g) -> const Point_3& { return surface.point(surface.target(g)); };
+      const Vector_3d a(point(h)), b(point(surface.next(h))), c(point(surface.prev(h)));
+      areas[patch[f]] += 0.5 * cross(b - a, c - a);
+      for (auto g : surface.halfedges_around_face(h)) {
+        const auto beyond = surface.face(surface.opposite(g));
+        if (beyond != Surface::null_face() && patch[beyond] == labels::wall)
+          rims[patch[f]].emplace_back(to_double_point(point(surface.opposite(g))), to_double_point(point(g)));
+      }
+    }
+    for (auto& r : rims) {
+      const Vector_3d& a = areas[r.first];
+      openings_[r.first] = Opening{normalized(a), norm(a), Nearest_tree<Double_kernel::Segment_3>(std::move(r.second))};
+    }
+  }
+
   /* The nearest point y is seen from x along the surface's own normal there, so the plane through y across y − x is
    * tangent to the surface: where it is met along n. */
   template <class Result> static double along(const Vector_3d& x, const Vector_3d& n, const Result& found) {
@@ -195,7 +219,7 @@ private:
   }
 
   double volume_;
-  Corner_tree<Double_kernel::Triangle_3> wall_;
+  Wall wall_;
   std::map<int, Opening> openings_;
 };
 
