@@ -4,6 +4,7 @@
 // The command-line tool: from a surface to a labelled mesh. See the user manual, or --help.
 
 #include "command_line/Stop_signals.h"
+#include "command_line/huge_pages.h"
 #include "command_line/run_tool.h"
 #include "command_line/words.h"
 #include "tubular_mesh/batch/Job_options.h"
@@ -39,6 +40,7 @@ std::string own_file(const char* called) {
 } // namespace
 
 int main(int argc, char* argv[]) {
+  command_line::use_huge_pages();
   const std::string version = TUBULAR_MESHING_VERSION;
   CGAL::Tubular_meshing::IO::leave_hdf5_alone_at_exit(); // a full disk has a status of its own
   const command_line::Stop_signals stop;                 // before there are other threads
