@@ -428,6 +428,22 @@ TEST(Centerline_field, Normals_on_the_centerline_are_continuous) {
     }
 }
 
+TEST(Centerline_field, Where_a_search_begins_makes_no_difference) {
+  const Field field(graph_of(vmtk_like_fork(0.03)));
+  std::mt19937 random(6);
+  std::uniform_real_distribution<double> u(-15, 25);
+  std::size_t hint = 0;
+  for (int i = 0; i < 500; ++i) {
+    const Point x(u(random), u(random), u(random));
+    const Field::Descriptors near = field.descriptors(x, hint), anywhere = field.descriptors(x);
+    EXPECT_LT(hint, field.number_of_segments());
+    EXPECT_EQ(near.branch, anywhere.branch);
+    EXPECT_EQ(near.segment, anywhere.segment);
+    EXPECT_EQ(near.distance, anywhere.distance);
+    EXPECT_EQ(near.abscissa, anywhere.abscissa);
+  }
+}
+
 TEST(Centerline_field, Nearest_is_what_brute_force_finds) {
   Graph g = graph_of(vmtk_like_fork(0.03));
   const Field field(g);

@@ -72,6 +72,26 @@ TEST(Mesher, Makes_the_same_meshes_in_any_order) {
   expect_same(isotropic, tubular::make_isotropic_mesh(model, np));
 }
 
+TEST(Mesher, Has_checked_each_mesh_as_it_is) {
+  if (!keeps_boundary() || !tubular::has_lemon())
+    GTEST_SKIP() << "built without LEMON, or with neither TetGen nor CGAL 6.1";
+  Mesher mesher(bifurcation({500, -20, 7}), parameters::points_per_circumference(10));
+  const auto expect_checked = [&](const Mixed_mesh& mesh) {
+    EXPECT_TRUE(mesher.report().check.is_of(mesh));
+    EXPECT_EQ(mesher.report().check.validity().cells, mesh.number_of_cells());
+  };
+  expect_checked(mesher.isotropic());
+  expect_checked(mesher.anisotropic());
+  expect_checked(mesher.mixed());
+  expect_checked(mesher.hexahedral());
+  Mesher by_mesh_3(bifurcation(),
+                   parameters::points_per_circumference(10).volume_mesher(tubular::Volume_mesher::mesh_3));
+  const Mixed_mesh mesh = by_mesh_3.isotropic();
+  EXPECT_TRUE(by_mesh_3.report().check.is_of(mesh));
+  by_mesh_3.surface(tubular::Surface_elements::triangles);
+  EXPECT_FALSE(by_mesh_3.report().check.is_of(mesh));
+}
+
 TEST(Mesher, What_N_was_before_does_not_matter) {
   const auto model = bifurcation();
   const auto np = parameters::points_per_circumference(12).curvature_points(9).number_of_threads(1);

@@ -6,6 +6,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/base/exceptions.h>
+#include <CGAL/Tubular_meshing/Quality/Mesh_check.h>
 #include <CGAL/Tubular_meshing/Quality/element_quality.h>
 #include <CGAL/Tubular_meshing/Quality/mesh_report.h>
 #include <CGAL/Tubular_meshing/Quality/quality_report.h>
@@ -21,6 +22,7 @@
 #include <limits>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -405,6 +407,67 @@ TEST(Quality_report, Is_the_same_on_any_number_of_threads) {
   const auto region = tubular::quality_report(m, 2, tubular::parameters::number_of_threads(3));
   EXPECT_EQ(region.aspect.mean(),
             tubular::quality_report(m, 2, tubular::parameters::number_of_threads(1)).aspect.mean());
+}
+
+void expect_same(const tubular::Mesh_report& a, const tubular::Mesh_report& b) {
+  EXPECT_EQ(a.validity.cells, b.validity.cells);
+  EXPECT_EQ(a.validity.inverted_cells, b.validity.inverted_cells);
+  EXPECT_EQ(a.validity.defects(), b.validity.defects());
+  EXPECT_EQ(a.validity.boundary_euler, b.validity.boundary_euler);
+  EXPECT_EQ(a.validity.region_components, b.validity.region_components);
+  for (auto measure : {&tubular::Quality_report::gamma_tau, &tubular::Quality_report::scaled_jacobian,
+                       &tubular::Quality_report::aspect, &tubular::Quality_report::non_orthogonality,
+                       &tubular::Quality_report::skewness}) {
+    EXPECT_EQ((a.quality.*measure).count(), (b.quality.*measure).count());
+    EXPECT_EQ((a.quality.*measure).mean(), (b.quality.*measure).mean());
+    EXPECT_EQ((a.quality.*measure).percentile(99), (b.quality.*measure).percentile(99));
+  }
+}
+
+TEST(Mesh_check, Is_known_by_elements_and_labels_wherever_points_are) {
+  Mesh m = moved_cubes({9, 8, 7}, [](double x, double y, double z) { return Point(x + 0.1 * z, y, z); });
+  const tubular::Mesh_check check(m), on_one_thread(m, 1);
+  EXPECT_FALSE(tubular::Mesh_check().is_of(m));
+  EXPECT_FALSE(tubular::Mesh_check().is_of(Mesh()));
+  EXPECT_EQ(tubular::Mesh_check().validity().cells, 0u);
+  EXPECT_EQ(check.validity().cells, m.hexahedra.size());
+  EXPECT_EQ(check.validity().defects(), tubular::validity_report(m).defects());
+  EXPECT_TRUE(on_one_thread.is_of(m));
+  Mesh moved = m;
+  for (Point& p : moved.points)
+    p = Point(2 * p.x() + 1, p.y() * p.y(), p.z());
+  EXPECT_TRUE(check.is_of(moved));
+  EXPECT_TRUE(check.is_of(moved, 1));
+
+  Mesh other = m;
+  other.hexahedra.label[17] = 5;
+  EXPECT_FALSE(check.is_of(other));
+  other = m;
+  std::swap(other.hexahedra.vertices[400], other.hexahedra.vertices[401]);
+  EXPECT_FALSE(check.is_of(other));
+  other = m;
+  other.points.push_back(Point(0, 0, 0));
+  EXPECT_FALSE(check.is_of(other));
+  other = m;
+  other.quads.push_back({0, 1, 11, 10}, 3);
+  EXPECT_FALSE(check.is_of(other));
+}
+
+TEST(Mesh_check, Makes_no_difference_to_reports) {
+  const Mesh m = moved_cubes({9, 8, 7}, [](double x, double y, double z) { return Point(x + 0.1 * z, y, z); });
+  const tubular::Mesh_check check(m);
+  Mesh moved = m; // some cells are turned over, which the check has not seen
+  for (std::size_t i = 0; i < moved.points.size(); i += 5)
+    moved.points[i] = Point(-moved.points[i].x(), 3 * moved.points[i].y(), moved.points[i].z());
+  Mesh changed = moved; // it is of another mesh
+  changed.hexahedra.vertices.pop_back();
+  changed.hexahedra.label.pop_back();
+  EXPECT_GT(tubular::validity_report(moved).inverted_cells, 0u);
+  for (const Mesh* mesh : {&m, &moved, &changed})
+    for (int threads : {0, 1}) {
+      const auto np = tubular::parameters::number_of_threads(threads);
+      expect_same(tubular::mesh_report(*mesh, np.mesh_check(check)), tubular::mesh_report(*mesh, np));
+    }
 }
 
 TEST(Quality_report, Finite_volumes_without_extent_are_infinitely_bad) {

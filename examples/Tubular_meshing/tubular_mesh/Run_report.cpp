@@ -31,7 +31,7 @@ namespace {
 Json description_of(const Run& run) {
   const tubular::Mixed_mesh& mesh = run.cells();
   const auto threads = tubular::parameters::number_of_threads(run.options.threads);
-  const tubular::Mesh_report report = tubular::mesh_report(mesh, threads);
+  const tubular::Mesh_report report = tubular::mesh_report(mesh, threads.mesh_check(run.meshing.check));
   tubular::Validity_report validity = report.validity;
   if (run.options.is_quadratic()) // whose cells are judged as they are curved
     validity.inverted_cells = 0;

@@ -57,6 +57,10 @@ public:
 
   Descriptors descriptors(const Point_3& x) const;
 
+  /*! The same, faster where `hint` is a segment near `x`; it becomes the one found, for the next of many points in a row.
+   * Segments are numbered through all branches; any number will do to begin with. */
+  Descriptors descriptors(const Point_3& x, size_type& hint) const;
+
   /*! The triad axis at `x`. e_t is interpolated along the branch; e_n is x − x_c made perpendicular to e_t, and on the
    * centerline itself a normal that turns as little as possible along the tree \cgalCite{wang2008}. */
   Frame frame(const Point_3& x) const;

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace CGAL::Tubular_meshing {
@@ -47,8 +48,9 @@ public:
     return (1 - l.t) * ends_[2 * l.index].radius + l.t * ends_[2 * l.index + 1].radius;
   }
 
-  Location locate(const Double_point& q) const {
-    const auto found = tree_.nearest(q);
+  Location locate(const Double_point& q) const { return locate(q, number_of_segments()); }
+  Location locate(const Double_point& q, size_type hint) const {
+    const auto found = tree_.nearest_from(hint, q, (std::numeric_limits<double>::infinity)());
     // a point without a nearest segment has coordinates that are not numbers: any answer is as good, none may crash
     const size_type i = found.index < tree_.size() ? found.index : 0;
     const Segment s = tree_.shape(i);
@@ -116,6 +118,13 @@ CGAL_TUBULAR_MESHING_INLINE double Centerline_field::radius(const Point_3& x) co
 
 CGAL_TUBULAR_MESHING_INLINE Centerline_field::Descriptors Centerline_field::descriptors(const Point_3& x) const {
   return impl_->descriptors(impl_->locate(internal::to_double_point(x)));
+}
+
+CGAL_TUBULAR_MESHING_INLINE Centerline_field::Descriptors Centerline_field::descriptors(const Point_3& x,
+                                                                                        size_type& hint) const {
+  const Impl::Location found = impl_->locate(internal::to_double_point(x), hint);
+  hint = found.index;
+  return impl_->descriptors(found);
 }
 
 CGAL_TUBULAR_MESHING_INLINE Centerline_field::Frame Centerline_field::frame(const Point_3& x) const {

@@ -11,6 +11,7 @@
 #include <CGAL/Tubular_meshing/Pipelines/Mesh_estimate.h>
 #include <CGAL/Tubular_meshing/Pipelines/Mesher_options.h>
 #include <CGAL/Tubular_meshing/Pipelines/Tubular_model.h>
+#include <CGAL/Tubular_meshing/Quality/Mesh_check.h>
 #include <CGAL/Tubular_meshing/Volume/preserve_volume.h>
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
 #include <CGAL/Tubular_meshing/base/config.h>
@@ -32,6 +33,7 @@ struct Mesher_report {
   Layer_report wall;                  ///< likewise those of the wall of a mixed or hexahedral mesh
   Hexahedral_report hexahedral;       ///< how a hexahedral mesh was made
   Preserve_volume_report volume;      ///< how the mesh got the volume of the surface; all zero if it did not
+  Mesh_check check;                   ///< of a volume mesh: spares mesh_report() most of its work
 };
 
 /*! \ingroup PkgTubularMeshingPipelines

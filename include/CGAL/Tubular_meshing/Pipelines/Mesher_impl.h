@@ -419,7 +419,8 @@ private:
       stage("optimization");
       internal::optimize_tetrahedra(mesh, s.surface, s.patch, options_.optimization);
       stage("check");
-      differences = internal::differences(mesh, *model_, frame_.surface().surface, options_.size.number_of_threads);
+      report_.check = Mesh_check(mesh, options_.size.number_of_threads);
+      differences = internal::differences(mesh, *model_, frame_.surface().surface, report_.check);
       if (differences.empty()) {
         give_volume_to(mesh);
         return mesh;

@@ -24,8 +24,9 @@ CGAL_TUBULAR_MESHING_INLINE std::vector<double> points_per_circumference(const M
   std::vector<std::size_t> branch(edges.size());
   std::vector<double> to_centerline(edges.size());
   internal::for_each_range(edges.size(), number_of_threads, [&](std::size_t first, std::size_t last) {
+    std::size_t hint = 0; // edges in order are near each other
     for (std::size_t e = first; e < last; ++e) {
-      const auto d = centerlines.descriptors(midpoint(mesh.points[edges[e].first], mesh.points[edges[e].second]));
+      const auto d = centerlines.descriptors(midpoint(mesh.points[edges[e].first], mesh.points[edges[e].second]), hint);
       branch[e] = d.branch;
       to_centerline[e] = d.distance;
     }

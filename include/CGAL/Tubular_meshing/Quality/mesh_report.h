@@ -4,6 +4,7 @@
 #ifndef CGAL_TUBULAR_MESHING_QUALITY_MESH_REPORT_H
 #define CGAL_TUBULAR_MESHING_QUALITY_MESH_REPORT_H
 
+#include <CGAL/Tubular_meshing/Quality/Mesh_check.h>
 #include <CGAL/Tubular_meshing/Quality/quality_report.h>
 #include <CGAL/Tubular_meshing/Quality/validity_report.h>
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
@@ -19,16 +20,10 @@ struct Mesh_report {
   Quality_report quality;   ///< as of quality_report()
 };
 
-namespace internal {
-
-Mesh_report mesh_report_on(int threads, const Mixed_mesh& mesh);
-
-} // namespace internal
-
 /*! \ingroup PkgTubularMeshingQuality
  *
  * does what validity_report() and quality_report() do, at about two thirds of their cost: faces are matched once for
- * both. O(n log n).
+ * both. O(n log n); O(n) where the mesh has been checked before.
  *
  * \param mesh the mesh
  * \param np an optional sequence of named parameters among the ones listed below
@@ -39,11 +34,18 @@ Mesh_report mesh_report_on(int threads, const Mixed_mesh& mesh);
  *     \cgalParamType{`int`}
  *     \cgalParamDefault{`0`}
  *   \cgalParamNEnd
+ *   \cgalParamNBegin{mesh_check}
+ *     \cgalParamDescription{what is known of the mesh, see Mesher_report::check; where it is of another mesh, it makes no
+ *       difference}
+ *     \cgalParamType{`Mesh_check`}
+ *     \cgalParamDefault{nothing}
+ *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  */
 template <typename CGAL_NP_TEMPLATE_PARAMETERS>
 Mesh_report mesh_report(const Mixed_mesh& mesh, const CGAL_NP_CLASS& np = CGAL::parameters::default_values()) {
-  return internal::mesh_report_on(internal::choose(np, internal_np::number_of_threads, 0), mesh);
+  return internal::mesh_report_on(internal::choose(np, internal_np::number_of_threads, 0), mesh,
+                                  internal::choose(np, internal_np::mesh_check, Mesh_check()));
 }
 
 } // namespace CGAL::Tubular_meshing

@@ -18,8 +18,8 @@ namespace CGAL::Tubular_meshing {
  *
  * How the values of a measure are spread over the elements of a mesh. All zero where there are no elements.
  *
- * Made in O(n) for n values: they are put into bins in ascending order, thousands of them, and none is sorted. What is
- * asked for afterwards is exact, and takes O(m) for m values in the bins concerned; histogram() takes O(n).
+ * Made in O(n) for n values, none of which is moved: they are counted in thousands of bins in ascending order. What is
+ * asked for afterwards is exact, and takes a pass over the values, O(n).
  */
 class Measure_statistics {
 public:
@@ -43,13 +43,13 @@ public:
   std::array<std::size_t, number_of_bins> histogram() const;
 
 private:
-  std::size_t bin(double value) const;
-  double value_of_rank(std::size_t k) const;
+  static constexpr std::size_t most_bins = 4096;
 
-  std::vector<double> values_;     // in the order of their bins
-  std::vector<std::size_t> begin_; // of each bin among the values
+  std::vector<double> values_in(std::size_t bin) const;
+
+  std::vector<double> values_;
+  std::vector<std::size_t> begin_; // of each bin among the values, if they were sorted
   double min_ = 0, max_ = 0, mean_ = 0;
-  int shift_ = 0; // from what is ordered as the values to bins
 };
 
 /*! \ingroup PkgTubularMeshingQuality

@@ -16,6 +16,7 @@
 #include <cstdint>
 #include <cstring>
 #include <functional>
+#include <iterator>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -32,6 +33,27 @@ inline std::uint64_t ordered_bits(double value) {
   return (bits & sign) != 0 ? ~bits : bits | sign;
 }
 
+// The bin of a value from `min` to `max`. A number that is none is put with the largest.
+struct Bin_of_value {
+  double min, max;
+  std::uint64_t least; // of `min`
+  int shift;           // from what is ordered as the values to bins
+
+  Bin_of_value(double min, double max, std::size_t most_bins)
+      : min(min)
+      , max(max)
+      , least(ordered_bits(min))
+      , shift(0) {
+    while ((*this)(max) >= most_bins)
+      ++shift;
+  }
+
+  std::size_t operator()(double value) const {
+    const double bounded = value < max ? (std::max)(min, value) : max; // min where zeros differ in sign
+    return std::size_t((ordered_bits(bounded) - least) >> shift);
+  }
+};
+
 } // namespace internal
 
 CGAL_TUBULAR_MESHING_INLINE Measure_statistics::Measure_statistics(std::vector<double> values) {
@@ -45,54 +67,50 @@ CGAL_TUBULAR_MESHING_INLINE Measure_statistics::Measure_statistics(std::vector<d
     max_ = (std::max)(max_, v);
   }
   mean_ = sum / double(values.size());
-  constexpr std::size_t most_bins = 4096;
-  while (bin(max_) >= most_bins)
-    ++shift_;
+  const internal::Bin_of_value bin(min_, max_, most_bins);
   begin_.assign(bin(max_) + 2, 0);
   for (double v : values)
     ++begin_[bin(v) + 1];
   std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
-  values_.resize(values.size());
-  std::vector<std::size_t> end(begin_.begin(), begin_.end() - 1);
-  for (double v : values)
-    values_[end[bin(v)]++] = v;
+  values_ = std::move(values);
 }
 
-// A number that is none is put with the largest.
-CGAL_TUBULAR_MESHING_INLINE std::size_t Measure_statistics::bin(double value) const {
-  const double bounded = value < max_ ? (std::max)(min_, value) : max_; // min_ where zeros differ in sign
-  return std::size_t((internal::ordered_bits(bounded) - internal::ordered_bits(min_)) >> shift_);
-}
-
-CGAL_TUBULAR_MESHING_INLINE double Measure_statistics::value_of_rank(std::size_t k) const {
-  const auto end = std::upper_bound(begin_.begin(), begin_.end(), k), begin = end - 1;
-  std::vector<double> in_bin(values_.begin() + std::ptrdiff_t(*begin), values_.begin() + std::ptrdiff_t(*end));
-  const auto wanted = in_bin.begin() + std::ptrdiff_t(k - *begin);
-  std::nth_element(in_bin.begin(), wanted, in_bin.end(),
-                   [](double v, double w) { return internal::ordered_bits(v) < internal::ordered_bits(w); });
-  return *wanted;
+CGAL_TUBULAR_MESHING_INLINE std::vector<double> Measure_statistics::values_in(std::size_t wanted) const {
+  std::vector<double> result;
+  result.reserve(begin_[wanted + 1] - begin_[wanted]);
+  const internal::Bin_of_value bin(min_, max_, most_bins);
+  std::copy_if(values_.begin(), values_.end(), std::back_inserter(result),
+               [&](double value) { return bin(value) == wanted; });
+  return result;
 }
 
 CGAL_TUBULAR_MESHING_INLINE double Measure_statistics::percentile(double percent) const {
   if (values_.empty())
     return 0;
   const double at = (std::min)((std::max)(percent, 0.), 100.) / 100 * double(values_.size() - 1);
-  const std::size_t i = std::size_t(at);
-  const double low = value_of_rank(i), part = at - double(i);
-  const double high = part > 0 ? value_of_rank(i + 1) : low;
+  const std::size_t rank = std::size_t(at);
+  const double part = at - double(rank);
+  std::vector<double> values;
+  std::size_t begin = 0; // of the values among all, if they were sorted
+  const auto value_of = [&](std::size_t k) {
+    if (k >= begin + values.size()) {
+      const auto end = std::upper_bound(begin_.begin(), begin_.end(), k);
+      begin = *(end - 1);
+      values = values_in(std::size_t(end - 1 - begin_.begin()));
+    }
+    const auto wanted = values.begin() + std::ptrdiff_t(k - begin);
+    std::nth_element(values.begin(), wanted, values.end(),
+                     [](double v, double w) { return internal::ordered_bits(v) < internal::ordered_bits(w); });
+    return *wanted;
+  };
+  const double low = value_of(rank), high = part > 0 ? value_of(rank + 1) : low;
   return low < high ? low + part * (high - low) : low;
 }
 
 CGAL_TUBULAR_MESHING_INLINE double Measure_statistics::share_below(double bound) const {
-  if (values_.empty() || !(bound > min_))
-    return 0;
-  if (bound > max_)
-    return 1;
-  const std::size_t b = bin(bound);
-  const auto below =
-      std::count_if(values_.begin() + std::ptrdiff_t(begin_[b]), values_.begin() + std::ptrdiff_t(begin_[b + 1]),
-                    [bound](double v) { return v < bound; });
-  return double(begin_[b] + std::size_t(below)) / double(values_.size());
+  return values_.empty() ? 0
+                         : double(std::count_if(values_.begin(), values_.end(), [&](double v) { return v < bound; })) /
+                               double(values_.size());
 }
 
 CGAL_TUBULAR_MESHING_INLINE std::array<std::size_t, Measure_statistics::number_of_bins>

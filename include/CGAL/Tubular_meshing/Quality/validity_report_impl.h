@@ -20,6 +20,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -60,18 +61,42 @@ CGAL_TUBULAR_MESHING_INLINE std::string Validity_report::defects() const {
 
 namespace internal {
 
+template <std::size_t N> bool is_inverted(const Mixed_mesh& mesh, const std::array<std::uint32_t, N>& c) {
+  const auto point = [&](int k) { return Vector_3d(mesh.points[c[std::size_t(k)]]); };
+  for (const auto& k : Cell_topology<N>::corners()) {
+    const Vector_3d o = point(k[0]);
+    if (!(dot(cross(point(k[1]) - o, point(k[2]) - o), point(k[3]) - o) > 0))
+      return true;
+  }
+  return false;
+}
+
+template <std::size_t N>
+std::size_t number_of_inverted(const Mixed_mesh& mesh, const Element_block<N>& cells, int threads) {
+  std::atomic<std::size_t> number{0};
+  for_each_range(cells.size(), threads, [&](std::size_t first, std::size_t last) {
+    std::size_t n = 0;
+    for (std::size_t c = first; c < last; ++c)
+      n += is_inverted(mesh, cells.vertices[c]);
+    number += n;
+  });
+  return number;
+}
+
+inline std::size_t number_of_inverted_cells(const Mixed_mesh& mesh, int threads) {
+  return number_of_inverted(mesh, mesh.tetrahedra, threads) + number_of_inverted(mesh, mesh.pyramids, threads) +
+         number_of_inverted(mesh, mesh.prisms, threads) + number_of_inverted(mesh, mesh.hexahedra, threads);
+}
+
+/* All that validity is but for inverted cells: of the mesh's elements and labels, wherever its points are. */
 class Validity_checker {
 public:
   // Of all cells, and facets.
-  Validity_checker(const Matched_faces& matched, int threads)
+  explicit Validity_checker(const Matched_faces& matched)
       : mesh_(matched.cells.mesh())
-      , faces_(matched.faces)
-      , threads_(threads) {
+      , cells_(matched.cells)
+      , faces_(matched.faces) {
     report_.cells = matched.cells.size();
-    check_cells(mesh_.tetrahedra);
-    check_cells(mesh_.pyramids);
-    check_cells(mesh_.prisms);
-    check_cells(mesh_.hexahedra);
     match_faces();
     check_boundary();
     count_unused_points();
@@ -83,42 +108,20 @@ private:
   typedef std::uint32_t Index;
   typedef cells::Face_buckets::Face Face;
 
-  Vector_3d point(Index v) const { return Vector_3d(mesh_.points[v]); }
-
-  template <std::size_t N> void check_cells(const Element_block<N>& cells) {
-    std::atomic<std::size_t> inverted{0};
-    for_each_range(cells.size(), threads_, [&](std::size_t first, std::size_t last) {
-      std::size_t n = 0;
-      for (std::size_t c = first; c < last; ++c)
-        n += is_inverted(cells.vertices[c]);
-      inverted += n;
-    });
-    report_.inverted_cells += inverted;
-  }
-
-  template <std::size_t N> bool is_inverted(const std::array<Index, N>& c) const {
-    for (const auto& k : Cell_topology<N>::corners()) {
-      const Vector_3d o = point(c[k[0]]);
-      if (!(dot(cross(point(c[k[1]]) - o, point(c[k[2]]) - o), point(c[k[3]]) - o) > 0))
-        return true;
-    }
-    return false;
-  }
-
   void match_faces() {
-    region_.reserve(report_.cells);
-    for (const auto* labels :
-         {&mesh_.tetrahedra.label, &mesh_.pyramids.label, &mesh_.prisms.label, &mesh_.hexahedra.label})
-      region_.insert(region_.end(), labels->begin(), labels->end());
-    boost::disjoint_sets_with_storage<> pieces(report_.cells); // of regions; at last, of all
+    boundary_edges_.reserve(3 * mesh_.triangles.size() + 4 * mesh_.quads.size());
+    std::vector<std::uint8_t> rank(report_.cells, 0);
+    std::vector<Index> parent(report_.cells);
+    std::iota(parent.begin(), parent.end(), Index(0));
+    boost::disjoint_sets<std::uint8_t*, Index*> pieces(rank.data(), parent.data()); // of regions; at last, of all
     for (std::size_t v = 0; v < mesh_.points.size(); ++v)
       faces_.for_each_group(v, [&](std::size_t first, std::size_t last) { match_face(first, last, pieces); });
-    for (std::size_t c = 0; c < report_.cells; ++c)
+    for (Index c = 0; c < report_.cells; ++c)
       if (pieces.find_set(c) == c)
-        ++report_.region_components[region_[c]];
+        ++report_.region_components[cells_.region(c)];
     for (const auto& i : interfaces_)
       pieces.union_set(i.first, i.second);
-    for (std::size_t c = 0; c < report_.cells; ++c)
+    for (Index c = 0; c < report_.cells; ++c)
       report_.connected_components += pieces.find_set(c) == c;
   }
 
@@ -132,7 +135,7 @@ private:
     if (cells > 2 || (cells == 2 && faces_.overlap(face, other)))
       ++report_.overfull_faces;
     if (cells == 2) {
-      if (region_[face.owner()] == region_[other.owner()])
+      if (cells_.region(face.owner()) == cells_.region(other.owner()))
         pieces.union_set(face.owner(), other.owner());
       else {
         interfaces_.emplace_back(face.owner(), other.owner());
@@ -186,17 +189,22 @@ private:
   }
 
   const Mixed_mesh& mesh_;
+  const cells::Numbered_cells& cells_;
   const cells::Face_buckets& faces_;
-  int threads_;
-  std::vector<int> region_;                         // of the cells
   std::vector<std::pair<Index, Index>> interfaces_; // cells on both sides
   std::vector<std::uint64_t> boundary_edges_;       // lower vertex, higher vertex
   std::ptrdiff_t boundary_faces_ = 0;
   Validity_report report_;
 };
 
+inline Validity_report validity_of(const Matched_faces& matched, int threads) {
+  Validity_report report = Validity_checker(matched).report();
+  report.inverted_cells = number_of_inverted_cells(matched.cells.mesh(), threads);
+  return report;
+}
+
 CGAL_TUBULAR_MESHING_INLINE Validity_report validity_report_on(int threads, const Mixed_mesh& mesh) {
-  return Validity_checker(Matched_faces(mesh, cells::Face_buckets::with_facets, threads), threads).report();
+  return validity_of(Matched_faces(mesh, cells::Face_buckets::with_facets, threads), threads);
 }
 
 } // namespace internal

@@ -21,8 +21,8 @@ namespace CGAL::Tubular_meshing::internal::cells {
 
 /* The faces of all cells, and on request the facets of the mesh, in buckets: each in that of its lowest corner, where
  * those with the same corners stand next to each other, cells before facets. Buckets hold a few dozen, so that this is
- * O(n log b) for n faces and b in a bucket; 4 bytes a face, as corners are those of the mesh, which must outlive this. On
- * all threads; the result does not depend on their number. */
+ * O(n log b) for n faces and b in a bucket; 4 bytes a face, as corners are those of the mesh, which must outlive this.
+ * Copies share them. On all threads; the result does not depend on their number. */
 class Face_buckets {
 public:
   class Face {
@@ -50,35 +50,44 @@ public:
 
   // `region`: of the only cells that count; null: all.
   Face_buckets(const Numbered_cells& cells, Facets facets, int threads, const int* region = nullptr)
-      : cells_(cells)
-      , begin_(cells.mesh().points.size() + 1, 0) {
+      : cells_(cells) {
     check_size((std::max)(cells.size(), cells.mesh().triangles.size() + cells.mesh().quads.size()), most_owners,
                "cells");
     check_size(cells.mesh().points.size(), most_points, "points");
     std::vector<std::atomic<std::uint32_t>> taken(cells.mesh().points.size());
     for_each_face(facets, threads, region,
                   [&](std::uint32_t lowest, const Face&) { taken[lowest].fetch_add(1, std::memory_order_relaxed); });
+    const auto buckets = std::make_shared<Buckets>();
+    std::vector<std::uint32_t>& begin = buckets->begin;
+    begin.assign(taken.size() + 1, 0);
     for (std::size_t v = 0; v < taken.size(); ++v) {
-      begin_[v + 1] = begin_[v] + taken[v];
+      begin[v + 1] = begin[v] + taken[v];
       taken[v] = 0;
     }
-    faces_.reset(new Face[begin_.back()]); // not set to zero, which would be the work of one thread
+    buckets->faces.reset(new Face[begin.back()]); // not set to zero, which would be the work of one thread
+    Face* const faces = buckets->faces.get();
     for_each_face(facets, threads, region, [&](std::uint32_t lowest, const Face& face) {
-      faces_[begin_[lowest] + taken[lowest].fetch_add(1, std::memory_order_relaxed)] = face;
+      faces[begin[lowest] + taken[lowest].fetch_add(1, std::memory_order_relaxed)] = face;
     });
     std::atomic<bool> has_overlaps{false};
     for_each_range(taken.size(), threads, [&](std::size_t first, std::size_t last) {
       std::vector<Key> keys;
       for (std::size_t v = first; v < last; ++v)
-        if (sort(faces_.get() + begin_[v], faces_.get() + begin_[v + 1], keys))
+        if (sort(faces + begin[v], faces + begin[v + 1], keys))
           has_overlaps.store(true, std::memory_order_relaxed);
     });
-    has_overlaps_ = has_overlaps;
+    buckets->has_overlaps = has_overlaps;
+    buckets_ = buckets;
   }
 
-  std::size_t number_of_faces() const { return begin_.back(); } // those between cells twice
-  std::size_t first_face(std::size_t vertex) const { return begin_[vertex]; }
-  const Face& operator[](std::size_t k) const { return faces_[k]; }
+  // The same faces of another mesh that has the same elements: O(1).
+  Face_buckets(const Numbered_cells& cells, const Face_buckets& of_same_elements)
+      : cells_(cells)
+      , buckets_(of_same_elements.buckets_) {}
+
+  std::size_t number_of_faces() const { return buckets_->begin.back(); } // those between cells twice
+  std::size_t first_face(std::size_t vertex) const { return buckets_->begin[vertex]; }
+  const Face& operator[](std::size_t k) const { return buckets_->faces[k]; }
 
   // As its owner has them: those of a cell's face are counterclockwise, seen from outside of the cell.
   cells::Face corners(const Face& face) const {
@@ -86,13 +95,15 @@ public:
   }
   // Of two faces of cells with the same corners: whether the cells are on the same side, which is rare.
   bool overlap(const Face& a, const Face& b) const {
-    return has_overlaps_ && is_reversed(corners(a)) == is_reversed(corners(b));
+    return buckets_->has_overlaps && is_reversed(corners(a)) == is_reversed(corners(b));
   }
 
   // Calls visit(first, last) for the faces with the same corners, the numbers [first, last), all whose lowest is `vertex`.
   template <class Visit> void for_each_group(std::size_t vertex, const Visit& visit) const {
-    for (std::size_t first = begin_[vertex], last; first < begin_[vertex + 1]; first = last) {
-      for (last = first + 1; last < begin_[vertex + 1] && faces_[last].has_corners_of_last();)
+    const Face* faces = buckets_->faces.get();
+    const std::size_t end = buckets_->begin[vertex + 1];
+    for (std::size_t first = buckets_->begin[vertex], last; first < end; first = last) {
+      for (last = first + 1; last < end && faces[last].has_corners_of_last();)
         ++last;
       visit(first, last);
     }
@@ -191,10 +202,14 @@ private:
     return has_overlaps;
   }
 
+  struct Buckets {
+    std::unique_ptr<Face[]> faces;    // in the order of their lowest corners
+    std::vector<std::uint32_t> begin; // of each vertex
+    bool has_overlaps = false;
+  };
+
   Numbered_cells cells_;
-  std::unique_ptr<Face[]> faces_;  // in the order of their lowest corners
-  std::vector<std::size_t> begin_; // of each vertex
-  bool has_overlaps_ = false;
+  std::shared_ptr<const Buckets> buckets_;
 };
 
 } // namespace CGAL::Tubular_meshing::internal::cells

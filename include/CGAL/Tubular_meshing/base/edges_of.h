@@ -5,12 +5,14 @@
 #define CGAL_TUBULAR_MESHING_BASE_EDGES_OF_H
 
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
+#include <CGAL/Tubular_meshing/base/exceptions.h>
 #include <CGAL/Tubular_meshing/base/parallel.h>
 
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -24,6 +26,8 @@ template <std::size_t N, class Counts>
 std::vector<std::pair<std::uint32_t, std::uint32_t>>
 edges_of(const Element_block<N>& elements, std::size_t number_of_vertices, const Counts& counts, int threads) {
   static_assert(N <= 4, "any two vertices are joined");
+  if (elements.size() > (std::numeric_limits<std::uint32_t>::max)() / (N * (N - 1) / 2))
+    throw Input_error("The mesh has more edges than can be numbered: part it.");
   const auto for_each_side = [&](const auto& visit) {
     for_each_range(elements.size(), threads, [&](std::size_t first, std::size_t last) {
       for (std::size_t k = first; k < last; ++k)
@@ -36,7 +40,7 @@ edges_of(const Element_block<N>& elements, std::size_t number_of_vertices, const
     });
   };
   std::vector<std::atomic<std::uint32_t>> number(number_of_vertices); // of what a vertex has so far
-  std::vector<std::size_t> begin(number_of_vertices + 1, 0);
+  std::vector<std::uint32_t> begin(number_of_vertices + 1, 0);
   const auto sum_up = [&] {
     for (std::size_t v = 0; v < number_of_vertices; ++v)
       begin[v + 1] = begin[v] + number[v];
@@ -49,7 +53,7 @@ edges_of(const Element_block<N>& elements, std::size_t number_of_vertices, const
   for_each_side([&](std::uint32_t a, std::uint32_t b) {
     others[begin[a] + number[a].fetch_add(1, std::memory_order_relaxed)] = b;
   });
-  const std::vector<std::size_t> with_repetitions = begin;
+  const std::vector<std::uint32_t> with_repetitions = begin;
   for_each_range(number_of_vertices, threads, [&](std::size_t from, std::size_t to) {
     for (std::size_t v = from; v < to; ++v) {
       const auto first = others.begin() + std::ptrdiff_t(with_repetitions[v]);

@@ -162,7 +162,9 @@ private:
 
   void measure_everywhere(const Sampled_surface& surface) {
     const bool are_all_new = balls_.empty();
-    measure_new_cells(surface); // raises the radii at their corners
+    if (are_all_new)
+      balls_.reserve(delaunay_.number_of_cells() / 2); // of the cells, about so many are inside
+    measure_new_cells(surface);                        // raises the radii at their corners
     if (are_all_new)
       return;
     std::fill(pole_radii_.begin(), pole_radii_.end(), 0.);

@@ -116,7 +116,8 @@ public:
   // That the mesh is one of the model.
   void check(const Mixed_mesh& mesh) {
     stage("check");
-    check_differences(mesh, *model_, frame_.surface().surface, options_.size.number_of_threads);
+    report_.check = Mesh_check(mesh, options_.size.number_of_threads);
+    check_differences(mesh, *model_, frame_.surface().surface, report_.check);
   }
   void check_fits_into_memory() { check_memory(size().estimated_number_of_tetrahedra()); }
 

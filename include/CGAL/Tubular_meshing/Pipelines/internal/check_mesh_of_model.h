@@ -7,6 +7,7 @@
 #include <CGAL/Tubular_meshing/Layers/Wall_materials.h>
 #include <CGAL/Tubular_meshing/base/Kernel.h>
 #include <CGAL/Tubular_meshing/base/Mixed_mesh.h>
+#include <CGAL/Tubular_meshing/Quality/Mesh_check.h>
 #include <CGAL/Tubular_meshing/Quality/lumen_measures.h>
 #include <CGAL/Tubular_meshing/Quality/validity_report.h>
 #include <CGAL/Tubular_meshing/Pipelines/Tubular_model.h>
@@ -29,10 +30,10 @@ namespace CGAL::Tubular_meshing::internal {
 constexpr double largest_loss_of_volume = 0.3;
 
 // What a mesh of the model must be beyond valid: of the model's topology, with all of its patches, and as large.
-// `surface`: the model's, where the mesh is.
+// `surface`: the model's, where the mesh is; `check`: of the mesh.
 inline std::string differences(const Mixed_mesh& mesh, const Tubular_model& model, const Surface& surface,
-                               int threads) {
-  Validity_report report = validity_report(mesh, parameters::number_of_threads(threads));
+                               const Mesh_check& check) {
+  Validity_report report = check.validity();
   const bool has_materials =
       !report.region_components.empty() && report.region_components.rbegin()->first >= labels::first_material;
   if (has_materials) // which may be in several places, and part the wall
@@ -80,8 +81,9 @@ template <class Size> double estimated_number_of_triangles(const Surface& surfac
   return number;
 }
 
-inline void check_differences(const Mixed_mesh& mesh, const Tubular_model& model, const Surface& surface, int threads) {
-  const std::string s = differences(mesh, model, surface, threads);
+inline void check_differences(const Mixed_mesh& mesh, const Tubular_model& model, const Surface& surface,
+                              const Mesh_check& check) {
+  const std::string s = differences(mesh, model, surface, check);
   if (!s.empty())
     throw Meshing_error("The mesh came out with " + s +
                         ": the mesh size may be too coarse for the surface; try a finer one.");

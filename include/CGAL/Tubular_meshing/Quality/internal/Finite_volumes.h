@@ -105,7 +105,8 @@ private:
         measure(faces.data(), n, centers_[c], aspect_[c]);
       }
     });
-    aspect_.erase(std::remove(aspect_.begin(), aspect_.end(), nothing), aspect_.end());
+    if (region_ != nullptr)
+      aspect_.erase(std::remove(aspect_.begin(), aspect_.end(), nothing), aspect_.end());
   }
 
   typedef std::array<double, 3> Projections; // areas of faces along the axes
@@ -153,46 +154,54 @@ private:
     return (std::max)(most / least, (areas[0] + areas[1] + areas[2]) / (6 * side * side));
   }
 
+  // How many faces there are of each: those between two cells, and all.
+  struct Face_numbers {
+    std::size_t inner = 0, all = 0;
+  };
+
   // Faces of the same corners are one. They are measured in the order of their lowest corners, in parts side by side.
   void measure_faces() {
     const std::size_t parts = 256, points = mesh_.points.size();
-    std::vector<Face_measures> of_part(parts);
+    const auto for_each_face_of = [&](std::size_t part, const auto& visit) {
+      for (std::size_t v = part * points / parts; v < (part + 1) * points / parts; ++v)
+        faces_.for_each_group(v, [&](std::size_t first, std::size_t last) {
+          if (!faces_[first].is_facet()) // cells come before facets
+            visit(faces_[first], last - first > 1 && !faces_[first + 1].is_facet() ? &faces_[first + 1] : nullptr);
+        });
+    };
+    std::vector<Face_numbers> before(parts + 1);
     for_each_task(parts, threads_, [&](std::size_t k) {
-      for (std::size_t v = k * points / parts; v < (k + 1) * points / parts; ++v)
-        faces_.for_each_group(v, [&](std::size_t first, std::size_t last) { measure_face(first, last, of_part[k]); });
+      for_each_face_of(k, [&](const Face&, const Face* other) {
+        before[k + 1].inner += other != nullptr;
+        ++before[k + 1].all;
+      });
     });
-    for (Face_measures& m : of_part) {
-      append(m.non_orthogonality, non_orthogonality_);
-      append(m.skewness, skewness_);
+    for (std::size_t k = 0; k < parts; ++k) {
+      before[k + 1].inner += before[k].inner;
+      before[k + 1].all += before[k].all;
     }
-  }
-  struct Face_measures {
-    std::vector<double> non_orthogonality, skewness;
-  };
-  static void append(std::vector<double>& values, std::vector<double>& all) {
-    all.insert(all.end(), values.begin(), values.end());
-    std::vector<double>().swap(values);
-  }
-
-  // Cells come before facets.
-  void measure_face(std::size_t first, std::size_t last, Face_measures& measures) const {
-    const Face& f = faces_[first];
-    if (f.is_facet())
-      return;
-    const Polygon face = polygon(cells_.face(f.owner(), f.number()));
-    if (last - first > 1 && !faces_[first + 1].is_facet())
-      measure_between(face, centers_[f.owner()], centers_[faces_[first + 1].owner()], measures);
-    else
-      measures.skewness.push_back(skewness_at_boundary(face, centers_[f.owner()]));
+    non_orthogonality_.resize(before[parts].inner);
+    skewness_.resize(before[parts].all);
+    for_each_task(parts, threads_, [&](std::size_t k) {
+      Face_numbers at = before[k];
+      for_each_face_of(k, [&](const Face& f, const Face* other) {
+        const Polygon face = polygon(cells_.face(f.owner(), f.number()));
+        const Vector_3d& center = centers_[f.owner()];
+        if (other == nullptr) {
+          skewness_[at.all++] = skewness_at_boundary(face, center);
+          return;
+        }
+        const Vector_3d d = centers_[other->owner()] - center;
+        non_orthogonality_[at.inner++] = non_orthogonality(face, d);
+        skewness_[at.all++] = skewness_along(face, center, d, 0.2);
+      });
+    });
   }
 
-  static void measure_between(const Polygon& face, const Vector_3d& from, const Vector_3d& to,
-                              Face_measures& measures) {
-    const Vector_3d d = to - from;
+  static double non_orthogonality(const Polygon& face, const Vector_3d& d) {
     const double product = norm(d) * norm(face.area);
     const double cosine = product > 0 ? dot(d, face.area) / product : 0;
-    measures.non_orthogonality.push_back(180 / pi * std::acos((std::min)((std::max)(cosine, -1.), 1.)));
-    measures.skewness.push_back(skewness_along(face, from, d, 0.2));
+    return 180 / pi * std::acos((std::min)((std::max)(cosine, -1.), 1.));
   }
 
   // As if the cell were mirrored by the face.

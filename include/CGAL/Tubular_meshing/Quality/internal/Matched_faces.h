@@ -20,6 +20,11 @@ struct Matched_faces {
       : cells(mesh)
       , faces(cells, facets, threads, region)
       , region(region) {}
+  // Those of another mesh that has the same elements: O(1).
+  Matched_faces(const Mixed_mesh& mesh, const Matched_faces& of_same_elements)
+      : cells(mesh)
+      , faces(cells, of_same_elements.faces)
+      , region(of_same_elements.region) {}
 };
 
 } // namespace CGAL::Tubular_meshing::internal
