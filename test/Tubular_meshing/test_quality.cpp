@@ -463,7 +463,7 @@ TEST(Mesh_check, Makes_no_difference_to_reports) {
   changed.hexahedra.vertices.pop_back();
   changed.hexahedra.label.pop_back();
   EXPECT_GT(tubular::validity_report(moved).inverted_cells, 0u);
-  for (const Mesh* mesh : {&m, &moved, &changed})
+  for (const Mesh* mesh : std::vector<const Mesh*>{&m, &moved, &changed})
     for (int threads : {0, 1}) {
       const auto np = tubular::parameters::number_of_threads(threads);
       expect_same(tubular::mesh_report(*mesh, np.mesh_check(check)), tubular::mesh_report(*mesh, np));
